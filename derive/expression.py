@@ -1,0 +1,85 @@
+"""One expression printer for all languages; it knows a few operations and refuses the rest.
+
+C, Python and CasADi evaluate what it prints in the same order, so they agree to the last bit where
+their sines do.
+"""
+
+from collections.abc import Callable
+
+import sympy as sp
+
+CALLS = {sp.sin: "sin", sp.cos: "cos", sp.tan: "tan", sp.exp: "exp", sp.log: "log"}
+"""Functions that C's math library, NumPy, CasADi and mpmath all have under the same name."""
+
+
+class ExpressionPrinter:
+    """Prints an expression as infix code.
+
+    Parameters
+    ----------
+    number : callable
+        Prints an integer (a literal ``2`` is an int in Python but should be ``2.0`` in C).
+    call : callable
+        Prints a function call from its name and printed argument.
+    """
+
+    def __init__(self, number: Callable[[int], str], call: Callable[[str, str], str]) -> None:
+        self._number = number
+        self._call = call
+
+    def __call__(self, expr: sp.Expr) -> str:
+        """Print `expr`; raises TypeError for an operation that is not in the table."""
+        return self._sum(expr)
+
+    def _sum(self, expr: sp.Expr) -> str:
+        if not expr.is_Add:
+            return self._product(expr)
+        terms = expr.as_ordered_terms()
+        leading = next((t for t in terms if not t.could_extract_minus_sign()), terms[0])
+        terms.remove(leading)
+        text = self._product(leading)
+        for term in terms:
+            negative = term.could_extract_minus_sign()
+            text += (" - " if negative else " + ") + self._product(-term if negative else term)
+        return text
+
+    def _product(self, expr: sp.Expr) -> str:
+        sign = ""
+        if expr.could_extract_minus_sign() and not expr.is_Add:
+            sign, expr = "-", -expr
+        coefficient, rest = expr.as_coeff_Mul()
+        above = [] if coefficient.p == 1 and rest is not sp.S.One else [self._number(int(coefficient.p))]
+        below = [] if coefficient.q == 1 else [self._number(int(coefficient.q))]
+        for factor in rest.as_ordered_factors() if rest is not sp.S.One else []:
+            base, exponent = factor.as_base_exp() if factor.is_Pow else (factor, sp.S.One)
+            (below if exponent.is_negative else above).append(self._power(base, abs(exponent)))
+        text = sign + ("*".join(above) or self._number(1))
+        if not below:
+            return text
+        return (
+            text
+            + "/"
+            + (below[0] if len(below) == 1 and "*" not in below[0] else "(" + "*".join(below) + ")")
+        )
+
+    def _power(self, base: sp.Expr, exponent: sp.Expr) -> str:
+        if exponent == sp.Rational(1, 2):
+            return self._call("sqrt", self._sum(base))
+        if not exponent.is_Integer or exponent > 4:
+            raise TypeError(
+                f"cannot print the power {base}**{exponent}: only 1/2 and integers up to 4 are known"
+            )
+        return "*".join([self._atom(base)] * int(exponent))
+
+    def _atom(self, expr: sp.Expr) -> str:
+        if expr.is_Symbol:
+            return str(expr.name)
+        if expr.is_Add or (expr.is_Mul or expr.is_Pow):
+            return f"({self._sum(expr)})"
+        if expr.is_Integer:
+            return self._number(int(expr)) if expr >= 0 else f"({self._number(int(expr))})"
+        if expr.func in CALLS:
+            return self._call(CALLS[expr.func], self._sum(expr.args[0]))
+        raise TypeError(
+            f"cannot print {expr.func.__name__} in {expr}: known are + - * / powers, {', '.join(CALLS.values())}"
+        )

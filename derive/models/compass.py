@@ -1,0 +1,42 @@
+"""The compass walker: two straight massless legs, a mass at the hip and one at each foot.
+
+The same walker as `wobbling` without the wobbling mass. It is a model of its own, because the mass
+matrix of that one is singular at ``alpha = 0``.
+"""
+
+import sympy as sp
+
+from stridemap.derive.controller import GAINS, OSCILLATOR, hip_torque
+from stridemap.derive.declaration import STANCE_FOOT, Coordinate, Parameter, PointMass, Walker
+
+THETA1 = Coordinate("theta1", "rad", "angle of the stance leg from the vertical, positive leaning back")
+THETA2 = Coordinate("theta2", "rad", "angle from the stance leg to the swing leg")
+BETA = Parameter("beta", 0.15, "M", "point mass at each foot", 0.0, lower_open=True)
+
+theta1, theta2 = THETA1.symbol, THETA2.symbol
+hip = STANCE_FOOT + sp.Matrix([-sp.sin(theta1), sp.cos(theta1)])
+swing_foot = hip + sp.Matrix([sp.sin(theta1 - theta2), -sp.cos(theta1 - theta2)])
+
+FEET = (PointMass("stance foot", BETA.symbol, STANCE_FOOT), PointMass("swing foot", BETA.symbol, swing_foot))
+SWAP = {theta1: theta1 - theta2, theta2: -theta2}
+
+WALKER = Walker(
+    name="compass",
+    title="Compass walker",
+    reference="T. Kamimura, A. Sano, ICRA 2023 (arXiv:2209.14515), without the wobbling mass",
+    coordinates=(THETA1, THETA2),
+    parameters=(*OSCILLATOR, BETA, *GAINS),
+    masses=(PointMass("hip", sp.Integer(1), hip), *FEET),
+    springs={},
+    actuated=THETA2,
+    torque=hip_torque(THETA2),
+    swing_foot=swing_foot,
+    touchdown=theta2 - 2 * theta1,
+    touchdown_side=theta1,
+    relabel=SWAP,
+    section_solves=(theta2, 2 * theta1),
+    stance_angle=THETA1,
+    spring_mode=None,
+    wobbling=None,
+    search_box={"theta1": (0.01, 0.5), "dtheta1": (-1.0, 0.2), "dtheta2": (-1.0, 1.0)},
+)

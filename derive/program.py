@@ -1,0 +1,241 @@
+"""A function as a straight-line program: one ordered list of named intermediate terms.
+
+Everything that is printed, in whatever language, prints this list, so that all of it computes the
+same numbers in the same order.
+"""
+
+import re
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field
+
+import sympy as sp
+
+from stridemap.derive.mechanics import simplified
+
+
+@dataclass(frozen=True)
+class Entry:
+    """One scalar of an argument: its symbol, unit and meaning."""
+
+    symbol: sp.Symbol
+    unit: str
+    meaning: str
+
+
+@dataclass(frozen=True)
+class Argument:
+    """A named vector argument and what its entries are.
+
+    Parameters
+    ----------
+    name : str
+    entries : tuple of Entry
+        A single entry makes it a scalar when `scalar` is true.
+    scalar : bool
+    """
+
+    name: str
+    entries: tuple[Entry, ...]
+    scalar: bool = False
+
+
+@dataclass(frozen=True)
+class Output:
+    """A named result: a scalar, a vector, shape (n, 1), or a matrix, shape (n, m)."""
+
+    name: str
+    value: sp.Matrix | sp.Expr
+    meaning: str
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """() for a scalar, (n,) for a vector, (n, m) for a matrix."""
+        if not isinstance(self.value, sp.MatrixBase):
+            return ()
+        rows, columns = self.value.shape
+        return (rows,) if columns == 1 else (rows, columns)
+
+    @property
+    def entries(self) -> list[sp.Expr]:
+        """The scalars in row-major order."""
+        return list(self.value) if isinstance(self.value, sp.MatrixBase) else [self.value]
+
+
+@dataclass(frozen=True)
+class Program:
+    """A function in static single assignment form.
+
+    Parameters
+    ----------
+    name : str
+        The quantity, for example ``mass_matrix``.
+    summary, source : str
+        What it computes, and the equation it comes from.
+    arguments : tuple of Argument
+        Only those that the function depends on.
+    statements : tuple of (Symbol, sympy.Expr)
+        Intermediate terms; each uses arguments and earlier terms only.
+    outputs : tuple of Output
+        In terms of arguments and intermediate terms.
+    """
+
+    name: str
+    summary: str
+    source: str
+    arguments: tuple[Argument, ...]
+    statements: tuple[tuple[sp.Symbol, sp.Expr], ...]
+    outputs: tuple[Output, ...]
+
+    @property
+    def operations(self) -> int:
+        """Number of arithmetic operations and function calls."""
+        terms = [e for _, e in self.statements] + [e for o in self.outputs for e in o.entries]
+        return int(sum(sp.count_ops(e) for e in terms))
+
+    @property
+    def used(self) -> set[sp.Symbol]:
+        """Argument entries that some term reads."""
+        terms = [e for _, e in self.statements] + [e for o in self.outputs for e in o.entries]
+        return set().union(*(e.free_symbols for e in terms))
+
+
+@dataclass
+class Builder:
+    """Collects named intermediate terms and closes them into a `Program`."""
+
+    named: dict[sp.Symbol, sp.Expr] = field(default_factory=dict)
+
+    def let(self, name: str, expr: sp.Expr) -> sp.Expr:
+        """Name an intermediate term; numbers and plain symbols are passed through."""
+        expr = simplified(sp.sympify(expr))
+        if expr.is_Number or expr.is_Symbol:
+            return expr
+        symbol = sp.Symbol(name, real=True)
+        if symbol in self.named:
+            raise ValueError(f"two intermediate terms are named {name}")
+        self.named[symbol] = expr
+        return symbol
+
+    def let_vector(self, name: str, values: Iterable[sp.Expr]) -> sp.Matrix:
+        """Name the entries of a vector ``<name>_1``, ``<name>_2``, ..."""
+        return sp.Matrix([self.let(f"{name}_{i}", e) for i, e in enumerate(values, 1)])
+
+    def factor(self, name: str, matrix: sp.Matrix) -> tuple[sp.Matrix, list[sp.Expr]]:
+        """Factor a symmetric positive definite matrix as ``L D L^T``, unrolled (L unit lower triangular)."""
+        n = matrix.rows
+        lower, pivots = sp.eye(n), []
+        for j in range(n):
+            pivot = matrix[j, j] - sum(lower[j, m] ** 2 * pivots[m] for m in range(j))
+            pivots.append(self.let(f"{name}_D{j + 1}", pivot))
+            for i in range(j + 1, n):
+                rest = matrix[i, j] - sum(lower[i, m] * lower[j, m] * pivots[m] for m in range(j))
+                lower[i, j] = self.let(f"{name}_L{i + 1}{j + 1}", rest / pivots[j])
+        return lower, pivots
+
+    def solve(self, name: str, factors: tuple[sp.Matrix, list[sp.Expr]], right: sp.Matrix) -> sp.Matrix:
+        """Solve ``L D L^T y = right`` by substitution, unrolled; the unknowns are named ``<name>_i``."""
+        lower, pivots = factors
+        n = lower.rows
+        forward: list[sp.Expr] = []
+        for i in range(n):
+            term = right[i] - sum(lower[i, m] * forward[m] for m in range(i))
+            forward.append(self.let(f"{name}_f{i + 1}", term))
+        solution = sp.zeros(n, 1)
+        for i in reversed(range(n)):
+            term = forward[i] / pivots[i] - sum(lower[m, i] * solution[m] for m in range(i + 1, n))
+            solution[i] = self.let(f"{name}_{i + 1}", term)
+        return solution
+
+    def close(
+        self, name: str, summary: str, source: str, arguments: tuple[Argument, ...], outputs: Iterable[Output]
+    ) -> Program:
+        """Share common subexpressions, order the terms and keep the arguments that are used."""
+        outputs = tuple(outputs)
+        raw = [*self.named.values(), *(e for o in outputs for e in o.entries)]
+        trig = _named_trigonometry(raw)
+        taken = (
+            {s.name for s in self.named}
+            | {s.name for s in trig.values()}
+            | {s.name for e in raw for s in e.free_symbols}
+        )
+        fresh = (sp.Dummy(f"t{i}", real=True) for i in range(1, 10**6))
+        shared, reduced = sp.cse(
+            [e.xreplace(trig) for e in raw],
+            symbols=fresh,
+            order="canonical",
+        )
+        terms, reduced = _without_trivial(dict(shared), reduced)
+        terms |= {symbol: call for call, symbol in trig.items()}
+        terms |= dict(zip(self.named, reduced, strict=False))
+        results = iter(reduced[len(self.named) :])
+        closed = tuple(Output(o.name, _refill(o, results), o.meaning) for o in outputs)
+        ordered = list(_in_order(terms, [e for o in closed for e in o.entries]))
+        numbered = _renumbered([s for s, _ in ordered], kept=taken)
+        statements = tuple((numbered.get(s, s), e.xreplace(numbered)) for s, e in ordered)
+        closed = tuple(Output(o.name, o.value.xreplace(numbered), o.meaning) for o in closed)
+        program = Program(name, summary, source, arguments, statements, closed)
+        kept = tuple(a for a in arguments if program.used & {e.symbol for e in a.entries})
+        return Program(name, summary, source, kept, statements, closed)
+
+
+def _without_trivial(
+    shared: dict[sp.Symbol, sp.Expr], exprs: list[sp.Expr]
+) -> tuple[dict[sp.Symbol, sp.Expr], list[sp.Expr]]:
+    """Put shared terms of a single cheap operation (``2*beta``, ``dx**2``) back where they are used.
+
+    They save nothing and hide the equation; a division is kept, because it is dear.
+    """
+    inlined: dict[sp.Symbol, sp.Expr] = {}
+    kept: dict[sp.Symbol, sp.Expr] = {}
+    for symbol, expr in shared.items():
+        expr = expr.xreplace(inlined)
+        division = any(p.exp.is_negative for p in expr.atoms(sp.Pow))
+        if sp.count_ops(expr) <= 1 and not division:
+            inlined[symbol] = expr
+        else:
+            kept[symbol] = expr
+    return kept, [e.xreplace(inlined) for e in exprs]
+
+
+def _renumbered(symbols: list[sp.Symbol], kept: set[str]) -> dict[sp.Symbol, sp.Symbol]:
+    """Shared terms renamed ``t1``, ``t2``, ... in the order in which they now stand."""
+    shared = [s for s in symbols if s.name not in kept]
+    names = (f"t{i}" for i in range(1, 10**6) if f"t{i}" not in kept)
+    return {s: sp.Symbol(name, real=True) for s, name in zip(shared, names, strict=False)}
+
+
+def _refill(output: Output, results: Iterator[sp.Expr]) -> sp.Matrix | sp.Expr:
+    if not isinstance(output.value, sp.MatrixBase):
+        return next(results)
+    return sp.Matrix(*output.value.shape, [next(results) for _ in output.value])
+
+
+def _named_trigonometry(exprs: Iterable[sp.Expr]) -> dict[sp.Expr, sp.Symbol]:
+    """A readable name for each sine and cosine: ``c_theta2``, ``s_theta1_minus_theta2``."""
+    calls = sorted(set().union(*(e.atoms(sp.sin, sp.cos) for e in exprs)), key=sp.default_sort_key)
+    names = {}
+    for call in calls:
+        text = str(call.args[0]).replace(" - ", "_minus_").replace(" + ", "_plus_").replace("-", "minus_")
+        names[call] = sp.Symbol(
+            ("s_" if call.func is sp.sin else "c_") + re.sub(r"\W+", "_", text).strip("_"), real=True
+        )
+    if len(set(names.values())) != len(names):
+        raise ValueError(f"sines and cosines whose names collide: {sorted(map(str, names))}")
+    return names
+
+
+def _in_order(
+    terms: dict[sp.Symbol, sp.Expr], results: Iterable[sp.Expr]
+) -> Iterator[tuple[sp.Symbol, sp.Expr]]:
+    """The terms that `results` need, each after those it uses."""
+    done: set[sp.Symbol] = set()
+
+    def visit(expr: sp.Expr) -> Iterator[tuple[sp.Symbol, sp.Expr]]:
+        for symbol in sorted(expr.free_symbols & terms.keys(), key=lambda s: (len(s.name), s.name)):
+            if symbol not in done:
+                done.add(symbol)
+                yield from visit(terms[symbol])
+                yield symbol, terms[symbol]
+
+    for result in results:
+        yield from visit(result)

@@ -1,0 +1,1 @@
+"""Generated code, one folder a model; written by ``make derive``, never edited."""

@@ -1,0 +1,115 @@
+"""The functions that the solver runs, by name, and their C.
+
+`search_<n>`        Newton's method from a rough guess on n Runge-Kutta steps
+`limit_cycle_<n>`   Newton's method from a good guess, with residual and Jacobian at the solution
+`trace_<n>`         the states and observables at the n + 1 nodes of a step
+`advance`           a part of a Runge-Kutta step, observed
+
+The same CasADi functions run in CasADi's virtual machine where there is no C compiler.
+"""
+
+import casadi as ca
+
+from stridemap.solver.model import Model
+from stridemap.solver.observe import Observation
+from stridemap.solver.step_map import StepMap
+
+SEARCH_STEPS = (12, 24, 48)
+"""Resolutions of the search from rough guesses."""
+
+CYCLE_STEPS = (24, 48, 96, 192, 384)
+"""Resolutions of accepted limit cycles; each is checked at twice as many steps."""
+
+SEARCH_ITERATIONS = 14
+CYCLE_ITERATIONS = 6
+
+
+def build(model: Model) -> dict[str, ca.Function]:
+    """All kernels of a model, by name.
+
+    Parameters
+    ----------
+    model : Model
+
+    Returns
+    -------
+    dict of str to casadi.Function
+    """
+    step_map = StepMap(model)
+    observation = Observation(step_map)
+    kernels = [_search(step_map, n) for n in SEARCH_STEPS]
+    kernels += [_limit_cycle(step_map, n) for n in CYCLE_STEPS]
+    kernels += [observation.trace(2 * n) for n in CYCLE_STEPS]
+    kernels += [observation.advance]
+    return {kernel.name(): kernel for kernel in kernels}
+
+
+def _search(step_map: StepMap, steps: int) -> ca.Function:
+    """(u0, p) -> (u, R)."""
+    u0, p = ca.MX.sym("u0", step_map.nz + 1), ca.MX.sym("p", step_map.n_params)
+    u = step_map.rootfinder(steps, SEARCH_ITERATIONS, abstol=1e-12, abstol_step=1e-4)(u0, p)
+    residual = step_map.residual(steps)(u, p)
+    return ca.Function(f"search_{steps}", [u0, p], [u, residual], ["u0", "p"], ["u", "R"])
+
+
+def _limit_cycle(step_map: StepMap, steps: int) -> ca.Function:
+    """(u0, p) -> (u, J, R)."""
+    u0, p = ca.MX.sym("u0", step_map.nz + 1), ca.MX.sym("p", step_map.n_params)
+    u = step_map.rootfinder(steps, CYCLE_ITERATIONS, abstol=1e-14, abstol_step=1e-7)(u0, p)
+    jacobian, residual = step_map.jacobian(steps)(u, p)
+    return ca.Function(f"limit_cycle_{steps}", [u0, p], [u, jacobian, residual], ["u0", "p"], ["u", "J", "R"])
+
+
+def c_source(model: Model) -> str:
+    """The kernels as one C file with `DRIVER`, which maps a kernel over an array of points.
+
+    Parameters
+    ----------
+    model : Model
+    """
+    name = f"{model.name}_kernels"
+    generator = ca.CodeGenerator(f"{name}.c", {"with_header": False})
+    for kernel in build(model).values():
+        generator.add(kernel)
+    banner = (
+        f"/* {model.title}: kernels of the solver, printed by CasADi {ca.__version__} from equations {model.hash[:16]}.\n"
+        " * Do not edit: run `make derive`. SPDX-License-Identifier: BSD-3-Clause\n */\n"
+    )
+    text = banner + generator.dump() + DRIVER
+    if "#error" in text:
+        raise RuntimeError(f"CasADi could not print every kernel of {model.name} as C")
+    return text
+
+
+DRIVER = """
+/* Map a kernel over an array of points: point i reads in[j] + i*in_size[j] (a size of 0 repeats one input
+ * for all points) and writes out[j] + i*out_size[j]. failed[i] is the kernel's return value.
+ * work_size: lengths of arg, res, iw, w. Returns 0, or 1 when there is no memory. */
+#include <stdlib.h>
+
+typedef int (*stridemap_kernel)(const double** arg, double** res, casadi_int* iw, double* w, int mem);
+
+CASADI_SYMBOL_EXPORT int stridemap_map(stridemap_kernel kernel, const casadi_int* work_size, casadi_int n,
+    casadi_int n_in, const double* const* in, const casadi_int* in_size,
+    casadi_int n_out, double* const* out, const casadi_int* out_size, int* failed)
+{
+    const double** arg = malloc((size_t) work_size[0] * sizeof(double*));
+    double** res = malloc((size_t) work_size[1] * sizeof(double*));
+    casadi_int* iw = malloc((size_t) (work_size[2] + 1) * sizeof(casadi_int));
+    double* w = malloc((size_t) (work_size[3] + 1) * sizeof(double));
+    const int ready = arg && res && iw && w;
+    casadi_int i, j;
+    if (ready) {
+        for (i = 0; i < n; i++) {
+            for (j = 0; j < n_in; j++) arg[j] = in[j] + i * in_size[j];
+            for (j = 0; j < n_out; j++) res[j] = out[j] + i * out_size[j];
+            failed[i] = kernel(arg, res, iw, w, 0);
+        }
+    }
+    free(arg);
+    free(res);
+    free(iw);
+    free(w);
+    return ready ? 0 : 1;
+}
+"""

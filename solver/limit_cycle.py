@@ -1,0 +1,120 @@
+"""Limit cycles from guesses, on arrays of points: Newton, acceptance, multipliers, measures."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from stridemap.solver.batch import INTEGRATION_TARGET, Batch
+from stridemap.solver.kernels import CYCLE_STEPS, SEARCH_STEPS
+from stridemap.solver.library import Kernels, load_kernels
+from stridemap.solver.model import Model
+from stridemap.solver.orbit import Orbit
+
+Array = NDArray[np.float64]
+
+SEARCH_RESIDUAL = 1e-4
+"""What a search may leave open for Newton's method at full resolution."""
+
+
+@dataclass(frozen=True)
+class Solver:
+    """Finds limit cycles of one model.
+
+    Parameters
+    ----------
+    model : Model
+    kernels : Kernels
+    """
+
+    model: Model
+    kernels: Kernels
+
+    @classmethod
+    def of(cls, model: Model) -> "Solver":
+        """The solver of a model with its compiled kernels."""
+        return cls(model, load_kernels(model))
+
+    # -- resolution --------------------------------------------------------------------------------------
+
+    def fastest_mode(self, params: Array) -> Array:
+        """Largest modulus of an eigenvalue of the swing phase linearised upright at rest, shape (n,)."""
+        unique, inverse = np.unique(params, axis=0, return_inverse=True)
+        n = len(self.model.coordinates)
+        rest = {"t": 0.0, "q": np.zeros(n), "v": np.zeros(n), "p": unique}
+        dv_dq = self.model.evaluate("state_derivative_dq", **rest)["dv_dq"]
+        dv_dv = self.model.evaluate("state_derivative_dv", **rest)["dv_dv"]
+        kinematics = np.broadcast_to(np.eye(n, 2 * n, n), (len(unique), n, 2 * n))
+        linear = np.concatenate([kinematics, np.concatenate([dv_dq, dv_dv], axis=2)], axis=1)
+        modes: Array = np.abs(np.linalg.eigvals(linear)).max(axis=1)
+        return modes[inverse.ravel()]
+
+    @staticmethod
+    def _resolution(phase: Array, choices: tuple[int, ...], per_step: float) -> NDArray[np.int64]:
+        """Fewest Runge-Kutta steps of at most `per_step` of the fastest mode's phase each."""
+        index = np.searchsorted(np.array(choices) * per_step, phase)
+        return np.array(choices)[np.minimum(index, len(choices) - 1)]
+
+    # -- search ------------------------------------------------------------------------------------------
+
+    def search(self, guesses: Array, params: Array) -> tuple[Array, NDArray[np.bool_]]:
+        """Newton's method from rough guesses.
+
+        Parameters
+        ----------
+        guesses : ndarray, shape (n, nz + 1)
+            Section point and period.
+        params : ndarray, shape (n, n_params)
+
+        Returns
+        -------
+        u : ndarray, shape (n, nz + 1)
+        closed : ndarray of bool, shape (n,)
+            Whether Newton's method arrived at a plausible cycle.
+        """
+        u = np.full(guesses.shape, np.nan)
+        closed = np.zeros(len(guesses), dtype=bool)
+        phase = self.fastest_mode(params) * np.abs(guesses[:, -1])
+        steps = self._resolution(phase, SEARCH_STEPS, per_step=1.5)
+        for n in np.unique(steps):
+            at = np.flatnonzero(steps == n)
+            u[at], residual = self.kernels(f"search_{n}", guesses[at], params[at])
+            closed[at] = np.abs(residual).max(axis=1) < SEARCH_RESIDUAL
+        with np.errstate(invalid="ignore"):
+            closed &= np.isfinite(u).all(axis=1) & (u[:, -1] > 0)
+        return u, closed
+
+    # -- completion --------------------------------------------------------------------------------------
+
+    def complete(self, guesses: Array, params: Array, period_range: tuple[float, float]) -> list[Orbit]:
+        """Orbits from good guesses, with everything that is measured; failures carry their reason.
+
+        Parameters
+        ----------
+        guesses : ndarray, shape (n, nz + 1)
+        params : ndarray, shape (n, n_params)
+        period_range : (float, float)
+            Periods outside are marked `Status.OUT_OF_RANGE`.
+
+        Returns
+        -------
+        list of Orbit, length n
+        """
+        orbits: list[Orbit | None] = [None] * len(guesses)
+        u = guesses.copy()
+        phase = self.fastest_mode(params) * np.nan_to_num(np.abs(u[:, -1]))
+        steps = self._resolution(phase, CYCLE_STEPS, per_step=0.45)
+        for n in CYCLE_STEPS:
+            at = np.flatnonzero(steps == n)
+            if not len(at):
+                continue
+            finest = n == CYCLE_STEPS[-1]
+            batch = Batch.solve(self.model, self.kernels, n, u[at], params[at])
+            refine = batch.closed & (not finest) & ~(batch.integration_error <= INTEGRATION_TARGET)
+            steps[at[refine]] = CYCLE_STEPS[min(CYCLE_STEPS.index(n) + 1, len(CYCLE_STEPS) - 1)]
+            u[at[refine]] = batch.u[refine]
+            for i, orbit in zip(
+                at[~refine], batch.take(np.flatnonzero(~refine)).orbits(period_range), strict=True
+            ):
+                orbits[i] = orbit
+        return [orbit for orbit in orbits if orbit is not None]

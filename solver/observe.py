@@ -1,0 +1,129 @@
+"""What is observed along a step, with time derivatives, as straight-line CasADi functions."""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import casadi as ca
+
+from stridemap.solver.runge_kutta import step
+from stridemap.solver.step_map import BLOCK, StepMap
+
+OBSERVABLES = ("power", "d", "vertical_force", "friction", "foot_height", "peak", "touchdown", "wobble")
+"""Row order of the observables.
+
+`power` of the hip; `d`, stance foot minus zero moment point; vertical ground force; horizontal over
+vertical ground force; height of the swing foot; acceleration of the stance angle (its falling zeros are
+peaks of the rate); touchdown condition; position of the wobbling mass (zero where there is none).
+"""
+
+
+@dataclass(frozen=True)
+class Observation:
+    """Builds the observing functions of one model.
+
+    Parameters
+    ----------
+    step_map : StepMap
+    """
+
+    step_map: StepMap
+
+    def _values(self, t: ca.SX, y: ca.SX, p: ca.SX) -> ca.SX:
+        sm, manifest = self.step_map, self.step_map.model.manifest
+        values = {"t": t, "q": y[: sm.n], "v": y[sm.n :], "p": p}
+        coordinates = sm.model.coordinates
+        actuated = coordinates.index(manifest["actuated"])
+        force = sm.call("ground_force", **values)["force"]
+        wobbling = manifest["wobbling"]
+        rows = {
+            "power": self._power(t, y, p, actuated),
+            "d": sm.call("zmp", **values)["d"],
+            "vertical_force": force[1],
+            "friction": force[0] / force[1],
+            "foot_height": sm.call("swing_foot", **values)["foot"][1],
+            "peak": sm.rate(t, y, p)[sm.n + coordinates.index(manifest["stance_angle"])],
+            "touchdown": sm.call("touchdown_condition", **values)["h"],
+            "wobble": y[coordinates.index(wobbling)] if wobbling else ca.SX(0),
+        }
+        return ca.vertcat(*[rows[name] for name in OBSERVABLES])
+
+    def _power(self, t: ca.SX, y: ca.SX, p: ca.SX, actuated: int) -> ca.SX:
+        sm = self.step_map
+        torque = sm.call("controller_torque", t=t, q=y[: sm.n], v=y[sm.n :], p=p)["u"]
+        return torque * y[sm.n + actuated]
+
+    @cached_property
+    def observe(self) -> ca.Function:
+        """(t, y, p) -> (values, their time derivatives), each of len(OBSERVABLES) rows."""
+        sm = self.step_map
+        t, y, p = ca.SX.sym("t"), ca.SX.sym("y", 2 * sm.n), ca.SX.sym("p", sm.n_params)
+        values = self._values(t, y, p)
+        along = ca.jtimes(values, ca.vertcat(t, y), ca.vertcat(1, sm.rate(t, y, p)))
+        outputs = [ca.densify(e) for e in ca.cse([values, along])]
+        return ca.Function("observe", [t, y, p], outputs, ["t", "y", "p"], ["g", "dg"])
+
+    @cached_property
+    def working_step(self) -> ca.Function:
+        """One step of the state and the hip's net work: (t, w, h, p) -> w, with w = (state, work)."""
+        sm = self.step_map
+        actuated = sm.model.coordinates.index(sm.model.manifest["actuated"])
+        w, p = ca.SX.sym("w", 2 * sm.n + 1), ca.SX.sym("p", sm.n_params)
+        t, h = ca.SX.sym("t"), ca.SX.sym("h")
+
+        def rate(s: ca.SX, x: ca.SX) -> ca.SX:
+            y = x[: 2 * sm.n]
+            return ca.vertcat(sm.rate(s, y, p), self._power(s, y, p, actuated))
+
+        end = ca.cse(step(rate, t, w, h))
+        return ca.Function("working_step", [t, w, h, p], [end], ["t", "w", "h", "p"], ["w_end"])
+
+    @cached_property
+    def advance(self) -> ca.Function:
+        """One Runge-Kutta step of any size from a node, observed: (t, w, h, p) -> (w, g, dg)."""
+        sm = self.step_map
+        t, w, h = ca.MX.sym("t"), ca.MX.sym("w", 2 * sm.n + 1), ca.MX.sym("h")
+        p = ca.MX.sym("p", sm.n_params)
+        end = self.working_step(t, w, h, p)
+        g, dg = self.observe(t + h, end[: 2 * sm.n], p)
+        return ca.Function("advance", [t, w, h, p], [end, g, dg], ["t", "w", "h", "p"], ["w_end", "g", "dg"])
+
+    @cached_property
+    def _block(self) -> ca.Function:
+        """`BLOCK` working steps, observed at the start of each: (t, w, h, p) -> (w_end, nodes, g, dg)."""
+        sm = self.step_map
+        t, w, h = ca.MX.sym("t"), ca.MX.sym("w", 2 * sm.n + 1), ca.MX.sym("h")
+        p = ca.MX.sym("p", sm.n_params)
+        nodes = [w]
+        for i in range(BLOCK):
+            nodes.append(self.working_step(t + i * h, nodes[-1], h, p))
+        seen = [self.observe(t + i * h, node[: 2 * sm.n], p) for i, node in enumerate(nodes[:-1])]
+        outputs = [
+            nodes[-1],
+            ca.horzcat(*nodes[:-1]),
+            ca.horzcat(*[s[0] for s in seen]),
+            ca.horzcat(*[s[1] for s in seen]),
+        ]
+        return ca.Function(
+            "working_steps", [t, w, h, p], outputs, ["t", "w", "h", "p"], ["w_end", "nodes", "g", "dg"]
+        )
+
+    def trace(self, steps: int) -> ca.Function:
+        """A whole step, observed at its `steps` + 1 nodes.
+
+        (u, p) -> (w, g, dg, R): state and net work at the nodes, shape (2 n + 1, steps + 1),
+        observables and their derivatives at the nodes, and the residual at this resolution.
+        """
+        sm = self.step_map
+        u, p = ca.MX.sym("u", sm.nz + 1), ca.MX.sym("p", sm.n_params)
+        z, period = u[: sm.nz], u[sm.nz]
+        w = ca.vertcat(sm.start(z)[0], 0)
+        parts = []
+        for i in range(0, steps, BLOCK):
+            w, *part = self._block((i / steps) * period, w, period / steps, p)
+            parts.append(part)
+        parts.append([w, *self.observe(period, w[: 2 * sm.n], p)])
+        nodes, g, dg = (ca.horzcat(*column) for column in zip(*parts, strict=True))
+        residual = sm.landing(w[: 2 * sm.n], z, p)
+        return ca.Function(
+            f"trace_{steps}", [u, p], [nodes, g, dg, residual], ["u", "p"], ["w", "g", "dg", "R"]
+        )

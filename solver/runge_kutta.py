@@ -1,0 +1,42 @@
+"""One fixed step of the explicit Runge-Kutta method of order 8 with 12 stages.
+
+The tableau is Dormand and Prince's (Hairer, Norsett, Wanner, Solving Ordinary Differential Equations
+I, section II.10); its coefficients are read from SciPy. A fixed step keeps the flow a smooth,
+branch-free function of state and step, which is what Newton's method and exact derivatives need.
+"""
+
+from collections.abc import Callable
+
+import casadi as ca
+from scipy.integrate import DOP853
+
+STAGES = 12
+_A, _B, _C = DOP853.A[:STAGES, :STAGES], DOP853.B[:STAGES], DOP853.C[:STAGES]
+
+ORDER = 8
+
+
+def step(rate: Callable[[ca.SX, ca.SX], ca.SX], t: ca.SX, y: ca.SX, h: ca.SX) -> ca.SX:
+    """Advance ``dy/dt = rate(t, y)`` by one step.
+
+    Parameters
+    ----------
+    rate : callable
+        Maps time and y to dy/dt, of y's shape.
+    t, h : casadi.SX, scalar
+        Time at the start and step size.
+    y : casadi.SX
+        State, of any shape.
+
+    Returns
+    -------
+    casadi.SX
+        State at ``t + h``.
+    """
+    slopes: list[ca.SX] = []
+    for i in range(STAGES):
+        stage = y + sum(
+            (h * _A[i, j] * slopes[j] for j in range(i) if _A[i, j] != 0.0), ca.SX.zeros(*y.shape)
+        )
+        slopes.append(rate(t + _C[i] * h, stage))
+    return y + sum((h * _B[i] * slopes[i] for i in range(STAGES) if _B[i] != 0.0), ca.SX.zeros(*y.shape))

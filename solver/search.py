@@ -1,0 +1,179 @@
+"""All limit cycles at points of parameter space: many starts, Newton's method, duplicates merged."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.stats import qmc
+
+from stridemap.errors import InputError
+from stridemap.solver.limit_cycle import Solver
+from stridemap.solver.model import Model
+from stridemap.solver.orbit import Orbit
+
+Array = NDArray[np.float64]
+
+DUPLICATE = 1e-6
+"""Largest difference, in any section coordinate or the period, between two solutions that are one."""
+
+
+@dataclass(frozen=True)
+class SearchOptions:
+    """Options of the search for all limit cycles at a point.
+
+    Parameters
+    ----------
+    starts : int
+        Number of quasi-random starts a point.
+    seed : int
+        Seed of their scrambling.
+    period_min, period_max : float
+        Periods that count: ``period_min < T <= period_max``, in sqrt(L/g).
+
+    Raises
+    ------
+    InputError
+        For values out of range.
+    """
+
+    starts: int = 512
+    seed: int = 0
+    period_min: float = 0.3
+    period_max: float = 3.0
+
+    def __post_init__(self) -> None:
+        if self.starts < 1:
+            raise InputError(f"starts = {self.starts} is not allowed: at least 1 start is needed")
+        if not 0 < self.period_min < self.period_max < np.inf:
+            raise InputError(
+                f"the period range {self.period_min:g} to {self.period_max:g} is not allowed: 0 < period_min < period_max"
+            )
+
+    @property
+    def period_range(self) -> tuple[float, float]:
+        """(period_min, period_max)."""
+        return self.period_min, self.period_max
+
+
+def starts(model: Model, options: SearchOptions) -> Array:
+    """Quasi-random starts over the model's search box and the range of periods.
+
+    Parameters
+    ----------
+    model : Model
+    options : SearchOptions
+
+    Returns
+    -------
+    ndarray, shape (options.starts, nz + 1)
+        Section points with periods (Sobol points, scrambled).
+    """
+    box = [model.manifest["section"]["search_box"][name] for name in model.section] + [options.period_range]
+    sobol = qmc.Sobol(len(box), rng=options.seed)
+    unit = sobol.random_base2(int(np.ceil(np.log2(options.starts))))[: options.starts]
+    lower, upper = np.array(box).T
+    return qmc.scale(unit, lower, upper)
+
+
+def find_orbits(model: Model, points: Array, options: SearchOptions | None = None) -> list[list[Orbit]]:
+    """All limit cycles at each of n points.
+
+    Parameters
+    ----------
+    model : Model
+    points : ndarray, shape (n, n_parameters)
+    options : SearchOptions, optional
+
+    Returns
+    -------
+    list of list of Orbit
+        For each point its limit cycles, ordered by period.
+    """
+    options = options or SearchOptions()
+    solver = Solver.of(model)
+    guesses = starts(model, options)
+    cell = np.repeat(np.arange(len(points)), len(guesses))
+    u, closed = solver.search(np.tile(guesses, (len(points), 1)), points[cell])
+    cell, u = distinct(cell[closed], u[closed])
+    orbits = solver.complete(u, points[cell], options.period_range)
+    return merge(len(points), cell, orbits)
+
+
+def offer(model: Model, points: Array, guesses: Array, options: SearchOptions | None = None) -> list[Orbit]:
+    """One limit cycle a point, from a guess; failures are values with their reason.
+
+    Parameters
+    ----------
+    model : Model
+    points : ndarray, shape (n, n_parameters)
+    guesses : ndarray, shape (n, nz + 1)
+        Section point and period.
+    options : SearchOptions, optional
+
+    Returns
+    -------
+    list of Orbit, length n
+    """
+    options = options or SearchOptions()
+    solver = Solver.of(model)
+    u, _ = solver.search(guesses, points)
+    return solver.complete(u, points, options.period_range)
+
+
+def distinct(
+    cell: NDArray[np.int64], u: Array, tolerance: float = 10 * DUPLICATE
+) -> tuple[NDArray[np.int64], Array]:
+    """One of each set of solutions of the same cell that agree, in the order of cell, then period.
+
+    Parameters
+    ----------
+    cell : ndarray of int, shape (n,)
+    u : ndarray, shape (n, nz + 1)
+    tolerance : float
+        Looser than for orbits, because a search stops early.
+    """
+    order = np.lexsort((*u.T[:-1], u[:, -1], cell))
+    kept: list[int] = []
+    first = 0
+    for i in order:
+        while first < len(kept) and (
+            cell[kept[first]] != cell[i] or u[i, -1] - u[kept[first], -1] > tolerance
+        ):
+            first += 1
+        if all(np.abs(u[i] - u[j]).max() > tolerance for j in kept[first:]):
+            kept.append(int(i))
+    return cell[kept], u[kept]
+
+
+def merge(n: int, cell: Sequence[int] | NDArray[np.int64], orbits: Sequence[Orbit]) -> list[list[Orbit]]:
+    """Found limit cycles of each of n cells without duplicates, ordered by period.
+
+    Parameters
+    ----------
+    n : int
+    cell : sequence of int
+        Cell of each orbit.
+    orbits : sequence of Orbit
+    """
+    out: list[list[Orbit]] = [[] for _ in range(n)]
+    for c, orbit in sorted(zip(cell, orbits, strict=True), key=lambda pair: _key(pair[1])):
+        if orbit.status.found and not any(same(orbit, other) for other in out[c]):
+            out[c].append(orbit)
+    return out
+
+
+def same(one: Orbit, other: Orbit) -> bool:
+    """Whether two orbits at one point are the same cycle."""
+    if abs(one.period - other.period) > DUPLICATE:
+        return False
+    return all(abs(value - other.state[name]) <= DUPLICATE for name, value in one.state.items())
+
+
+def section_point(orbit: Orbit) -> list[float]:
+    """Section point and period of an orbit: a guess for its neighbours."""
+    return [*orbit.state.values(), orbit.period]
+
+
+def _key(orbit: Orbit) -> tuple[float, ...]:
+    return (orbit.period, *orbit.state.values())

@@ -1,0 +1,183 @@
+"""The step map with the period as an unknown, as straight-line CasADi functions.
+
+Time is scaled to the period: a limit cycle is a zero of
+
+    R(z, T) = ( P(z, T) - z,  h(q(T)) ),
+
+with P the flow over the time T, followed by the impact, and h the touchdown condition. R is smooth
+and free of branches and event detection; which touchdown it is, is checked afterwards.
+
+The state y is (q, v); a point on the section is z. One SX graph holds a Runge-Kutta step with its
+derivative, so that sines, cosines and eliminations are shared; MX chains the steps.
+"""
+
+from functools import cached_property
+
+import casadi as ca
+
+from stridemap.solver.model import Model
+from stridemap.solver.runge_kutta import step
+
+BLOCK = 12
+"""Runge-Kutta steps in one block; every resolution is a multiple of it."""
+
+
+class StepMap:
+    """Builds the functions of one model.
+
+    Parameters
+    ----------
+    model : Model
+    """
+
+    def __init__(self, model: Model) -> None:
+        self.model = model
+        self.n = len(model.coordinates)
+        self.nz = len(model.section)
+        self.n_params = len(model.parameters)
+
+    # -- pieces ------------------------------------------------------------------------------------------
+
+    def call(self, name: str, **values: ca.SX) -> dict[str, ca.SX]:
+        """Call a generated function with those of `values` that it takes."""
+        function = getattr(self.model, name)
+        return function(**{key: values[key] for key in function.name_in()})  # type: ignore[no-any-return]
+
+    def _symbols(self) -> tuple[ca.SX, ca.SX, ca.SX]:
+        return ca.SX.sym("t"), ca.SX.sym("y", 2 * self.n), ca.SX.sym("p", self.n_params)
+
+    def rate(self, t: ca.SX, y: ca.SX, p: ca.SX) -> ca.SX:
+        """Time derivative of the state, shape (2 n, 1)."""
+        out = self.call("state_derivative", t=t, q=y[: self.n], v=y[self.n :], p=p)
+        return ca.vertcat(out["dq"], out["dv"])
+
+    def _variational_rate(self, t: ca.SX, y: ca.SX, p: ca.SX) -> ca.SX:
+        """Time derivative of the state and of its tangents; y is (state | tangents), shape (2 n, 1 + nz)."""
+        state, tangents = y[:, 0], y[:, 1:]
+        values = {"t": t, "q": state[: self.n], "v": state[self.n :], "p": p}
+        dv_dq = self.call("state_derivative_dq", **values)["dv_dq"]
+        dv_dv = self.call("state_derivative_dv", **values)["dv_dv"]
+        upper, lower = tangents[: self.n, :], tangents[self.n :, :]
+        return ca.horzcat(self.rate(t, state, p), ca.vertcat(lower, dv_dq @ upper + dv_dv @ lower))
+
+    @cached_property
+    def plain_step(self) -> ca.Function:
+        """One step of the state: (y, t, h, p) -> y."""
+        t, y, p = self._symbols()
+        h = ca.SX.sym("h")
+        end = step(lambda s, x: self.rate(s, x, p), t, y, h)
+        return ca.Function("plain_step", [y, t, h, p], [ca.cse(end)], ["y", "t", "h", "p"], ["y_end"])
+
+    @cached_property
+    def variational_step(self) -> ca.Function:
+        """One step of the state and its tangents: (y, t, h, p) -> y, with y of shape (2 n, 1 + nz)."""
+        t, _, p = self._symbols()
+        y, h = ca.SX.sym("y", 2 * self.n, 1 + self.nz), ca.SX.sym("h")
+        end = step(lambda s, x: self._variational_rate(s, x, p), t, y, h)
+        return ca.Function("variational_step", [y, t, h, p], [ca.cse(end)], ["y", "t", "h", "p"], ["y_end"])
+
+    @cached_property
+    def start(self) -> ca.Function:
+        """State of a section point and its derivative: z -> (y, dy/dz)."""
+        z = ca.SX.sym("z", self.nz)
+        out = self.call("section_state", z=z)
+        y = ca.vertcat(out["q"], out["v"])
+        return ca.Function("start", [z], [y, ca.densify(ca.jacobian(y, z))], ["z"], ["y", "dy_dz"])
+
+    def _landing_expr(self, y: ca.SX, p: ca.SX) -> tuple[ca.SX, ca.SX]:
+        """Section point after the impact, and the touchdown condition before it."""
+        values = {"q": y[: self.n], "v": y[self.n :], "p": p}
+        after = self.call("impact_map", **values)
+        names = {c: after["q_plus"][i] for i, c in enumerate(self.model.coordinates)}
+        names |= {f"d{c}": after["v_plus"][i] for i, c in enumerate(self.model.coordinates)}
+        return ca.vertcat(*[names[s] for s in self.model.section]), self.call(
+            "touchdown_condition", **values
+        )["h"]
+
+    @cached_property
+    def landing(self) -> ca.Function:
+        """Residual from the state at the end of the step: (y, z, p) -> R."""
+        _, y, p = self._symbols()
+        z = ca.SX.sym("z", self.nz)
+        after, condition = self._landing_expr(y, p)
+        return ca.Function(
+            "landing", [y, z, p], [ca.cse(ca.vertcat(after - z, condition))], ["y", "z", "p"], ["R"]
+        )
+
+    @cached_property
+    def landing_with_derivative(self) -> ca.Function:
+        """(y with tangents, z, T, p) -> (dR/d(z, T), R).
+
+        The derivative with respect to the period is that of the flow, the rate at its end; the impact's
+        derivative is the generated one.
+        """
+        _, _, p = self._symbols()
+        y, z, period = ca.SX.sym("y", 2 * self.n, 1 + self.nz), ca.SX.sym("z", self.nz), ca.SX.sym("T")
+        state = ca.SX.sym("state", 2 * self.n)
+        after, condition = self._landing_expr(state, p)
+        image = ca.vertcat(after, condition)
+        slope = ca.densify(ca.substitute(ca.jacobian(image, state), state, y[:, 0]))
+        end_rate = self.rate(period, y[:, 0], p)
+        derivative = ca.horzcat(slope @ y[:, 1:], slope @ end_rate)
+        derivative[: self.nz, : self.nz] -= ca.DM.eye(self.nz)
+        residual = self.landing(y[:, 0], z, p)
+        outputs = list(ca.cse([ca.densify(derivative), residual]))
+        return ca.Function(
+            "landing_with_derivative", [y, z, period, p], outputs, ["y", "z", "T", "p"], ["J", "R"]
+        )
+
+    # -- whole steps -------------------------------------------------------------------------------------
+
+    def _block(self, one_step: ca.Function) -> ca.Function:
+        """`BLOCK` steps as one function, so that the C of a long chain stays short: (y, t, h, p) -> y."""
+        y0, p = ca.MX.sym("y", *one_step.size_in("y")), ca.MX.sym("p", self.n_params)
+        t, h = ca.MX.sym("t"), ca.MX.sym("h")
+        y = y0
+        for i in range(BLOCK):
+            y = one_step(y, t + i * h, h, p)
+        return ca.Function(f"{one_step.name()}s", [y0, t, h, p], [y], ["y", "t", "h", "p"], ["y_end"])
+
+    @cached_property
+    def _plain_block(self) -> ca.Function:
+        return self._block(self.plain_step)
+
+    @cached_property
+    def _variational_block(self) -> ca.Function:
+        return self._block(self.variational_step)
+
+    def _flow(self, block: ca.Function, y: ca.MX, period: ca.MX, p: ca.MX, steps: int) -> ca.MX:
+        """The state after `period`; `steps` is a multiple of `BLOCK`."""
+        for i in range(0, steps, BLOCK):
+            y = block(y, (i / steps) * period, period / steps, p)
+        return y
+
+    def residual(self, steps: int) -> ca.Function:
+        """(u, p) -> R with u = (z, T) and a step of the walker cut into `steps` Runge-Kutta steps."""
+        u, p = ca.MX.sym("u", self.nz + 1), ca.MX.sym("p", self.n_params)
+        z, period = u[: self.nz], u[self.nz]
+        y = self._flow(self._plain_block, self.start(z)[0], period, p, steps)
+        return ca.Function(f"residual_{steps}", [u, p], [self.landing(y, z, p)], ["u", "p"], ["R"])
+
+    def jacobian(self, steps: int) -> ca.Function:
+        """(u, p) -> (dR/du, R), by forward sensitivities through every stage."""
+        u, p = ca.MX.sym("u", self.nz + 1), ca.MX.sym("p", self.n_params)
+        z, period = u[: self.nz], u[self.nz]
+        y = self._flow(self._variational_block, ca.horzcat(*self.start(z)), period, p, steps)
+        outputs = self.landing_with_derivative(y, z, period, p)
+        return ca.Function(f"jacobian_{steps}", [u, p], list(outputs), ["u", "p"], ["J", "R"])
+
+    def rootfinder(self, steps: int, iterations: int, abstol: float, abstol_step: float) -> ca.Function:
+        """Newton's method on R as one CasADi rootfinder: (u0, p) -> u.
+
+        It prints as a single C function. It stops at residual `abstol`, after a Newton step below
+        `abstol_step` (the error left is of the order of its square), or after `iterations`; whether it
+        arrived is for the caller to judge from the residual.
+        """
+        options = {
+            "jacobian_function": self.jacobian(steps),
+            "abstol": abstol,
+            "abstolStep": abstol_step,
+            "max_iter": iterations,
+            "error_on_fail": False,
+        }
+        return ca.rootfinder(f"newton_{steps}", "fast_newton", self.residual(steps), options)

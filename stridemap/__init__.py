@@ -1,0 +1,68 @@
+"""stridemap: limit cycles, exact Floquet multipliers and parameter sweeps of walking models.
+
+>>> import stridemap
+>>> orbits = stridemap.find_orbits("wobbling", k=6, alpha=0.25, omega=3)
+>>> [orbit.group for orbit in orbits]
+['B', 'B']
+>>> stridemap.load("wobbling").mass_matrix
+Function(mass_matrix:(q[3],p[8])->(M[3x3,7nz]) SXFunction)
+"""
+
+from importlib.metadata import version
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from stridemap.errors import InputError
+    from stridemap.solver.face import find_orbits, simulate
+    from stridemap.solver.model import Model, load
+    from stridemap.solver.orbit import Orbit, Status
+    from stridemap.solver.search import SearchOptions
+    from stridemap.sweeps.run import sweep
+    from stridemap.sweeps.store import read_cells, read_orbits
+
+__version__ = version("stridemap")
+
+_HOMES = {
+    "InputError": "stridemap.errors",
+    "Model": "stridemap.solver.model",
+    "Orbit": "stridemap.solver.orbit",
+    "SearchOptions": "stridemap.solver.search",
+    "Status": "stridemap.solver.orbit",
+    "find_orbits": "stridemap.solver.face",
+    "load": "stridemap.solver.model",
+    "read_cells": "stridemap.sweeps.store",
+    "read_orbits": "stridemap.sweeps.store",
+    "simulate": "stridemap.solver.face",
+    "sweep": "stridemap.sweeps.run",
+}
+
+__all__ = [
+    "InputError",
+    "Model",
+    "Orbit",
+    "SearchOptions",
+    "Status",
+    "__version__",
+    "find_orbits",
+    "load",
+    "read_cells",
+    "read_orbits",
+    "simulate",
+    "sweep",
+]
+
+
+def __getattr__(name: str) -> Any:
+    """Import a public name when it is first used, so that each part can be imported alone."""
+    if name not in _HOMES:
+        raise AttributeError(f"module 'stridemap' has no attribute {name!r}")
+    from importlib import import_module
+
+    value = getattr(import_module(_HOMES[name]), name)
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    """Public names, loaded or not."""
+    return sorted(__all__)

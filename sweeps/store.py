@@ -1,0 +1,338 @@
+"""The output folder of a sweep: two Parquet tables, and a part file for each finished piece of work.
+
+``orbits.parquet`` has a row a limit cycle, ``cells.parquet`` a row a grid cell. While a sweep runs, its
+finished (round, tile) pieces are files in the subfolder ``parts``, which `Store.finish` removes once both
+tables are in place. Every file is written under another name, flushed to the disk and renamed, so a kill
+at any moment leaves the old or the new file, and every file carries the sweep's provenance, so nothing is
+mixed with another sweep's. No time, host or number of workers enters a file.
+"""
+
+import contextlib
+import json
+import os
+import uuid
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import pandas as pd
+import pyarrow as pa
+import pyarrow.parquet as pq
+
+from stridemap.errors import InputError
+from stridemap.sweeps.config import SweepConfig, canonical_json
+
+ORBITS, CELLS, PARTS = "orbits.parquet", "cells.parquet", "parts"
+
+# Keys of the schema metadata: the provenance, and the name that the file was written under.
+_PROVENANCE, _FILE = b"stridemap", b"stridemap.file"
+
+
+@dataclass(frozen=True)
+class Store:
+    """The output folder of one sweep, open for writing. Made by `Store.create` or `Store.resume`.
+
+    Attributes
+    ----------
+    folder : Path
+        The folder.
+    provenance : mapping
+        What every file carries: the mapping given, with ``configuration`` and ``configuration_hash``.
+    finished : bool
+        Whether both tables were complete when the store was opened.
+    """
+
+    folder: Path
+    provenance: Mapping[str, Any]
+    finished: bool = False
+
+    @classmethod
+    def create(cls, folder: str | Path, config: SweepConfig, provenance: Mapping[str, Any]) -> "Store":
+        """Open `folder`, made if it does not exist, for a sweep from the beginning.
+
+        Finished tables of the same configuration stay until `finish` replaces them.
+
+        Raises
+        ------
+        InputError
+            If `folder` is no folder or cannot be written, holds anything of another configuration, a
+            damaged or foreign file under one of our names, or an unfinished sweep. Nothing is touched.
+        """
+        store = cls(Path(folder), _with_configuration(provenance, config))
+        parts = store._parts()
+        for path in [*store._outputs(), *parts]:
+            store._check(path, same_software=False)
+        if parts:
+            raise InputError(
+                f"{folder} holds an unfinished sweep of this configuration ({len(parts)} finished pieces); "
+                "continue it with --resume, or give another folder"
+            )
+        store._make_folder()
+        return store
+
+    @classmethod
+    def resume(cls, folder: str | Path, config: SweepConfig, provenance: Mapping[str, Any]) -> "Store":
+        """Open `folder` to continue the sweep in it, from the beginning if it holds none.
+
+        Raises
+        ------
+        InputError
+            As `create` does, except for an unfinished sweep; and if what is to be continued was computed
+            with other software than `provenance` tells. Nothing is touched.
+        """
+        store = cls(Path(folder), _with_configuration(provenance, config))
+        outputs, parts = store._outputs(), store._parts()
+        for path in parts:
+            store._check(path, same_software=True)
+        # As long as there are parts, `finish` was not reached or was cut short: the tables, if any, are to
+        # be replaced, and may be an earlier run's.
+        for path in outputs:
+            store._check(path, same_software=not parts)
+        if len(outputs) == 2 and not parts:
+            return cls(store.folder, store.provenance, finished=True)
+        store._make_folder()
+        return store
+
+    def has_part(self, round_: int, tile: int) -> bool:
+        """Tell whether the piece of work `tile` of round `round_` is finished."""
+        return self._part(round_, tile).exists()
+
+    def write_part(self, round_: int, tile: int, data: pa.Table | Mapping[str, Any]) -> None:
+        """Store the result of one piece of work, a table or a mapping of columns.
+
+        Raises
+        ------
+        InputError
+            If the file cannot be written; what was stored before stays.
+        """
+        self._write(self._part(round_, tile), data if isinstance(data, pa.Table) else pa.table(dict(data)))
+
+    def read_part(self, round_: int, tile: int) -> pa.Table:
+        """Return what `write_part` stored, as a table.
+
+        Raises
+        ------
+        InputError
+            If the file is missing, damaged or not of this sweep.
+        """
+        path = self._part(round_, tile)
+        self._check(path, same_software=True)
+        return _read(path)
+
+    def finish(self, orbits: pa.Table, cells: pa.Table) -> None:
+        """Write both tables, orbits ordered by cell and period, and then remove the parts.
+
+        Parameters
+        ----------
+        orbits : Table
+            All limit cycles, as from `orbit_table`, in any order.
+        cells : Table
+            All cells, as from `cell_table`.
+
+        Raises
+        ------
+        InputError
+            If a file cannot be written; the parts stay.
+        """
+        # The other columns break ties, so that the order of the rows given never shows.
+        keys = dict.fromkeys(["cell", "period", *orbits.column_names])
+        self._write(self.folder / ORBITS, orbits.sort_by([(key, "ascending") for key in keys]))
+        self._write(self.folder / CELLS, cells)
+        # A kill in here leaves the first parts, as if the sweep had been killed after writing them.
+        with contextlib.suppress(OSError):  # a file in there that is not ours keeps the folder
+            for path in [*reversed(self._parts()), *(self.folder / PARTS).glob("*.tmp")]:
+                path.unlink()
+            (self.folder / PARTS).rmdir()
+
+    def _part(self, round_: int, tile: int) -> Path:
+        return self.folder / PARTS / f"round-{round_:06d}-tile-{tile:06d}.parquet"
+
+    def _parts(self) -> list[Path]:
+        return sorted((self.folder / PARTS).glob("round-*-tile-*.parquet"))
+
+    def _outputs(self) -> list[Path]:
+        return [path for name in (ORBITS, CELLS) if os.path.lexists(path := self.folder / name)]
+
+    def _check(self, path: Path, same_software: bool) -> None:
+        """Refuse `path` if it is damaged, foreign or of another sweep."""
+        found = _provenance(path)
+        if found["configuration_hash"] != self.provenance["configuration_hash"]:
+            difference = _difference(found["configuration"], self.provenance["configuration"])
+            raise InputError(
+                f"{path} is output of another configuration ({difference}); give another folder, or the "
+                "configuration it was begun with"
+            )
+        if same_software and found != self.provenance:
+            raise InputError(
+                f"{path} was computed with other software ({_difference(found, self.provenance)}); give "
+                "another folder, or continue with the software it was begun with"
+            )
+
+    def _make_folder(self) -> None:
+        parts = self.folder / PARTS
+        try:
+            parts.mkdir(parents=True, exist_ok=True)
+            for folder in (self.folder, parts):
+                if not os.access(folder, os.W_OK | os.X_OK):
+                    raise PermissionError(None, "no permission to write")
+        except OSError as error:
+            raise InputError(
+                f"cannot write the sweep to {self.folder} ({error.strerror}); give a folder that can be "
+                "written"
+            ) from None
+
+    def _write(self, path: Path, table: pa.Table) -> None:
+        """Write `table` with the provenance to `path`, in one step as seen from outside."""
+        metadata = {_PROVENANCE: canonical_json(self.provenance).encode(), _FILE: path.name.encode()}
+        # One chunk, so that how the table was put together leaves no trace in the pages.
+        table = table.replace_schema_metadata(metadata).combine_chunks()
+        temporary = self.folder / PARTS / f"{uuid.uuid4().hex}.tmp"
+        try:
+            with temporary.open("xb") as file:
+                # Snappy, because MATLAB reads it; checksums, because footers alone show no flipped bit.
+                pq.write_table(table, file, compression="snappy", write_page_checksum=True)
+                file.flush()
+                os.fsync(file.fileno())
+            temporary.replace(path)
+            _sync(path.parent)
+        except OSError as error:
+            raise InputError(
+                f"cannot write {path} ({error.strerror or error}); make room or give a folder that can be "
+                "written, and continue with --resume"
+            ) from None
+        finally:
+            with contextlib.suppress(OSError):
+                temporary.unlink(missing_ok=True)
+
+
+def read_orbits(folder: str | Path) -> pd.DataFrame:
+    """Return the limit cycles of a finished sweep, a row each, ordered by cell and period.
+
+    Raises
+    ------
+    InputError
+        If there is no such table in `folder`, or it is damaged or foreign.
+    """
+    return _frame(_output(folder, ORBITS))
+
+
+def read_cells(folder: str | Path) -> pd.DataFrame:
+    """Return the grid cells of a finished sweep, a row each.
+
+    Raises
+    ------
+    InputError
+        As `read_orbits`.
+    """
+    return _frame(_output(folder, CELLS))
+
+
+def read_provenance(folder: str | Path) -> dict[str, Any]:
+    """Return how the tables in `folder` were made: configuration, its hash, versions and so on.
+
+    Raises
+    ------
+    InputError
+        As `read_orbits`, and if the two tables are not of one sweep.
+    """
+    orbits, cells = (_provenance(_output(folder, name)) for name in (ORBITS, CELLS))
+    if orbits != cells:
+        raise InputError(
+            f"{ORBITS} and {CELLS} in {folder} are not of one sweep ({_difference(orbits, cells)}, in that "
+            "order); sweep again"
+        )
+    return orbits
+
+
+def _with_configuration(provenance: Mapping[str, Any], config: SweepConfig) -> dict[str, Any]:
+    """Return the provenance that files carry, in the form in which it is read back from them."""
+    configuration = {
+        "configuration": json.loads(config.canonical()),
+        "configuration_hash": config.config_hash,
+    }
+    data: dict[str, Any] = json.loads(canonical_json({**provenance, **configuration}))
+    return data
+
+
+def _output(folder: str | Path, name: str) -> Path:
+    """Return the path of a table in `folder`, which must be there."""
+    path = Path(folder) / name
+    if not path.exists():
+        if (Path(folder) / PARTS).is_dir():
+            raise InputError(f"the sweep in {folder} is not finished; continue it with --resume")
+        raise InputError(f"there is no {name} in {folder}; give the output folder of a sweep")
+    return path
+
+
+@contextlib.contextmanager
+def _opened(path: Path) -> Iterator[pq.ParquetFile]:
+    """Open a Parquet file, and turn whatever shows it to be none, there or later, into an InputError."""
+    try:
+        with pq.ParquetFile(path, page_checksum_verification=True) as file:
+            yield file
+    except (pa.ArrowException, OSError, UnicodeDecodeError) as error:
+        if isinstance(error, OSError) and error.errno is not None:
+            raise InputError(f"cannot read {path} ({error.strerror or error})") from None
+        raise InputError(
+            f"{path} is damaged or is no Parquet file; restore it, or move it away and sweep again"
+        ) from None
+
+
+def _provenance(path: Path) -> dict[str, Any]:
+    """Return the provenance in a file of ours, after checking that it is one and bears its own name."""
+    with _opened(path) as file:
+        metadata = file.schema_arrow.metadata or {}
+    try:
+        data: dict[str, Any] = json.loads(metadata[_PROVENANCE])
+        if metadata[_FILE] == path.name.encode() and data["configuration_hash"]:
+            return data
+    except (KeyError, TypeError, ValueError):
+        pass  # told below, as a file under another name is
+    raise InputError(
+        f"{path} is a Parquet file, but not one that a sweep wrote under this name; move it away or give "
+        "another folder"
+    )
+
+
+def _read(path: Path) -> pa.Table:
+    """Return the table in a file of ours, without the metadata."""
+    with _opened(path) as file:
+        return file.read().replace_schema_metadata(None)
+
+
+def _frame(path: Path) -> pd.DataFrame:
+    _provenance(path)
+    table = _read(path)
+    frame: pd.DataFrame = table.to_pandas()
+    for field in table.schema:
+        if field.nullable and pa.types.is_integer(field.type):  # pandas would make them floats
+            frame[field.name] = frame[field.name].astype("Int64")
+    return frame
+
+
+def _difference(found: Any, own: Any, name: str = "") -> str:
+    """Say in which entry two unequal JSON values differ first."""
+    if isinstance(found, list) and isinstance(own, list):
+        if len(found) != len(own):
+            return f"{name} has {len(found)} values there, {len(own)} here"
+        found, own = dict(enumerate(found)), dict(enumerate(own))
+    if isinstance(found, dict) and isinstance(own, dict):
+        key = min(key for key in found.keys() | own.keys() if found.get(key) != own.get(key))
+        return _difference(found.get(key), own.get(key), f"{name}.{key}" if name else str(key))
+    return f"{name} is {_short(found)} there, {_short(own)} here"
+
+
+def _short(value: Any) -> str:
+    text = json.dumps(value)
+    return text if len(text) <= 60 else f"{text[:57]}..."
+
+
+def _sync(folder: Path) -> None:
+    """Flush a folder's entries to the disk, so that a rename in it outlives a power cut."""
+    if os.name == "posix":
+        descriptor = os.open(folder, os.O_RDONLY)
+        try:
+            os.fsync(descriptor)
+        finally:
+            os.close(descriptor)
