@@ -128,7 +128,8 @@ class Walker:
     wobbling : Coordinate or None
         The coordinate whose zero crossings are counted.
     search_box : dict of str to (float, float)
-        Range of starts for each section coordinate and rate.
+        Middle and half-width of the starts for each section coordinate and rate; starts crowd around the
+        middle.
     """
 
     name: str

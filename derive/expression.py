@@ -35,41 +35,43 @@ class ExpressionPrinter:
         if not expr.is_Add:
             return self._product(expr)
         terms = expr.as_ordered_terms()
-        leading = next((t for t in terms if not t.could_extract_minus_sign()), terms[0])
+        leading = next((t for t in terms if not _negative(t)), terms[0])
         terms.remove(leading)
         text = self._product(leading)
         for term in terms:
-            negative = term.could_extract_minus_sign()
+            negative = _negative(term)
             text += (" - " if negative else " + ") + self._product(-term if negative else term)
         return text
 
     def _product(self, expr: sp.Expr) -> str:
         sign = ""
-        if expr.could_extract_minus_sign() and not expr.is_Add:
+        if _negative(expr):
             sign, expr = "-", -expr
         coefficient, rest = expr.as_coeff_Mul()
+        if not coefficient.is_Rational:
+            raise TypeError(f"cannot print the number {coefficient}: only integers and fractions are known")
         above = [] if coefficient.p == 1 and rest is not sp.S.One else [self._number(int(coefficient.p))]
         below = [] if coefficient.q == 1 else [self._number(int(coefficient.q))]
         for factor in rest.as_ordered_factors() if rest is not sp.S.One else []:
             base, exponent = factor.as_base_exp() if factor.is_Pow else (factor, sp.S.One)
-            (below if exponent.is_negative else above).append(self._power(base, abs(exponent)))
+            if exponent.is_negative:
+                below += self._power(base, -exponent)
+            else:
+                above += self._power(base, exponent)
         text = sign + ("*".join(above) or self._number(1))
         if not below:
             return text
-        return (
-            text
-            + "/"
-            + (below[0] if len(below) == 1 and "*" not in below[0] else "(" + "*".join(below) + ")")
-        )
+        return f"{text}/{below[0]}" if len(below) == 1 else f"{text}/({'*'.join(below)})"
 
-    def _power(self, base: sp.Expr, exponent: sp.Expr) -> str:
+    def _power(self, base: sp.Expr, exponent: sp.Expr) -> list[str]:
+        """A power as factors: the languages have no power of their own in common."""
         if exponent == sp.Rational(1, 2):
-            return self._call("sqrt", self._sum(base))
+            return [self._call("sqrt", self._sum(base))]
         if not exponent.is_Integer or exponent > 4:
             raise TypeError(
-                f"cannot print the power {base}**{exponent}: only 1/2 and integers up to 4 are known"
+                f"cannot print the power ({base})**({exponent}): only 1/2 and integers up to 4 are known"
             )
-        return "*".join([self._atom(base)] * int(exponent))
+        return [self._atom(base)] * int(exponent)
 
     def _atom(self, expr: sp.Expr) -> str:
         if expr.is_Symbol:
@@ -80,6 +82,10 @@ class ExpressionPrinter:
             return self._number(int(expr)) if expr >= 0 else f"({self._number(int(expr))})"
         if expr.func in CALLS:
             return self._call(CALLS[expr.func], self._sum(expr.args[0]))
-        raise TypeError(
-            f"cannot print {expr.func.__name__} in {expr}: known are + - * / powers, {', '.join(CALLS.values())}"
-        )
+        known = ", ".join(CALLS.values())
+        raise TypeError(f"cannot print {expr.func.__name__} in {expr}: known are + - * / powers, {known}")
+
+
+def _negative(expr: sp.Expr) -> bool:
+    """Whether a term bears a minus sign of its own."""
+    return bool(expr.as_coeff_Mul()[0].is_negative)

@@ -72,10 +72,10 @@ class Functions:
 
     def mass_matrix(self) -> Program:
         """Mass matrix of the swing phase."""
-        out = Output("M", self.mechanics.mass_matrix, "mass matrix, symmetric positive definite")
-        return self._close(
-            Builder(), "mass_matrix", "Mass matrix of the swing phase", f"{GAIT}, eq. (1)", [out]
-        )
+        b = Builder()
+        matrix = b.let_symmetric("M", self.mechanics.mass_matrix)
+        out = Output("M", matrix, "mass matrix, symmetric positive definite")
+        return self._close(b, "mass_matrix", "Mass matrix of the swing phase", f"{GAIT}, eq. (1)", [out])
 
     def bias_forces(self) -> Program:
         """Velocity terms, gravity and springs, each on the left-hand side of the equation of motion."""
@@ -100,10 +100,7 @@ class Functions:
         """State the equation of motion and solve it; returns the accelerations and the factors of M."""
         m = self.mechanics
         n = m.mass_matrix.rows
-        matrix = sp.Matrix(n, n, lambda i, j: 0)
-        for i in range(n):
-            for j in range(i + 1):
-                matrix[i, j] = matrix[j, i] = b.let(f"M_{j + 1}{i + 1}", m.mass_matrix[i, j])
+        matrix = b.let_symmetric("M", m.mass_matrix)
         u = b.let("u", self.walker.torque)
         force = m.torque_vector(u) - m.velocity_terms - sum(m.conservative_forces.values(), sp.zeros(n, 1))
         right = b.let_vector("force", force)
@@ -190,11 +187,7 @@ class Functions:
     def _impact(self, b: Builder) -> tuple[sp.Matrix, tuple[sp.Matrix, list[sp.Expr]]]:
         """Rates after the impact with the legs not swapped, and the factors of the impact mass matrix."""
         m = self.mechanics
-        n = m.impact_mass_matrix.rows
-        matrix = sp.zeros(n, n)
-        for i in range(n):
-            for j in range(i + 1):
-                matrix[i, j] = matrix[j, i] = b.let(f"A_{j + 1}{i + 1}", m.impact_mass_matrix[i, j])
+        matrix = b.let_symmetric("A", m.impact_mass_matrix)
         momentum = b.let_vector("momentum", m.impact_momentum)
         factors = b.factor("A", matrix)
         return b.solve("after", factors, momentum), factors

@@ -57,10 +57,7 @@ class Mechanics:
     def floating_kinetic(self) -> sp.Expr:
         """Kinetic energy with the stance foot free."""
         return sum(
-
-                m.mass * self.velocity(m.position).dot(self.velocity(m.position)) / 2
-                for m in self.walker.masses
-
+            m.mass * self.velocity(m.position).dot(self.velocity(m.position)) / 2 for m in self.walker.masses
         )
 
     @cached_property

@@ -75,7 +75,8 @@ def source(model: str, programs: list[Program], first_lines: list[str]) -> str:
 
 
 def _function(model: str, program: Program) -> list[str]:
-    lines = [f"/* {program.summary}. {program.operations} operations.", *_wrapped(f" * {program.source}. */")]
+    count = "1 operation" if program.operations == 1 else f"{program.operations} operations"
+    lines = [f"/* {program.summary}. {count}.", *_wrapped(f" * {program.source}. */")]
     lines += [*signature(model, program), "{"]
     inputs = [line for a in program.arguments for line in _unpacked(a, program.used)]
     if inputs:

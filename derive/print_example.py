@@ -13,7 +13,7 @@ def example(walker: Walker, programs: list[Program], first_lines: list[str]) -> 
     by_name = {p.name: p for p in programs}
     preset = ", ".join(repr(a.default) for a in walker.parameters)
     names = ", ".join(a.name for a in walker.parameters)
-    start = [_midpoint(walker.search_box[s]) for s in walker.section]
+    start = [_inside(walker.search_box[s]) for s in walker.section]
 
     def call(function: str, *outputs: str) -> str:
         inputs = [a.name for a in by_name[function].arguments]
@@ -85,7 +85,7 @@ def readme(walker: Walker, programs: list[Program], generator: str) -> str:
         f"| `{name}.h`, `{name}.c` | readable C99: one function a quantity, documented in the header |",
         "| `example.c` | a complete C program that calls them |",
         f"| `{name}.py` | the same equations for any Python namespace (NumPy, CasADi, mpmath) |",
-        f"| `{name}_kernels.c` | what the solver runs: step map, Newton search, measures (printed by CasADi) |",
+        f"| `{name}_kernels.c` | what the solver runs, from CasADi: step map, Newton search, measures |",
         "| `manifest.json` | functions, argument order, shapes, units, parameters, hashes |",
         "",
         "## Call it from C",
@@ -94,8 +94,9 @@ def readme(walker: Walker, programs: list[Program], generator: str) -> str:
         f"cc -std=c99 example.c {name}.c -lm -o example && ./example",
         "```",
         "",
-        "Vectors are plain arrays, matrices are row-major; there is no allocation and no global state, so every",
-        "function may be called from any thread. The header also compiles as C++.",
+        "Vectors are plain arrays, matrices are row-major, a scalar result is an array of one. There is no",
+        "allocation and no global state, so every function may be called from any thread. The header also",
+        "compiles as C++.",
         "",
         "## Arguments",
         "",
@@ -111,7 +112,7 @@ def readme(walker: Walker, programs: list[Program], generator: str) -> str:
         "",
         "| function | operations | what it computes |",
         "| --- | --- | --- |",
-        *(f"| `{name}_{p.name}` | {p.operations} | {p.summary.lower()} |" for p in programs),
+        *(f"| `{name}_{p.name}` | {p.operations} | {_lower(p.summary)} |" for p in programs),
         "",
         "```c",
         *(line for p in programs for line in signature(name, p, ";")),
@@ -125,6 +126,11 @@ def _list(names: Iterable[str]) -> str:
     return ", ".join(f"`{n}`" for n in names)
 
 
-def _midpoint(bounds: tuple[float, float]) -> float:
-    """A plain number inside `bounds`."""
-    return round((bounds[0] + bounds[1]) / 4, 3)
+def _lower(sentence: str) -> str:
+    return sentence[0].lower() + sentence[1:]
+
+
+def _inside(box: tuple[float, float]) -> float:
+    """A plain number near the middle of a box, not in it, because the middle is often zero."""
+    middle, half_width = box
+    return round(middle + half_width / 6, 3)

@@ -120,10 +120,19 @@ class Builder:
         """Name the entries of a vector ``<name>_1``, ``<name>_2``, ..."""
         return sp.Matrix([self.let(f"{name}_{i}", e) for i, e in enumerate(values, 1)])
 
+    def let_symmetric(self, name: str, matrix: sp.Matrix) -> sp.Matrix:
+        """Name the entries of a symmetric matrix ``<name>_11``, ``<name>_12``, ..., each once."""
+        named = matrix.copy()
+        for i in range(matrix.rows):
+            for j in range(i + 1):
+                named[i, j] = named[j, i] = self.let(f"{name}_{j + 1}{i + 1}", matrix[i, j])
+        return named
+
     def factor(self, name: str, matrix: sp.Matrix) -> tuple[sp.Matrix, list[sp.Expr]]:
         """Factor a symmetric positive definite matrix as ``L D L^T``, unrolled (L unit lower triangular)."""
         n = matrix.rows
-        lower, pivots = sp.eye(n), []
+        lower = sp.eye(n)
+        pivots: list[sp.Expr] = []
         for j in range(n):
             pivot = matrix[j, j] - sum(lower[j, m] ** 2 * pivots[m] for m in range(j))
             pivots.append(self.let(f"{name}_D{j + 1}", pivot))
@@ -153,11 +162,8 @@ class Builder:
         outputs = tuple(outputs)
         raw = [*self.named.values(), *(e for o in outputs for e in o.entries)]
         trig = _named_trigonometry(raw)
-        taken = (
-            {s.name for s in self.named}
-            | {s.name for s in trig.values()}
-            | {s.name for e in raw for s in e.free_symbols}
-        )
+        named = [*self.named, *trig.values()]
+        taken = _distinct_names(name, arguments, named, outputs)
         fresh = (sp.Dummy(f"t{i}", real=True) for i in range(1, 10**6))
         shared, reduced = sp.cse(
             [e.xreplace(trig) for e in raw],
@@ -165,17 +171,46 @@ class Builder:
             order="canonical",
         )
         terms, reduced = _without_trivial(dict(shared), reduced)
+        terms, reduced = _under_their_names(terms, reduced, list(self.named))
         terms |= {symbol: call for call, symbol in trig.items()}
-        terms |= dict(zip(self.named, reduced, strict=False))
-        results = iter(reduced[len(self.named) :])
+        results = iter(reduced)
         closed = tuple(Output(o.name, _refill(o, results), o.meaning) for o in outputs)
         ordered = list(_in_order(terms, [e for o in closed for e in o.entries]))
-        numbered = _renumbered([s for s, _ in ordered], kept=taken)
-        statements = tuple((numbered.get(s, s), e.xreplace(numbered)) for s, e in ordered)
-        closed = tuple(Output(o.name, o.value.xreplace(numbered), o.meaning) for o in closed)
+        numbered = _renumbered([s for s, _ in ordered], taken)
+        statements = tuple((numbered.get(s, s), _fewer_signs(e.xreplace(numbered))) for s, e in ordered)
+        closed = tuple(Output(o.name, _fewer_signs(o.value.xreplace(numbered)), o.meaning) for o in closed)
         program = Program(name, summary, source, arguments, statements, closed)
+        known = {e.symbol for a in arguments for e in a.entries} | {s for s, _ in statements}
+        if unknown := program.used - known:
+            raise ValueError(f"{name} uses {sorted(map(str, unknown))}, which no argument or term defines")
         kept = tuple(a for a in arguments if program.used & {e.symbol for e in a.entries})
         return Program(name, summary, source, kept, statements, closed)
+
+
+def _distinct_names(
+    function: str, arguments: Iterable[Argument], terms: Iterable[sp.Symbol], outputs: Iterable[Output]
+) -> set[str]:
+    """All names of a function; raises ValueError when two things share one."""
+    names = [a.name for a in arguments if not a.scalar] + [o.name for o in outputs]
+    names += [e.symbol.name for a in arguments for e in a.entries] + [s.name for s in terms]
+    if twice := sorted({n for n in names if names.count(n) > 1}):
+        raise ValueError(f"{function} has two things named {', '.join(twice)}")
+    return set(names)
+
+
+def _under_their_names(
+    shared: dict[sp.Symbol, sp.Expr], reduced: list[sp.Expr], named: list[sp.Symbol]
+) -> tuple[dict[sp.Symbol, sp.Expr], list[sp.Expr]]:
+    """All terms by name, and the results: a shared term that is the whole of a named one bears its name."""
+    alias: dict[sp.Symbol, sp.Symbol] = {}
+    for symbol, expr in zip(named, reduced, strict=False):
+        if expr in shared:
+            alias.setdefault(expr, symbol)
+    terms = {alias.get(s, s): e.xreplace(alias) for s, e in shared.items()}
+    for symbol, expr in zip(named, reduced, strict=False):
+        if symbol not in terms:
+            terms[symbol] = expr.xreplace(alias)
+    return terms, [e.xreplace(alias) for e in reduced[len(named) :]]
 
 
 def _without_trivial(
@@ -197,11 +232,24 @@ def _without_trivial(
     return kept, [e.xreplace(inlined) for e in exprs]
 
 
-def _renumbered(symbols: list[sp.Symbol], kept: set[str]) -> dict[sp.Symbol, sp.Symbol]:
+def _fewer_signs(expr: sp.Expr | sp.Matrix) -> sp.Expr | sp.Matrix:
+    """``-c*(a - b)`` written as ``c*(b - a)``, wherever that saves a minus sign."""
+
+    def negatives(e: sp.Expr) -> int:
+        return sum(bool(part.is_Number and part.is_negative) for part in sp.preorder_traversal(e))
+
+    def turn(product: sp.Expr) -> sp.Expr:
+        sums = [f for f in product.args if f.is_Add]
+        turned = [sp.Mul(-1, product / f, -f) for f in sums]
+        return min([product, *turned], key=negatives)
+
+    return expr.replace(lambda e: e.is_Mul, turn)
+
+
+def _renumbered(symbols: list[sp.Symbol], taken: set[str]) -> dict[sp.Symbol, sp.Symbol]:
     """Shared terms renamed ``t1``, ``t2``, ... in the order in which they now stand."""
-    shared = [s for s in symbols if s.name not in kept]
-    names = (f"t{i}" for i in range(1, 10**6) if f"t{i}" not in kept)
-    return {s: sp.Symbol(name, real=True) for s, name in zip(shared, names, strict=False)}
+    names = (f"t{i}" for i in range(1, 10**6) if f"t{i}" not in taken)
+    return {s: sp.Symbol(next(names), real=True) for s in symbols if isinstance(s, sp.Dummy)}
 
 
 def _refill(output: Output, results: Iterator[sp.Expr]) -> sp.Matrix | sp.Expr:

@@ -70,8 +70,16 @@ class Batch:
         """Some of the points."""
         row = np.cumsum(self.closed) - 1
         chosen = row[index[self.closed[index]]]
-        parts = (self.params, self.u, self.jacobian, self.residual, self.integration_error, self.closed)
-        return Batch(self.model, *(a[index] for a in parts), self.trace.take(chosen))
+        return Batch(
+            self.model,
+            self.params[index],
+            self.u[index],
+            self.jacobian[index],
+            self.residual[index],
+            self.integration_error[index],
+            self.closed[index],
+            self.trace.take(chosen),
+        )
 
     def orbits(self, period_range: tuple[float, float]) -> list[Orbit]:
         """An orbit a point; those that are none carry the reason."""
@@ -91,7 +99,7 @@ class Batch:
         return out
 
     def _verdict(self, period_range: tuple[float, float]) -> list[Status]:
-        """Status of the points that closed: is it a step, the first touchdown, within the range?"""
+        """Status of the points that closed."""
         trace, n = self.trace, len(self.model.coordinates)
         q, v = trace.w[:, :, :n], trace.w[:, :, n : 2 * n]
         side = self.model.evaluate("touchdown_condition", q=q, v=v)["side"]

@@ -18,7 +18,7 @@ Index = NDArray[np.int64]
 
 LOCATE_ITERATIONS = 30
 LOCATE_TOLERANCE = 1e-5
-"""Of the Runge-Kutta step. What is read off at these times is stationary there, so the error left is its square."""
+"""Of the Runge-Kutta step. What is read off is stationary at these times: the error left is the square."""
 
 
 @dataclass(frozen=True)

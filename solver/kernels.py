@@ -20,7 +20,7 @@ SEARCH_STEPS = (12, 24, 48)
 CYCLE_STEPS = (24, 48, 96, 192, 384)
 """Resolutions of accepted limit cycles; each is checked at twice as many steps."""
 
-SEARCH_ITERATIONS = 14
+SEARCH_ITERATIONS = 10
 CYCLE_ITERATIONS = 6
 
 
@@ -72,8 +72,9 @@ def c_source(model: Model) -> str:
     for kernel in build(model).values():
         generator.add(kernel)
     banner = (
-        f"/* {model.title}: kernels of the solver, printed by CasADi {ca.__version__} from equations {model.hash[:16]}.\n"
-        " * Do not edit: run `make derive`. SPDX-License-Identifier: BSD-3-Clause\n */\n"
+        f"/* {model.title}: kernels of the solver\n"
+        f" * Printed by CasADi {ca.__version__} from {model.hash[:16]}; do not edit: `make derive`.\n"
+        " * SPDX-License-Identifier: BSD-3-Clause\n */\n"
     )
     text = banner + generator.dump() + DRIVER
     if "#error" in text:

@@ -257,7 +257,8 @@ def compile_shared(source: Path, compiler: str) -> Path:
             built.replace(library)
     except OSError as error:
         raise InputError(
-            f"cannot write compiled kernels to {folder}: {error.strerror}; set STRIDEMAP_CACHE to a folder that can be written"
+            f"cannot write compiled kernels to {folder}: {error.strerror}; "
+            "set STRIDEMAP_CACHE to a folder that can be written"
         ) from None
     return library
 

@@ -16,6 +16,10 @@ Array = NDArray[np.float64]
 SEARCH_RESIDUAL = 1e-4
 """What a search may leave open for Newton's method at full resolution."""
 
+SEARCH_PHASE, CYCLE_PHASE = 1.5, 0.45
+"""Phase of the fastest mode in one Runge-Kutta step at most. A search needs only to come near; but at twice
+its phase, sweeps were seen to lose cycles with a stiff spring."""
+
 
 @dataclass(frozen=True)
 class Solver:
@@ -70,19 +74,31 @@ class Solver:
         -------
         u : ndarray, shape (n, nz + 1)
         closed : ndarray of bool, shape (n,)
-            Whether Newton's method arrived at a plausible cycle.
+            Whether Newton's method arrived at what can be a step, and not at a walker that hangs, goes
+            backwards or turns over.
         """
         u = np.full(guesses.shape, np.nan)
         closed = np.zeros(len(guesses), dtype=bool)
         phase = self.fastest_mode(params) * np.abs(guesses[:, -1])
-        steps = self._resolution(phase, SEARCH_STEPS, per_step=1.5)
+        steps = self._resolution(phase, SEARCH_STEPS, per_step=SEARCH_PHASE)
         for n in np.unique(steps):
             at = np.flatnonzero(steps == n)
             u[at], residual = self.kernels(f"search_{n}", guesses[at], params[at])
             closed[at] = np.abs(residual).max(axis=1) < SEARCH_RESIDUAL
         with np.errstate(invalid="ignore"):
             closed &= np.isfinite(u).all(axis=1) & (u[:, -1] > 0)
+        closed[closed] = self._can_be_a_step(u[closed])
         return u, closed
+
+    def _can_be_a_step(self, u: Array) -> NDArray[np.bool_]:
+        """Whether the swing foot lands on the admissible side, with the stance leg above the ground."""
+        after = self.model.evaluate("section_state", z=u[:, :-1])
+        # Swapping the legs twice changes nothing: this is the position just before the touchdown. It does
+        # not depend on the parameters.
+        before = self.model.evaluate("impact_map", **after, p=self.model.point({}))["q_plus"]
+        side = self.model.evaluate("touchdown_condition", q=before, v=after["v"])["side"]
+        stance = before[:, self.model.coordinates.index(self.model.manifest["stance_angle"])]
+        return (side < 0) & (np.abs(stance) < np.pi / 2)
 
     # -- completion --------------------------------------------------------------------------------------
 
@@ -103,7 +119,7 @@ class Solver:
         orbits: list[Orbit | None] = [None] * len(guesses)
         u = guesses.copy()
         phase = self.fastest_mode(params) * np.nan_to_num(np.abs(u[:, -1]))
-        steps = self._resolution(phase, CYCLE_STEPS, per_step=0.45)
+        steps = self._resolution(phase, CYCLE_STEPS, per_step=CYCLE_PHASE)
         for n in CYCLE_STEPS:
             at = np.flatnonzero(steps == n)
             if not len(at):

@@ -52,7 +52,7 @@ def work(trace: Trace) -> tuple[Array, Array, Array]:
     orbit, so_far = orbit[order], so_far[order]
     same = orbit[1:] == orbit[:-1]
     pieces = np.diff(so_far)[same]
-    total = np.bincount(orbit[1:][same], weights=np.abs(pieces), minlength=n)
+    total: Array = np.bincount(orbit[1:][same], weights=np.abs(pieces), minlength=n)
     return total, 0.5 * (total + net), net
 
 

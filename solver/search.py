@@ -17,6 +17,9 @@ Array = NDArray[np.float64]
 DUPLICATE = 1e-6
 """Largest difference, in any section coordinate or the period, between two solutions that are one."""
 
+SEARCH_TOLERANCE = 10 * DUPLICATE
+"""The same for solutions of a search, which stops early."""
+
 
 @dataclass(frozen=True)
 class SearchOptions:
@@ -47,7 +50,8 @@ class SearchOptions:
             raise InputError(f"starts = {self.starts} is not allowed: at least 1 start is needed")
         if not 0 < self.period_min < self.period_max < np.inf:
             raise InputError(
-                f"the period range {self.period_min:g} to {self.period_max:g} is not allowed: 0 < period_min < period_max"
+                f"the period range {self.period_min:g} to {self.period_max:g} is not allowed: "
+                "0 < period_min < period_max"
             )
 
     @property
@@ -55,25 +59,37 @@ class SearchOptions:
         """(period_min, period_max)."""
         return self.period_min, self.period_max
 
+    @property
+    def wider_period_range(self) -> tuple[float, float]:
+        """A range in which a sweep follows branches that leave the range and come back."""
+        return 0.85 * self.period_min, 1.15 * self.period_max
 
-def starts(model: Model, options: SearchOptions) -> Array:
+
+def starts(model: Model, options: SearchOptions, point: int = 0) -> Array:
     """Quasi-random starts over the model's search box and the range of periods.
+
+    Periods are spread evenly; section points crowd around the middle of the box, where gaits are, without
+    leaving out its edges.
 
     Parameters
     ----------
     model : Model
     options : SearchOptions
+    point : int
+        Each point of a grid gets starts of its own.
 
     Returns
     -------
     ndarray, shape (options.starts, nz + 1)
         Section points with periods (Sobol points, scrambled).
     """
-    box = [model.manifest["section"]["search_box"][name] for name in model.section] + [options.period_range]
-    sobol = qmc.Sobol(len(box), rng=options.seed)
+    box = np.array([model.manifest["section"]["search_box"][name] for name in model.section])
+    sobol = qmc.Sobol(len(box) + 1, rng=np.random.default_rng([options.seed, point]))
+    # Sobol points are balanced in powers of two; a part of them is cut off.
     unit = sobol.random_base2(int(np.ceil(np.log2(options.starts))))[: options.starts]
-    lower, upper = np.array(box).T
-    return qmc.scale(unit, lower, upper)
+    section = box[:, 0] + box[:, 1] * (2 * unit[:, :-1] - 1) ** 3
+    period = options.period_min + (options.period_max - options.period_min) * unit[:, -1:]
+    return np.hstack([section, period])
 
 
 def find_orbits(model: Model, points: Array, options: SearchOptions | None = None) -> list[list[Orbit]]:
@@ -92,9 +108,9 @@ def find_orbits(model: Model, points: Array, options: SearchOptions | None = Non
     """
     options = options or SearchOptions()
     solver = Solver.of(model)
-    guesses = starts(model, options)
-    cell = np.repeat(np.arange(len(points)), len(guesses))
-    u, closed = solver.search(np.tile(guesses, (len(points), 1)), points[cell])
+    cell = np.repeat(np.arange(len(points)), options.starts)
+    guesses = [starts(model, options, i) for i in range(len(points))]
+    u, closed = solver.search(np.concatenate(guesses), points[cell])
     cell, u = distinct(cell[closed], u[closed])
     orbits = solver.complete(u, points[cell], options.period_range)
     return merge(len(points), cell, orbits)
@@ -122,7 +138,7 @@ def offer(model: Model, points: Array, guesses: Array, options: SearchOptions | 
 
 
 def distinct(
-    cell: NDArray[np.int64], u: Array, tolerance: float = 10 * DUPLICATE
+    cell: NDArray[np.int64], u: Array, tolerance: float = SEARCH_TOLERANCE
 ) -> tuple[NDArray[np.int64], Array]:
     """One of each set of solutions of the same cell that agree, in the order of cell, then period.
 
@@ -131,7 +147,6 @@ def distinct(
     cell : ndarray of int, shape (n,)
     u : ndarray, shape (n, nz + 1)
     tolerance : float
-        Looser than for orbits, because a search stops early.
     """
     order = np.lexsort((*u.T[:-1], u[:, -1], cell))
     kept: list[int] = []

@@ -88,6 +88,13 @@ def test_strides_are_resolved_for_every_axis():
     assert config(grid=grid, search={"subgrid": {"k": 3}}).strides == {"k": 3, "alpha": 1, "omega": 1}
 
 
+def test_settings_at_their_limits_are_accepted():
+    least = {"starts": 1, "seed": 0, "subgrid": 1, "period_min": 0.01, "period_max": 0.02}
+    assert config(search=least).search.model_dump() == least
+    assert config(search={"seed": 2**32 - 1}).search.seed == 4294967295
+    assert config(grid={"k": {"start": 7, "stop": 7, "num": 1}}, max_cells=1).grid == {"k": (7.0,)}
+
+
 # The hash
 
 
@@ -150,7 +157,9 @@ def test_same_meaning_same_hash(tables):
 
 def test_minus_zero_is_zero():
     assert config(params={"Kd": -0.0}).config_hash == config(params={"Kd": 0}).config_hash
-    assert config(grid={"Kd": [-0.0]}).config_hash == config(grid={"Kd": [0]}).config_hash
+    zero = config(grid={"Kd": [0, 1]}).config_hash
+    assert config(grid={"Kd": [-0.0, 1]}).config_hash == zero
+    assert config(grid={"Kd": {"start": -0.0, "stop": 1, "num": 2}}).config_hash == zero
 
 
 def test_different_meaning_different_hash():
@@ -258,6 +267,7 @@ BAD = {
         K + "{start = 1, stop = 2, num = 1}",
         ["[grid] k: num = 1", "start = 1.0", "stop = 2.0"],
     ),
+    "two equal ends": (K + "{start = 2, stop = 2, num = 2}", ["start and stop are both 2.0", "num = 2"]),
     "equal ends": (
         K + "{start = 2, stop = 2, num = 3}",
         ["[grid] k: start and stop are both 2.0", "num = 3"],
@@ -306,6 +316,9 @@ BAD = {
     ),
     "period 0": (K + "[1]\n[search]\nperiod_min = 0", ["[search] period_min = 0", "above 0"]),
     "period nan": (K + "[1]\n[search]\nperiod_max = nan", ["[search] period_max = nan", "above 0"]),
+    "period inf": (K + "[1]\n[search]\nperiod_max = inf", ["[search] period_max = inf", "finite"]),
+    "periods equal": (K + "[1]\n[search]\nperiod_min = 3", ["period_min = 3.0", "below period_max = 3.0"]),
+    "seed too large": (K + "[1]\n[search]\nseed = 4294967296", ["seed = 4294967296", "to 4,294,967,295"]),
     "periods crossed": (K + "[1]\n[search]\nperiod_min = 4", ["period_min = 4", "below period_max = 3.0"]),
     "not TOML": ("model = wobbling", ["not valid TOML", "line 1", "column"]),
     "duplicate key": (K + "[1]\nk = [2]", ["not valid TOML", "overwrite"]),

@@ -71,6 +71,7 @@ def test_tiles_are_no_smaller_than_needed():
     grid = make_grid([range(120), range(18), range(4)])
     sizes = [len(cells) for cells in tiles(grid, 256)]
     assert min(sizes) > 64
+    assert tiles(grid, 256).counts == (16, 4, 1)  # halved along the longest side, again and again
     assert len(tiles(grid, grid.n_cells)) == 1
     with pytest.raises(ValueError, match="0"):
         tiles(grid, 0)
@@ -80,7 +81,7 @@ def test_subgrid_has_every_stride_and_both_ends():
     grid = make_grid([range(6), range(4)])
     assert grid.subgrid({"p0": 2, "p1": 3}).tolist() == [0, 3, 8, 11, 16, 19, 20, 23]
     assert grid.subgrid({"p0": 9}).tolist() == [0, 1, 2, 3, 20, 21, 22, 23]
-    assert grid.subgrid({}).tolist() == list(range(24))
+    assert grid.subgrid({}).tolist() == grid.subgrid({"p1": 1}).tolist() == list(range(24))
     for strides in ({"p0": 0}, {"q": 2}):
         with pytest.raises(ValueError, match="strides"):
             grid.subgrid(strides)

@@ -3,6 +3,7 @@
 import itertools
 import os
 import random
+from dataclasses import fields
 from enum import StrEnum
 from types import SimpleNamespace
 
@@ -14,6 +15,7 @@ import pytest
 
 from stridemap.errors import InputError
 from stridemap.solver.model import load
+from stridemap.solver.orbit import Orbit
 from stridemap.sweeps.config import canonical_json, parse_config
 from stridemap.sweeps.grid import Grid
 from stridemap.sweeps.store import Store, read_cells, read_orbits, read_provenance
@@ -111,6 +113,14 @@ def test_a_row_holds_the_orbit():
     assert type(row["status"]) is str
     assert (row["multiplier_0_re"], row["multiplier_1_im"], row["dx"]) == (-0.5, -0.8, 0.5)
     assert (row["work"], row["work_net"], row["cot_per_speed"]) == (4.0, 6.0, 8.0)
+
+
+def test_columns_and_orbit_have_the_same_measures():
+    spread = {"model", "params", "status", "state", "multipliers"}  # columns of their own, or in the metadata
+    measures = [field.name for field in fields(Orbit) if field.name not in spread]
+    columns = orbit_schema(MODEL).names
+    assert [name for name in columns if name in measures] == measures
+    assert make_orbit(0, 1.0).__dict__.keys() == {field.name for field in fields(Orbit)}
 
 
 def test_orbit_table_refuses_rows_that_do_not_fit():
@@ -309,6 +319,16 @@ def test_resume_refuses_other_software(tmp_path):
     refused(lambda: Store.resume(tmp_path / "a", CONFIG, newer), tmp_path / "a", "round-000000", *told)
     finished(tmp_path / "b")
     refused(lambda: Store.resume(tmp_path / "b", CONFIG, newer), tmp_path / "b", "orbits.parquet", *told)
+    bare = {name: value for name, value in PROVENANCE.items() if name != "versions"}
+    told = 'versions is {"numpy": "2.4.6"} there, null here'
+    refused(lambda: Store.resume(tmp_path / "b", CONFIG, bare), tmp_path / "b", told)
+
+
+def test_a_part_of_other_software_is_not_read(tmp_path):
+    older = Store.create(tmp_path, CONFIG, PROVENANCE)
+    newer = Store.create(tmp_path, CONFIG, {**PROVENANCE, "model_hash": "cd34"})
+    older.write_part(0, 0, {"cell": [1]})
+    refused(lambda: newer.read_part(0, 0), tmp_path, 'model_hash is "ab12" there, "cd34" here')
 
 
 def test_a_file_where_the_folder_should_be(tmp_path):

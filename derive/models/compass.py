@@ -38,5 +38,5 @@ WALKER = Walker(
     stance_angle=THETA1,
     spring_mode=None,
     wobbling=None,
-    search_box={"theta1": (0.01, 0.5), "dtheta1": (-1.0, 0.2), "dtheta2": (-1.0, 1.0)},
+    search_box={"theta1": (0.08, 0.15), "dtheta1": (-0.15, 0.6), "dtheta2": (0.0, 0.2)},
 )

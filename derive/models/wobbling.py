@@ -8,6 +8,7 @@ import sympy as sp
 from stridemap.derive.controller import GAINS, OSCILLATOR, hip_torque
 from stridemap.derive.declaration import Coordinate, Parameter, PointMass, Walker
 from stridemap.derive.models.compass import BETA, FEET, SWAP, THETA1, THETA2, hip, swing_foot, theta1, theta2
+from stridemap.derive.models.compass import WALKER as COMPASS
 
 X = Coordinate("x", "L", "distance of the wobbling mass ahead of the hip")
 K = Parameter("k", 6.0, "M g / L", "stiffness of the wobbling mass's spring", 0.0)
@@ -39,11 +40,5 @@ WALKER = Walker(
     stance_angle=THETA1,
     spring_mode=sp.sqrt(k / (alpha * (1 - alpha))),
     wobbling=X,
-    search_box={
-        "theta1": (0.01, 0.5),
-        "dtheta1": (-1.0, 0.2),
-        "dtheta2": (-1.0, 1.0),
-        "x": (-0.3, 0.3),
-        "dx": (-1.0, 1.0),
-    },
+    search_box={**COMPASS.search_box, "x": (0.0, 0.15), "dx": (0.0, 1.5)},
 )

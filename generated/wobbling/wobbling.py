@@ -18,11 +18,12 @@ def mass_matrix(xp, q, p):
     alpha = p[1]
     beta = p[3]
     c_theta2 = xp.cos(theta2)
-    t1 = beta*(c_theta2 - 1)
+    M_11 = 2*beta*(1 - c_theta2) + 1
+    M_12 = beta*(c_theta2 - 1)
     c_theta1 = xp.cos(theta1)
-    t2 = -alpha*c_theta1
+    M_13 = -alpha*c_theta1
     return {
-        "M": [[1 - 2*beta*(c_theta2 - 1), t1, t2], [t1, beta, 0], [t2, 0, alpha]],
+        "M": [[M_11, M_12, M_13], [M_12, beta, 0], [M_13, 0, alpha]],
     }
 
 
@@ -91,7 +92,7 @@ def state_derivative(xp, t, q, v, p):
     S = p[6]
     gamma = p[7]
     c_theta2 = xp.cos(theta2)
-    M_11 = 1 - 2*beta*(c_theta2 - 1)
+    M_11 = 2*beta*(1 - c_theta2) + 1
     t1 = 1/M_11
     M_12 = beta*(c_theta2 - 1)
     M_L21 = M_12*t1
@@ -105,7 +106,7 @@ def state_derivative(xp, t, q, v, p):
     s_theta1 = xp.sin(theta1)
     s_theta2 = xp.sin(theta2)
     s_theta1_minus_theta2 = xp.sin(theta1 - theta2)
-    force_1 = s_theta1 - beta*dtheta2*s_theta2*(2*dtheta1 - dtheta2) - beta*(s_theta1_minus_theta2 - s_theta1)
+    force_1 = beta*dtheta2*s_theta2*(dtheta2 - 2*dtheta1) + beta*(s_theta1 - s_theta1_minus_theta2) + s_theta1
     c_omega_t = xp.cos(omega*t)
     s_omega_t = xp.sin(omega*t)
     u = -Kd*(dtheta2 + gamma*omega*s_omega_t) - Kp*(S - gamma*(c_omega_t + 1) + theta2)
@@ -142,7 +143,7 @@ def state_derivative_dq(xp, t, q, v, p):
     S = p[6]
     gamma = p[7]
     c_theta2 = xp.cos(theta2)
-    M_11 = 1 - 2*beta*(c_theta2 - 1)
+    M_11 = 2*beta*(1 - c_theta2) + 1
     t1 = 1/M_11
     M_12 = beta*(c_theta2 - 1)
     M_L21 = M_12*t1
@@ -158,7 +159,7 @@ def state_derivative_dq(xp, t, q, v, p):
     s_theta1 = xp.sin(theta1)
     s_theta2 = xp.sin(theta2)
     s_theta1_minus_theta2 = xp.sin(theta1 - theta2)
-    force_1 = s_theta1 - beta*s_theta2*t4 - beta*(s_theta1_minus_theta2 - s_theta1)
+    force_1 = beta*(s_theta1 - s_theta1_minus_theta2) - beta*s_theta2*t4 + s_theta1
     c_omega_t = xp.cos(omega*t)
     s_omega_t = xp.sin(omega*t)
     u = -Kd*(dtheta2 + gamma*omega*s_omega_t) - Kp*(S - gamma*(c_omega_t + 1) + theta2)
@@ -168,10 +169,10 @@ def state_derivative_dq(xp, t, q, v, p):
     acc_f3 = force_3 - M_L31*force_1 - M_L32*acc_f2
     acc_3 = acc_f3*t3
     c_theta1_minus_theta2 = xp.cos(theta1 - theta2)
-    r1_1 = c_theta1 - acc_3*alpha*s_theta1 - beta*(c_theta1_minus_theta2 - c_theta1)
+    r1_1 = beta*(c_theta1 - c_theta1_minus_theta2) - acc_3*alpha*s_theta1 + c_theta1
     acc_2 = acc_f2*t2 - M_L32*acc_3
     acc_1 = force_1*t1 - M_L21*acc_2 - M_L31*acc_3
-    r1_3 = alpha*(-acc_1*s_theta1 - c_theta1*dtheta1*dtheta1)
+    r1_3 = -alpha*(acc_1*s_theta1 + c_theta1*dtheta1*dtheta1)
     r1_2 = beta*c_theta1_minus_theta2
     d1_f2 = r1_2 - M_L21*r1_1
     d1_f3 = r1_3 - M_L31*r1_1 - M_L32*d1_f2
@@ -208,7 +209,7 @@ def state_derivative_dv(xp, q, v, p):
     beta = p[3]
     Kd = p[5]
     c_theta2 = xp.cos(theta2)
-    M_11 = 1 - 2*beta*(c_theta2 - 1)
+    M_11 = 2*beta*(1 - c_theta2) + 1
     t1 = 1/M_11
     M_12 = beta*(c_theta2 - 1)
     M_L21 = M_12*t1
@@ -284,7 +285,7 @@ def impact_map(xp, q, v, p):
     alpha = p[1]
     beta = p[3]
     c_theta2 = xp.cos(theta2)
-    A_11 = 1 - 2*beta*(c_theta2 - 1)
+    A_11 = 2*beta*(1 - c_theta2) + 1
     t1 = 1/A_11
     A_12 = beta*(c_theta2 - 1) - 1
     A_L21 = A_12*t1
@@ -297,9 +298,8 @@ def impact_map(xp, q, v, p):
     A_23 = alpha*c_theta1_minus_theta2
     A_L32 = t2*(A_23 - A_11*A_L21*A_L31)
     A_D3 = alpha - A_11*A_L31*A_L31 - A_D2*A_L32*A_L32
-    t3 = alpha*c_theta1_minus_theta2*dx - c_theta2*dtheta1
-    momentum_1 = -t3
-    momentum_2 = t3
+    momentum_2 = alpha*c_theta1_minus_theta2*dx - c_theta2*dtheta1
+    momentum_1 = -momentum_2
     after_f2 = momentum_2 - A_L21*momentum_1
     c_theta1 = xp.cos(theta1)
     momentum_3 = alpha*(dx - c_theta1*dtheta1)
@@ -318,7 +318,7 @@ def impact_map_dq(xp, q, v, p):
 
     Source: plastic impact: Me (v+ - v-) = J^T Lambda, J v+ = 0, projected on the velocities with J v = 0,
     differentiated.
-    127 operations.
+    126 operations.
     """
     theta1 = q[0]
     theta2 = q[1]
@@ -327,7 +327,7 @@ def impact_map_dq(xp, q, v, p):
     alpha = p[1]
     beta = p[3]
     c_theta2 = xp.cos(theta2)
-    A_11 = 1 - 2*beta*(c_theta2 - 1)
+    A_11 = 2*beta*(1 - c_theta2) + 1
     t1 = 1/A_11
     A_22 = beta + 1
     A_12 = beta*(c_theta2 - 1) - 1
@@ -341,17 +341,15 @@ def impact_map_dq(xp, q, v, p):
     A_L32 = t2*(A_23 - A_11*A_L21*A_L31)
     A_D3 = alpha - A_11*A_L31*A_L31 - A_D2*A_L32*A_L32
     t3 = 1/A_D3
-    t4 = alpha*c_theta1_minus_theta2*dx - c_theta2*dtheta1
-    momentum_1 = -t4
-    momentum_2 = t4
+    momentum_2 = alpha*c_theta1_minus_theta2*dx - c_theta2*dtheta1
+    momentum_1 = -momentum_2
     after_f2 = momentum_2 - A_L21*momentum_1
     c_theta1 = xp.cos(theta1)
     momentum_3 = alpha*(dx - c_theta1*dtheta1)
     after_f3 = momentum_3 - A_L31*momentum_1 - A_L32*after_f2
     after_3 = after_f3*t3
     s_theta1_minus_theta2 = xp.sin(theta1 - theta2)
-    t5 = -alpha*s_theta1_minus_theta2*(after_3 - dx)
-    r1_1 = t5
+    r1_1 = alpha*s_theta1_minus_theta2*(dx - after_3)
     after_2 = after_f2*t2 - A_L32*after_3
     after_1 = momentum_1*t1 - A_L21*after_2 - A_L31*after_3
     s_theta1 = xp.sin(theta1)
@@ -365,7 +363,7 @@ def impact_map_dq(xp, q, v, p):
     s_theta2 = xp.sin(theta2)
     r2_1 = after_2*beta*s_theta2 - 2*after_1*beta*s_theta2 + alpha*s_theta1_minus_theta2*(after_3 - dx) - dtheta1*s_theta2
     r2_3 = alpha*s_theta1_minus_theta2*(after_1 - after_2)
-    r2_2 = after_1*beta*s_theta2 + dtheta1*s_theta2 + t5
+    r2_2 = after_1*beta*s_theta2 + dtheta1*s_theta2 + r1_1
     d2_f2 = r2_2 - A_L21*r2_1
     d2_f3 = r2_3 - A_L31*r2_1 - A_L32*d2_f2
     d2_3 = d2_f3*t3
@@ -388,7 +386,7 @@ def impact_map_dv(xp, q, p):
     alpha = p[1]
     beta = p[3]
     c_theta2 = xp.cos(theta2)
-    A_11 = 1 - 2*beta*(c_theta2 - 1)
+    A_11 = 2*beta*(1 - c_theta2) + 1
     t1 = 1/A_11
     A_22 = beta + 1
     A_12 = beta*(c_theta2 - 1) - 1
@@ -396,27 +394,26 @@ def impact_map_dv(xp, q, p):
     A_D2 = A_22 - A_11*A_L21*A_L21
     t2 = 1/A_D2
     c_theta1_minus_theta2 = xp.cos(theta1 - theta2)
-    t3 = -alpha*c_theta1_minus_theta2
-    A_13 = t3
+    A_13 = -alpha*c_theta1_minus_theta2
     A_L31 = A_13*t1
     A_23 = alpha*c_theta1_minus_theta2
     A_L32 = t2*(A_23 - A_11*A_L21*A_L31)
     A_D3 = alpha - A_11*A_L31*A_L31 - A_D2*A_L32*A_L32
-    t4 = 1/A_D3
+    t3 = 1/A_D3
     r1_1 = c_theta2
     c_theta1 = xp.cos(theta1)
     r1_3 = -alpha*c_theta1
     r1_2 = -c_theta2
     d1_f2 = r1_2 - A_L21*r1_1
     d1_f3 = r1_3 - A_L31*r1_1 - A_L32*d1_f2
-    d1_3 = d1_f3*t4
+    d1_3 = d1_f3*t3
     d1_2 = d1_f2*t2 - A_L32*d1_3
     d1_1 = r1_1*t1 - A_L21*d1_2 - A_L31*d1_3
-    r3_1 = t3
+    r3_1 = A_13
     r3_2 = alpha*c_theta1_minus_theta2
     d3_f2 = r3_2 - A_L21*r3_1
     d3_f3 = alpha - A_L31*r3_1 - A_L32*d3_f2
-    d3_3 = d3_f3*t4
+    d3_3 = d3_f3*t3
     d3_2 = d3_f2*t2 - A_L32*d3_3
     d3_1 = r3_1*t1 - A_L21*d3_2 - A_L31*d3_3
     return {
@@ -428,7 +425,7 @@ def impact_impulse(xp, q, v, p):
     """Impulse of the ground at touchdown.
 
     Source: plastic impact: Me (v+ - v-) = J^T Lambda, J v+ = 0, projected on the velocities with J v = 0.
-    93 operations.
+    91 operations.
     """
     theta1 = q[0]
     theta2 = q[1]
@@ -438,7 +435,7 @@ def impact_impulse(xp, q, v, p):
     alpha = p[1]
     beta = p[3]
     c_theta2 = xp.cos(theta2)
-    A_11 = 1 - 2*beta*(c_theta2 - 1)
+    A_11 = 2*beta*(1 - c_theta2) + 1
     A_22 = beta + 1
     t1 = 1/A_11
     A_12 = beta*(c_theta2 - 1) - 1
@@ -451,22 +448,21 @@ def impact_impulse(xp, q, v, p):
     A_L31 = A_13*t1
     A_L32 = t2*(A_23 - A_11*A_L21*A_L31)
     A_D3 = alpha - A_11*A_L31*A_L31 - A_D2*A_L32*A_L32
-    t3 = alpha*c_theta1_minus_theta2*dx - c_theta2*dtheta1
-    momentum_1 = -t3
-    momentum_2 = t3
+    momentum_2 = alpha*c_theta1_minus_theta2*dx - c_theta2*dtheta1
+    momentum_1 = -momentum_2
     after_f2 = momentum_2 - A_L21*momentum_1
     c_theta1 = xp.cos(theta1)
     momentum_3 = alpha*(dx - c_theta1*dtheta1)
     after_f3 = momentum_3 - A_L31*momentum_1 - A_L32*after_f2
     after_3 = after_f3/A_D3
     after_2 = after_f2*t2 - A_L32*after_3
-    t4 = beta*(after_2 - dtheta2)
-    t5 = 2*beta + 1
+    t3 = beta*(after_2 - dtheta2)
+    t4 = 2*beta + 1
     after_1 = momentum_1*t1 - A_L21*after_2 - A_L31*after_3
     s_theta1 = xp.sin(theta1)
     s_theta1_minus_theta2 = xp.sin(theta1 - theta2)
     return {
-        "Lambda": [alpha*(after_3 - dx) - c_theta1_minus_theta2*t4 + t5*(after_1*(c_theta1 - c_theta1_minus_theta2) + after_2*c_theta1_minus_theta2) + (after_1 - dtheta1)*(-beta*(c_theta1 - c_theta1_minus_theta2) - c_theta1), t5*(after_1*(s_theta1 - s_theta1_minus_theta2) + after_2*s_theta1_minus_theta2) - s_theta1_minus_theta2*t4 + (after_1 - dtheta1)*(-beta*(s_theta1 - s_theta1_minus_theta2) - s_theta1)],
+        "Lambda": [alpha*(after_3 - dx) - c_theta1_minus_theta2*t3 + t4*(after_1*(c_theta1 - c_theta1_minus_theta2) + after_2*c_theta1_minus_theta2) + (after_1 - dtheta1)*(beta*(c_theta1_minus_theta2 - c_theta1) - c_theta1), t4*(after_1*(s_theta1 - s_theta1_minus_theta2) + after_2*s_theta1_minus_theta2) - s_theta1_minus_theta2*t3 + (after_1 - dtheta1)*(beta*(s_theta1_minus_theta2 - s_theta1) - s_theta1)],
     }
 
 
@@ -524,7 +520,7 @@ def centre_of_mass(xp, q, v, p):
     """Centre of mass of the whole walker.
 
     Source: mass-weighted mean.
-    35 operations.
+    34 operations.
     """
     theta1 = q[0]
     theta2 = q[1]
@@ -534,7 +530,7 @@ def centre_of_mass(xp, q, v, p):
     dx = v[2]
     alpha = p[1]
     beta = p[3]
-    t1 = 1/((2*beta + 1))
+    t1 = 1/(2*beta + 1)
     s_theta1 = xp.sin(theta1)
     s_theta1_minus_theta2 = xp.sin(theta1 - theta2)
     t2 = beta*(s_theta1_minus_theta2 - s_theta1) - s_theta1
@@ -542,7 +538,7 @@ def centre_of_mass(xp, q, v, p):
     c_theta1_minus_theta2 = xp.cos(theta1 - theta2)
     return {
         "com": [t1*(alpha*x + t2), t1*(beta*(c_theta1 - c_theta1_minus_theta2) + c_theta1)],
-        "dcom": [t1*(alpha*dx - beta*c_theta1_minus_theta2*dtheta2 + dtheta1*(-beta*(c_theta1 - c_theta1_minus_theta2) - c_theta1)), t1*(dtheta1*t2 - beta*dtheta2*s_theta1_minus_theta2)],
+        "dcom": [t1*(alpha*dx - beta*c_theta1_minus_theta2*dtheta2 + dtheta1*(beta*(c_theta1_minus_theta2 - c_theta1) - c_theta1)), t1*(dtheta1*t2 - beta*dtheta2*s_theta1_minus_theta2)],
     }
 
 
@@ -567,7 +563,7 @@ def ground_force(xp, t, q, v, p):
     gamma = p[7]
     t1 = 2*dtheta1*dtheta2
     c_theta2 = xp.cos(theta2)
-    M_11 = 1 - 2*beta*(c_theta2 - 1)
+    M_11 = 2*beta*(1 - c_theta2) + 1
     t2 = 1/M_11
     M_12 = beta*(c_theta2 - 1)
     M_L21 = M_12*t2
@@ -581,7 +577,7 @@ def ground_force(xp, t, q, v, p):
     s_theta1 = xp.sin(theta1)
     s_theta2 = xp.sin(theta2)
     s_theta1_minus_theta2 = xp.sin(theta1 - theta2)
-    force_1 = s_theta1 - beta*dtheta2*s_theta2*(2*dtheta1 - dtheta2) - beta*(s_theta1_minus_theta2 - s_theta1)
+    force_1 = beta*dtheta2*s_theta2*(dtheta2 - 2*dtheta1) + beta*(s_theta1 - s_theta1_minus_theta2) + s_theta1
     c_omega_t = xp.cos(omega*t)
     s_omega_t = xp.sin(omega*t)
     u = -Kd*(dtheta2 + gamma*omega*s_omega_t) - Kp*(S - gamma*(c_omega_t + 1) + theta2)
@@ -603,7 +599,7 @@ def zmp(xp, t, q, v, p):
     """Zero moment point.
 
     Source: Kamimura & Sano 2023, eq. (6): p = x_g - x_g'' y_g / (1 + y_g'').
-    144 operations.
+    142 operations.
     """
     theta1 = q[0]
     theta2 = q[1]
@@ -621,14 +617,14 @@ def zmp(xp, t, q, v, p):
     s_theta1 = xp.sin(theta1)
     s_theta1_minus_theta2 = xp.sin(theta1 - theta2)
     t1 = beta*(s_theta1_minus_theta2 - s_theta1) - s_theta1
-    t2 = 1/((2*beta + 1))
+    t2 = 1/(2*beta + 1)
     com_1 = t2*(alpha*x + t1)
     c_theta1 = xp.cos(theta1)
     c_theta1_minus_theta2 = xp.cos(theta1 - theta2)
     com_2 = t2*(beta*(c_theta1 - c_theta1_minus_theta2) + c_theta1)
     t3 = 2*dtheta1*dtheta2
     c_theta2 = xp.cos(theta2)
-    M_11 = 1 - 2*beta*(c_theta2 - 1)
+    M_11 = 2*beta*(1 - c_theta2) + 1
     t4 = 1/M_11
     M_12 = beta*(c_theta2 - 1)
     M_L21 = M_12*t4
@@ -639,7 +635,7 @@ def zmp(xp, t, q, v, p):
     M_L32 = -M_11*M_L21*M_L31*t5
     M_D3 = alpha - M_11*M_L31*M_L31 - M_D2*M_L32*M_L32
     s_theta2 = xp.sin(theta2)
-    force_1 = -beta*dtheta2*s_theta2*(2*dtheta1 - dtheta2) - t1
+    force_1 = beta*dtheta2*s_theta2*(dtheta2 - 2*dtheta1) - t1
     c_omega_t = xp.cos(omega*t)
     s_omega_t = xp.sin(omega*t)
     u = -Kd*(dtheta2 + gamma*omega*s_omega_t) - Kp*(S - gamma*(c_omega_t + 1) + theta2)
@@ -650,7 +646,7 @@ def zmp(xp, t, q, v, p):
     acc_3 = acc_f3/M_D3
     acc_2 = acc_f2*t5 - M_L32*acc_3
     acc_1 = force_1*t4 - M_L21*acc_2 - M_L31*acc_3
-    ground_1 = acc_1*(-beta*(c_theta1 - c_theta1_minus_theta2) - c_theta1) - acc_2*beta*c_theta1_minus_theta2 + acc_3*alpha - beta*dtheta2*dtheta2*s_theta1_minus_theta2 + beta*s_theta1_minus_theta2*t3 + dtheta1*dtheta1*(beta*s_theta1 - beta*s_theta1_minus_theta2 + s_theta1)
+    ground_1 = acc_1*(beta*(c_theta1_minus_theta2 - c_theta1) - c_theta1) - acc_2*beta*c_theta1_minus_theta2 + acc_3*alpha - beta*dtheta2*dtheta2*s_theta1_minus_theta2 + beta*s_theta1_minus_theta2*t3 + dtheta1*dtheta1*(beta*s_theta1 - beta*s_theta1_minus_theta2 + s_theta1)
     t6 = acc_1*s_theta1 + c_theta1*dtheta1*dtheta1
     ground_2 = beta*(acc_1*s_theta1_minus_theta2 - acc_2*s_theta1_minus_theta2 + c_theta1_minus_theta2*dtheta1*dtheta1 + c_theta1_minus_theta2*dtheta2*dtheta2 - c_theta1_minus_theta2*t3 - t6 + 2) - t6 + 1
     point = com_1 - com_2*ground_1/ground_2
@@ -664,7 +660,7 @@ def swing_foot(xp, q, v):
     """Swing foot.
 
     Source: geometry of the legs.
-    17 operations.
+    16 operations.
     """
     theta1 = q[0]
     theta2 = q[1]
@@ -676,7 +672,7 @@ def swing_foot(xp, q, v):
     c_theta1_minus_theta2 = xp.cos(theta1 - theta2)
     return {
         "foot": [s_theta1_minus_theta2 - s_theta1, c_theta1 - c_theta1_minus_theta2],
-        "dfoot": [-c_theta1_minus_theta2*dtheta2 - dtheta1*(c_theta1 - c_theta1_minus_theta2), dtheta1*(s_theta1_minus_theta2 - s_theta1) - dtheta2*s_theta1_minus_theta2],
+        "dfoot": [dtheta1*(c_theta1_minus_theta2 - c_theta1) - c_theta1_minus_theta2*dtheta2, dtheta1*(s_theta1_minus_theta2 - s_theta1) - dtheta2*s_theta1_minus_theta2],
     }
 
 

@@ -1,0 +1,1 @@
+"""Measurements: speed (`bench`) and completeness (`recall`)."""

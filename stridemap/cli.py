@@ -1,0 +1,288 @@
+"""The command line: ``stridemap orbit | sweep | simulate | derive``.
+
+Exit status: 0 found or done, 1 nothing found, 2 unusable input (one sentence on standard error).
+"""
+
+import json
+import math
+import signal
+import sys
+import warnings
+from collections.abc import Iterable
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any, NoReturn
+
+import typer
+
+from stridemap.errors import InputError
+
+if TYPE_CHECKING:
+    from stridemap.solver.orbit import Orbit
+
+FOUND, NOTHING, UNUSABLE, INTERRUPTED = 0, 1, 2, 130
+
+# The base of all complaints about the command line; typer has it under varying module names.
+_UsageError: Any = next(c for c in typer.BadParameter.__mro__ if c.__name__ == "ClickException")
+
+# Model parameters are options of the commands that take a model (--k 6): which there are depends on the
+# model, so they are taken from what is left on the command line.
+_PARAMETERS = {"allow_extra_args": True, "ignore_unknown_options": True}
+_EPILOG = (
+    "Parameters of the model are options too: --k 6 --alpha 0.25 --omega 3 (the same as --set k=6 ...). "
+    "What is not given comes from the model's preset. wobbling: k alpha omega beta Kp Kd S gamma; "
+    "compass: omega beta Kp Kd S gamma."
+)
+
+app = typer.Typer(
+    help="Limit cycles, Floquet multipliers and parameter sweeps of walking models.",
+    add_completion=False,
+    pretty_exceptions_enable=False,
+    rich_markup_mode=None,
+)
+
+ModelOption = Annotated[str, typer.Option("--model", help="Name of the model.")]
+SetOption = Annotated[list[str] | None, typer.Option("--set", metavar="NAME=VALUE", help="Set a parameter.")]
+JsonOption = Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")]
+
+
+def main() -> NoReturn:
+    """Run the command line; every error that the user can mend is one sentence and exit status 2."""
+    warnings.showwarning = lambda message, *_: print(f"warning: {message}", file=sys.stderr)
+    try:
+        status = app(standalone_mode=False)
+    except InputError as error:
+        _fail(str(error))
+    except _UsageError as error:
+        command = getattr(getattr(error, "ctx", None), "command_path", "stridemap")
+        _fail(f"{error.format_message().rstrip('.')}; see `{command} --help`")
+    except (typer.Abort, KeyboardInterrupt):
+        print("interrupted", file=sys.stderr)
+        sys.exit(INTERRUPTED)
+    except BrokenPipeError:
+        # The reader (head, less) has seen enough; nothing more can be written to it.
+        sys.stderr.close()
+        sys.exit(FOUND)
+    sys.exit(status if isinstance(status, int) else FOUND)
+
+
+def _fail(sentence: str) -> NoReturn:
+    print(f"error: {sentence}", file=sys.stderr)
+    sys.exit(UNUSABLE)
+
+
+@app.command(epilog=_EPILOG, context_settings=_PARAMETERS)
+def orbit(
+    context: typer.Context,
+    model: ModelOption = "wobbling",
+    set_: SetOption = None,
+    starts: Annotated[int, typer.Option(help="Number of quasi-random starts.")] = 512,
+    json_: JsonOption = False,
+) -> int:
+    """Print all limit cycles at one point of parameter space."""
+    from stridemap.solver.model import load
+    from stridemap.solver.search import SearchOptions, find_orbits
+
+    loaded = load(model)
+    point = loaded.point(_parameters(context.args, set_))
+    orbits = find_orbits(loaded, point[None, :], SearchOptions(starts=starts))[0]
+    if json_:
+        params = dict(zip(loaded.preset, point.tolist(), strict=True))
+        found = [o.to_dict() for o in orbits]
+        print(json.dumps({"model": model, "params": params, "orbits": found}, indent=1, allow_nan=False))
+    elif orbits:
+        _print_orbits(orbits)
+    else:
+        print("no limit cycle found", file=sys.stderr)
+    return FOUND if orbits else NOTHING
+
+
+@app.command(epilog=_EPILOG, context_settings=_PARAMETERS)
+def simulate(
+    context: typer.Context,
+    model: ModelOption = "wobbling",
+    set_: SetOption = None,
+    state: Annotated[
+        list[str] | None,
+        typer.Option(metavar="NAME=VALUE", help="An entry of the state just after touchdown; all or none."),
+    ] = None,
+    steps: Annotated[int, typer.Option(help="Number of steps to walk.")] = 10,
+    json_: JsonOption = False,
+) -> int:
+    """Walk from a state just after touchdown (by default the most stable limit cycle), step by step.
+
+    The integrator is event-driven and shares nothing with the search for limit cycles.
+    """
+    from stridemap.solver.face import simulate as simulate_
+
+    start = _assignments(state, "--state") or None
+    walk = simulate_(model, start, steps=steps, **_parameters(context.args, set_))
+    if json_:
+        rows = [
+            {"period": s.period, "step_length": s.step_length, "state": dict(s.state)} for s in walk.steps
+        ]
+        out = {"model": model, "params": dict(walk.params), "outcome": str(walk.outcome), "steps": rows}
+        print(json.dumps(out, indent=1, allow_nan=False))
+    else:
+        names = list(walk.steps[0].state) if walk.steps else []
+        table = [["step", "period", "length", *names]]
+        for i, s in enumerate(walk.steps, 1):
+            table.append(
+                [str(i), f"{s.period:.9f}", f"{s.step_length:.9f}", *(f"{v:.9f}" for v in s.state.values())]
+            )
+        _print_table(table)
+        print(f"{walk.outcome.value.replace('_', ' ')} after {len(walk.steps)} of {steps} steps")
+    return FOUND if len(walk.steps) == steps else NOTHING
+
+
+@app.command()
+def sweep(
+    config: Annotated[Path, typer.Argument(help="TOML file of the sweep.")],
+    out: Annotated[Path, typer.Option(help="Output folder.")],
+    workers: Annotated[int | None, typer.Option(help="Number of processes; by default one a core.")] = None,
+    resume: Annotated[bool, typer.Option("--resume", help="Continue from finished tiles.")] = False,
+) -> int:
+    """Find all limit cycles of a grid of parameters; writes orbits.parquet and cells.parquet."""
+    from stridemap.progress import show
+    from stridemap.sweeps.run import sweep as sweep_
+
+    # A terminated sweep ends like an interrupted one: workers are stopped, finished tiles stay.
+    signal.signal(signal.SIGTERM, _interrupt)
+    try:
+        with show() as progress:
+            summary = sweep_(config, out, workers=workers, resume=resume, progress=progress)
+    except KeyboardInterrupt:
+        print(f"interrupted: finished tiles are kept in {out}; continue with --resume", file=sys.stderr)
+        return INTERRUPTED
+    done = "was finished before" if summary.already_finished else "finished"
+    failed = (
+        f", {summary.failed_cells:,} cells failed (see the reasons in cells.parquet)"
+        if summary.failed_cells
+        else ""
+    )
+    print(
+        f"sweep {done}: {summary.orbits:,} limit cycles ({summary.stable_orbits:,} stable) "
+        f"in {summary.cells:,} cells{failed}; tables in {summary.folder}"
+    )
+    return FOUND if summary.orbits else NOTHING
+
+
+def _interrupt(*_: object) -> NoReturn:
+    raise KeyboardInterrupt
+
+
+@app.command()
+def derive(
+    check: Annotated[
+        bool, typer.Option("--check", help="Write nothing; tell which generated files would change.")
+    ] = False,
+) -> int:
+    """Derive every built-in model and write its equations, C and kernels into generated/."""
+    from stridemap import build
+
+    if not check:
+        for path in build.derive():
+            print(path)
+        return FOUND
+    changed = build.drift()
+    for name in changed:
+        print(f"differs: {name}")
+    if changed:
+        print(
+            f"{len(changed)} generated files differ from the derivation; run `stridemap derive`",
+            file=sys.stderr,
+        )
+        return NOTHING
+    print("generated files are what the derivation writes")
+    return FOUND
+
+
+@app.command()
+def version() -> int:
+    """Print the version."""
+    from stridemap import __version__
+
+    print(__version__)
+    return FOUND
+
+
+def _parameters(extra: list[str], assignments: list[str] | None) -> dict[str, float]:
+    """Model parameters from ``--name value``, ``--name=value`` and ``--set name=value``."""
+    pairs: dict[str, float] = {}
+    rest = iter(extra)
+    for word in rest:
+        if not word.startswith("--"):
+            raise InputError(
+                f"{word!r} is not understood: parameters are given as --NAME VALUE or --set NAME=VALUE"
+            )
+        name, equals, value = word[2:].partition("=")
+        text = value if equals else next(rest, None)
+        if text is None:
+            raise InputError(f"--{name} needs a value")
+        _assign(pairs, name, text, f"--{name}")
+    for name, number in _assignments(assignments, "--set").items():
+        if name in pairs:
+            raise InputError(f"{name} is given twice")
+        pairs[name] = number
+    return pairs
+
+
+def _assignments(words: Iterable[str] | None, option: str) -> dict[str, float]:
+    """Numbers from words ``NAME=VALUE``."""
+    pairs: dict[str, float] = {}
+    for word in words or ():
+        name, equals, text = word.partition("=")
+        if not equals or not name:
+            raise InputError(f"{option} {word!r} is not understood; write {option} NAME=VALUE")
+        _assign(pairs, name, text, f"{option} {name}")
+    return pairs
+
+
+def _assign(pairs: dict[str, float], name: str, text: str, where: str) -> None:
+    try:
+        number = float(text)
+    except ValueError:
+        raise InputError(f"{where} = {text!r} is not a number") from None
+    if name in pairs:
+        raise InputError(f"{name} is given twice")
+    pairs[name] = number
+
+
+def _print_orbits(orbits: "list[Orbit]") -> None:
+    rows: list[tuple[str, list[str]]] = [("status", [o.status.value for o in orbits])]
+    rows += [(name, [f"{o.state[name]:.12f}" for o in orbits]) for name in orbits[0].state]
+    rows.append(("period", [f"{o.period:.12f}" for o in orbits]))
+    for i in range(len(orbits[0].multipliers)):
+        rows.append((f"multiplier {i}", [_complex(o.multipliers[i]) for o in orbits]))
+    plain = orbits[0].to_dict().keys() - {"status", "state", "period", "multipliers"}
+    for name in [n for n in orbits[0].to_dict() if n in plain]:
+        rows.append((name, [_cell(getattr(o, name)) for o in orbits]))
+    _print_table(
+        [["", *(f"cycle {i}" for i in range(1, len(orbits) + 1))], *([name, *cells] for name, cells in rows)]
+    )
+
+
+def _complex(value: complex) -> str:
+    return f"{value.real:.10f}" if value.imag == 0 else f"{value.real:.10f}{value.imag:+.10f}i"
+
+
+def _cell(value: Any) -> str:
+    if value is None:
+        return "-"
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    if isinstance(value, float):
+        if not math.isfinite(value):
+            return "-"
+        return f"{value:.10f}" if abs(value) >= 1e-3 else f"{value:.3e}"
+    return str(value)
+
+
+def _print_table(rows: list[list[str]]) -> None:
+    widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
+    for row in rows:
+        print(
+            "  ".join(
+                cell.ljust(w) if i == 0 else cell.rjust(w)
+                for i, (cell, w) in enumerate(zip(row, widths, strict=True))
+            )
+        )

@@ -1,0 +1,73 @@
+"""How a sweep shows that it moves: a bar on a terminal, plain lines elsewhere."""
+
+import sys
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import TYPE_CHECKING
+
+from rich.console import Console
+from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
+
+if TYPE_CHECKING:
+    from stridemap.sweeps.run import Progress as SweepProgress
+
+LINE_EVERY = 10.0
+"""Seconds between plain lines."""
+
+
+@contextmanager
+def show() -> "Iterator[Callable[[SweepProgress], None]]":
+    """Show progress on standard error for as long as the context lasts; yields what to call."""
+    console = Console(stderr=True)
+    if not console.is_terminal:
+        yield _lines()
+        return
+    columns = (
+        TextColumn("round {task.fields[round]}"),
+        BarColumn(),
+        MofNCompleteColumn(),
+        TextColumn("tiles, {task.fields[rate]:.1f} tiles/s, {task.fields[orbits]:,} limit cycles, left"),
+        TimeRemainingColumn(),
+    )
+    with Progress(*columns, console=console, transient=True) as bar:
+        task = bar.add_task("", total=None, round=1, orbits=0, rate=0.0)
+        current, begun, before = 0, 0.0, 0
+
+        def update(seen: "SweepProgress") -> None:
+            nonlocal current, begun, before
+            if seen.round != current:
+                current, begun, before = seen.round, time.monotonic(), seen.done
+                bar.reset(task, total=seen.total)
+            rate = (seen.done - before) / max(time.monotonic() - begun, 1e-3)
+            bar.update(
+                task, completed=seen.done, total=seen.total, round=seen.round, orbits=seen.orbits, rate=rate
+            )
+
+        yield update
+
+
+def _lines() -> "Callable[[SweepProgress], None]":
+    """Plain lines, one at the end of each round and every `LINE_EVERY` seconds."""
+    begun = last = time.monotonic()
+    first: dict[int, tuple[float, int]] = {}
+
+    def update(seen: "SweepProgress") -> None:
+        nonlocal last
+        now = time.monotonic()
+        since, before = first.setdefault(seen.round, (now, seen.done))
+        if seen.done < seen.total and now - last < LINE_EVERY:
+            return
+        last = now
+        rate = (seen.done - before) / max(now - since, 1e-3)
+        left = (
+            f", {(seen.total - seen.done) / rate:.0f} s left" if rate > 0 and seen.done < seen.total else ""
+        )
+        print(
+            f"round {seen.round}: {seen.done} of {seen.total} tiles ({rate:.1f} a second{left}), "
+            f"{seen.orbits:,} limit cycles, {now - begun:.0f} s",
+            file=sys.stderr,
+            flush=True,
+        )
+
+    return update

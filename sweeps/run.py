@@ -1,0 +1,325 @@
+"""Sweeps: every limit cycle of every cell of a grid of parameters.
+
+Many starts on a subgrid give the first cycles. Every cycle found in a cell is offered to its neighbours
+in all grid directions, until nothing new appears. The grid is cut into tiles. In one round, each tile
+with open offers is worked on by itself; offers across the edges of tiles wait for the next round. Tiles
+and rounds do not depend on the number of workers, so neither do the tables.
+"""
+
+import contextlib
+import multiprocessing
+import os
+import signal
+import threading
+from collections.abc import Callable, Iterator, Mapping
+from concurrent.futures import Executor, ProcessPoolExecutor, as_completed
+from concurrent.futures.process import BrokenProcessPool
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pandas as pd
+import pyarrow as pa
+import pyarrow.compute
+from numpy.typing import NDArray
+
+from stridemap.errors import InputError
+from stridemap.solver.library import load_kernels
+from stridemap.solver.model import Model, load
+from stridemap.solver.search import SearchOptions
+from stridemap.sweeps.config import SweepConfig, load_config
+from stridemap.sweeps.grid import Grid, tiles
+from stridemap.sweeps.provenance import provenance
+from stridemap.sweeps.store import Store, read_cells
+from stridemap.sweeps.tables import cell_table, orbit_schema, orbit_table
+from stridemap.sweeps.tile import Result, Task, work
+
+Floats = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+TILE_CELLS = 96
+REACHES = (2, 3, 5)
+"""Distances at which every cycle is offered once more when nearest neighbours have nothing new."""
+
+FAILURE = "failure"
+"""Column of a part that holds the reason why a cell failed; empty in the rows of orbits."""
+
+
+@dataclass(frozen=True)
+class Progress:
+    """How far a sweep is.
+
+    Parameters
+    ----------
+    round : int
+        Rounds count from 1.
+    done, total : int
+        Tiles of this round.
+    orbits : int
+        Limit cycles found so far.
+    """
+
+    round: int
+    done: int
+    total: int
+    orbits: int
+
+
+@dataclass(frozen=True)
+class Summary:
+    """What a sweep found.
+
+    Parameters
+    ----------
+    folder : pathlib.Path
+    cells, orbits, stable_orbits, failed_cells : int
+    already_finished : bool
+        Whether the tables were there before.
+    """
+
+    folder: Path
+    cells: int
+    orbits: int
+    stable_orbits: int
+    failed_cells: int
+    already_finished: bool = False
+
+
+def sweep(
+    config: SweepConfig | str | Path,
+    out: str | Path,
+    *,
+    workers: int | None = None,
+    executor: Executor | None = None,
+    resume: bool = False,
+    progress: Callable[[Progress], None] | None = None,
+) -> Summary:
+    """Find all limit cycles of a grid and write ``orbits.parquet`` and ``cells.parquet``.
+
+    Parameters
+    ----------
+    config : SweepConfig or path of a TOML file
+    out : path
+        Output folder.
+    workers : int, optional
+        Number of processes; by default one a core.
+    executor : concurrent.futures.Executor, optional
+        Runs the tiles in place of processes of our own. It is not shut down.
+    resume : bool
+        Continue from the tiles that an earlier run finished.
+    progress : callable, optional
+        Called with a `Progress` after each tile.
+
+    Returns
+    -------
+    Summary
+
+    Raises
+    ------
+    InputError
+        For unusable configuration or output folder, or when a worker process dies; finished tiles stay.
+    """
+    config = config if isinstance(config, SweepConfig) else load_config(config)
+    if workers is not None and workers < 1:
+        raise InputError(f"workers = {workers} is not allowed: at least 1 is needed")
+    model = load(config.model)
+    software = provenance(model, load_kernels(model))
+    store = Store.resume(out, config, software) if resume else Store.create(out, config, software)
+    run = _Run(config, model, store, progress or (lambda _: None))
+    if store.finished:
+        return run.summary_of_finished()
+    with contextlib.ExitStack() as stack:
+        pool = executor or stack.enter_context(_processes(workers or os.cpu_count() or 1))
+        return run.all_rounds(pool)
+
+
+@contextlib.contextmanager
+def _processes(workers: int) -> Iterator[Executor]:
+    """Worker processes that leave an interrupt to the parent; what has begun is finished."""
+    context = multiprocessing.get_context("spawn")
+    pool = ProcessPoolExecutor(workers, mp_context=context, initializer=_follow_parent)
+    try:
+        yield pool
+    finally:
+        pool.shutdown(wait=True, cancel_futures=True)
+
+
+def _follow_parent() -> None:
+    """Leave interrupts to the parent, and end when it is killed."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    parent = multiprocessing.parent_process()
+    if parent is not None:
+
+        def wait() -> None:
+            parent.join()
+            os._exit(1)
+
+        threading.Thread(target=wait, daemon=True).start()
+
+
+class _Run:
+    """The rounds of one sweep."""
+
+    def __init__(
+        self, config: SweepConfig, model: Model, store: Store, progress: Callable[[Progress], None]
+    ) -> None:
+        self.config, self.model, self.store, self.progress = config, model, store, progress
+        self.grid = Grid.from_mapping(config.grid)
+        self.tiles = tiles(self.grid, TILE_CELLS)
+        search = config.search
+        self.options = SearchOptions(search.starts, search.seed, search.period_min, search.period_max)
+        self.parts: list[pa.Table] = []
+        self.failures: dict[int, str] = {}
+        # Every cycle known so far: its cell, and section point with period.
+        self.cells = np.empty(0, dtype=np.int64)
+        self.cycles = np.empty((0, len(model.section) + 1))
+
+    def all_rounds(self, pool: Executor) -> Summary:
+        """Work until nothing new appears, then write the tables."""
+        seeds = self.grid.subgrid(self.config.strides)
+        owner = self.tiles.tile_of(seeds)
+        nothing = np.empty(0, dtype=np.int64)
+        tasks = [
+            self._task(1, tile, seeds[owner == tile], nothing, np.empty((0, self.cycles.shape[1])))
+            for tile in np.unique(owner).tolist()
+        ]
+        round_ = self._until_nothing_new(pool, 1, tasks)
+        # A fold or a narrow gap can hide a cycle from the cells beside it, but not from those further off.
+        for distance in REACHES:
+            everywhere = self._offers(round_, self.cells, self.cycles, distance)
+            round_ = self._until_nothing_new(pool, round_, everywhere)
+        return self._finish()
+
+    def _until_nothing_new(self, pool: Executor, round_: int, tasks: list[Task]) -> int:
+        """Run rounds until no cycle is left to offer; returns the number of the next round."""
+        while tasks:
+            new_cells, new_cycles = self._run_round(pool, round_, tasks)
+            round_ += 1
+            tasks = self._offers(round_, new_cells, new_cycles)
+        return round_
+
+    def _task(self, round_: int, tile: int, seeds: Ints, offered: Ints, offers: Floats) -> Task:
+        cells = self.tiles[tile]
+        known = np.isin(self.cells, cells)
+        return Task(
+            model=self.model.name,
+            grid=self.grid,
+            params=dict(self.config.params),
+            options=self.options,
+            round=round_,
+            tile=tile,
+            cells=cells,
+            seeds=seeds,
+            offered_cells=offered,
+            offers=offers,
+            known_cells=self.cells[known],
+            known=self.cycles[known],
+        )
+
+    def _run_round(self, pool: Executor, round_: int, tasks: list[Task]) -> tuple[Ints, Floats]:
+        """Compute the tiles of a round that no earlier run finished; returns the new cycles."""
+        done = [task for task in tasks if self.store.has_part(round_, task.tile)]
+        finished = len(done)
+        self._report(round_, finished, len(tasks))
+        open_tasks = [task for task in tasks if not self.store.has_part(round_, task.tile)]
+        futures = [pool.submit(work, task) for task in open_tasks]
+        found = 0
+        try:
+            for future in as_completed(futures):
+                result = future.result()
+                self.store.write_part(result.round, result.tile, self._part(result))
+                finished += 1
+                found += len(result.rows)
+                self._report(round_, finished, len(tasks), found)
+        except BrokenProcessPool:
+            raise InputError(
+                "a worker process died (out of memory?); finished tiles are kept: continue with --resume, "
+                "perhaps with fewer --workers"
+            ) from None
+        except BaseException:
+            for future in futures:
+                future.cancel()
+            raise
+        # Read back in the order of tiles, whatever the order in which they were finished.
+        parts = [self.store.read_part(round_, task.tile) for task in tasks]
+        return self._absorb(parts)
+
+    def _report(self, round_: int, done: int, total: int, found: int = 0) -> None:
+        self.progress(Progress(round_, done, total, len(self.cells) + found))
+
+    def _part(self, result: Result) -> pa.Table:
+        schema = orbit_schema(self.model).append(pa.field(FAILURE, pa.string()))
+        rows: list[Mapping[str, Any]] = [*result.rows]
+        rows += [{"cell": cell, FAILURE: reason} for cell, reason in sorted(result.failures.items())]
+        return pa.Table.from_pylist(rows, schema=pa.schema([f.with_nullable(True) for f in schema]))
+
+    def _absorb(self, parts: list[pa.Table]) -> tuple[Ints, Floats]:
+        """Take up the finished parts of a round; returns the new cycles."""
+        table = pa.concat_tables(parts)
+        failed = table.filter(pa.compute.is_valid(table[FAILURE]))
+        self.failures |= dict(zip(failed["cell"].to_pylist(), failed[FAILURE].to_pylist(), strict=True))
+        orbits = table.filter(pa.compute.is_null(table[FAILURE])).drop_columns([FAILURE])
+        self.parts.append(orbits)
+        names = [*self.model.section, "period"]
+        cells = orbits["cell"].to_numpy().astype(np.int64)
+        cycles = np.column_stack([orbits[name].to_numpy() for name in names])
+        self.cells = np.concatenate([self.cells, cells])
+        self.cycles = np.concatenate([self.cycles, cycles])
+        return cells, cycles
+
+    def _offers(self, round_: int, cells: Ints, cycles: Floats, distance: int = 1) -> list[Task]:
+        """Offers of cycles to cells at a distance, as tasks; a tile sees to its own nearest neighbours."""
+        pairs = self.grid.neighbour_pairs(np.unique(cells), distance)
+        targets = self.tiles.tile_of(pairs[:, 1])
+        if distance == 1:
+            crossing = self.tiles.tile_of(pairs[:, 0]) != targets
+            pairs, targets = pairs[crossing], targets[crossing]
+        rows = {int(cell): np.flatnonzero(cells == cell) for cell in np.unique(pairs[:, 0])}
+        tasks = []
+        for tile in np.unique(targets).tolist():
+            into = pairs[targets == tile]
+            index = [rows[source] for source in into[:, 0].tolist()]
+            offered = np.repeat(into[:, 1], [len(i) for i in index])
+            tasks.append(
+                self._task(round_, tile, np.empty(0, dtype=np.int64), offered, cycles[np.concatenate(index)])
+            )
+        return tasks
+
+    def _finish(self) -> Summary:
+        schema = orbit_schema(self.model)
+        orbits = pa.concat_tables(self.parts).cast(schema) if self.parts else orbit_table(self.model, [])
+        shortest, longest = self.options.period_range
+        period = orbits["period"].to_numpy()
+        orbits = orbits.filter((period > shortest) & (period <= longest))
+        points = self.grid.points(self.model, self.config.params)
+        found = np.bincount(orbits["cell"].to_numpy(), minlength=self.grid.n_cells)
+        status, reason = zip(*(self._cell(cell, n) for cell, n in enumerate(found.tolist())), strict=True)
+        cells = cell_table(self.model, points, orbits, status, reason)
+        self.store.finish(orbits, cells)
+        return self._summary(cells.to_pandas())
+
+    def _cell(self, cell: int, found: int) -> tuple[str, str | None]:
+        if cell in self.failures:
+            return "failed", self.failures[cell]
+        if found:
+            return "found", None
+        lower, upper = self.options.period_range
+        return (
+            "empty",
+            f"no start and no neighbour's cycle led to a limit cycle with {lower:g} < period <= {upper:g}",
+        )
+
+    def summary_of_finished(self) -> Summary:
+        """Read the summary of a sweep that was finished before."""
+        return self._summary(read_cells(self.store.folder), already_finished=True)
+
+    def _summary(self, cells: pd.DataFrame, already_finished: bool = False) -> Summary:
+        return Summary(
+            self.store.folder,
+            cells=len(cells),
+            orbits=int(cells["orbits"].sum()),
+            stable_orbits=int(cells["stable_orbits"].sum()),
+            failed_cells=int((cells["status"] == "failed").sum()),
+            already_finished=already_finished,
+        )

@@ -1,0 +1,175 @@
+"""One piece of work of a sweep: all new limit cycles of a block of cells.
+
+A pure function of its input, so that the result does not depend on who computes it, or when.
+"""
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from stridemap.solver.limit_cycle import Solver
+from stridemap.solver.model import load
+from stridemap.solver.orbit import Orbit, Status
+from stridemap.solver.search import (
+    DUPLICATE,
+    SEARCH_TOLERANCE,
+    SearchOptions,
+    distinct,
+    merge,
+    section_point,
+    starts,
+)
+from stridemap.sweeps.grid import Grid
+from stridemap.sweeps.tables import orbit_row
+
+Floats = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+
+@dataclass(frozen=True)
+class Task:
+    """What a worker needs to work on one tile.
+
+    Parameters
+    ----------
+    model : str
+    grid : Grid
+    params : dict of str to float
+        Parameters that are not on an axis of the grid.
+    options : SearchOptions
+    round, tile : int
+    cells : ndarray of int, shape (n,)
+        The tile's cells, ascending.
+    seeds : ndarray of int
+        Those of them that get many starts.
+    offered_cells, offers : ndarray, shapes (m,) and (m, nz + 1)
+        Cycles of neighbours outside the tile, and the cells that they are offered to.
+    known_cells, known : ndarray, shapes (l,) and (l, nz + 1)
+        Cycles that the tile's cells have already.
+    """
+
+    model: str
+    grid: Grid
+    params: dict[str, float]
+    options: SearchOptions
+    round: int
+    tile: int
+    cells: Ints
+    seeds: Ints
+    offered_cells: Ints
+    offers: Floats
+    known_cells: Ints
+    known: Floats
+
+
+@dataclass(frozen=True)
+class Result:
+    """What a worker found: rows of the table of orbits, and the cells that failed with the reason."""
+
+    round: int
+    tile: int
+    rows: list[dict[str, Any]]
+    failures: dict[int, str] = field(default_factory=dict)
+
+
+def work(task: Task) -> Result:
+    """Search a tile until nothing new appears in it.
+
+    Parameters
+    ----------
+    task : Task
+
+    Returns
+    -------
+    Result
+        A cell whose computation raises is a failure with its reason; the others are not affected.
+    """
+    search = _Search(task)
+    options = task.options
+    guesses = [starts(search.solver.model, options, cell) for cell in task.seeds.tolist()]
+    cells = np.concatenate([task.offered_cells, np.repeat(task.seeds, options.starts)])
+    search.relax(cells, np.concatenate([task.offers, *guesses]))
+    rows = [orbit_row(cell, orbit) for cell in sorted(search.new) for orbit in search.new[cell]]
+    return Result(task.round, task.tile, rows, search.failures)
+
+
+class _Search:
+    """The search in one tile; grows the cycles of each cell."""
+
+    def __init__(self, task: Task) -> None:
+        self.task = task
+        self.solver = Solver.of(load(task.model))
+        self.new: dict[int, list[Orbit]] = {}
+        self.failures: dict[int, str] = {}
+        # Solutions that need no second look: cycles, and roots that are none.
+        self._seen: dict[int, list[Floats]] = {int(cell): [] for cell in task.cells}
+        for cell, u in zip(task.known_cells, task.known, strict=True):
+            self._seen[int(cell)].append(u)
+        points = task.grid.points(self.solver.model, task.params, task.cells)
+        self._point = dict(zip(task.cells.tolist(), points, strict=True))
+
+    def relax(self, cells: Ints, guesses: Floats) -> None:
+        """Solve from guesses, offer what is new to neighbours in the tile, and so on."""
+        while len(cells):
+            found = self._solve(cells, guesses)
+            offers = [
+                (target, section_point(orbit))
+                for cell, orbit in found
+                for target in self.task.grid.neighbours(cell).tolist()
+                if target in self._point
+            ]
+            cells = np.array([target for target, _ in offers], dtype=np.int64)
+            guesses = np.array([u for _, u in offers]).reshape(len(offers), guesses.shape[1])
+
+    def _solve(self, cells: Ints, guesses: Floats) -> list[tuple[int, Orbit]]:
+        """New cycles from guesses, with their cells."""
+        try:
+            return self._solve_together(cells, guesses)
+        except (ArithmeticError, MemoryError, RuntimeError, ValueError, np.linalg.LinAlgError):
+            found: list[tuple[int, Orbit]] = []
+            # One of the cells spoils the batch: alone, it spoils only itself.
+            for cell in np.unique(cells):
+                mine = cells == cell
+                try:
+                    found += self._solve_together(cells[mine], guesses[mine])
+                except (
+                    ArithmeticError,
+                    MemoryError,
+                    RuntimeError,
+                    ValueError,
+                    np.linalg.LinAlgError,
+                ) as error:
+                    self.failures[int(cell)] = f"{type(error).__name__}: {error}"
+            return found
+
+    def _solve_together(self, cells: Ints, guesses: Floats) -> list[tuple[int, Orbit]]:
+        u, closed = self.solver.search(guesses, self._points(cells))
+        cells, u = distinct(cells[closed], u[closed])
+        unseen = np.array([self._unseen(c, x) for c, x in zip(cells.tolist(), u, strict=True)], dtype=bool)
+        cells, u = cells[unseen], u[unseen]
+        orbits = self.solver.complete(u, self._points(cells), self.task.options.wider_period_range)
+        new: list[tuple[int, Orbit]] = []
+        merged = merge(len(cells), np.searchsorted(np.unique(cells), cells), orbits)
+        for cell, candidates in zip(np.unique(cells).tolist(), merged, strict=False):
+            for orbit in candidates:
+                point = np.array(section_point(orbit))
+                # Newton's method at full resolution may have moved on to a cycle that is there already.
+                if self._unseen(cell, point, DUPLICATE):
+                    self._seen[cell].append(point)
+                    self.new.setdefault(cell, []).append(orbit)
+                    new.append((cell, orbit))
+        for cell, x, orbit in zip(cells.tolist(), u, orbits, strict=True):
+            if not orbit.status.found and orbit.status != Status.NOT_CONVERGED:
+                self._seen[cell].append(x)
+        return new
+
+    def _points(self, cells: Ints) -> Floats:
+        width = len(self.solver.model.parameters)
+        return np.array([self._point[c] for c in cells.tolist()]).reshape(len(cells), width)
+
+    def _unseen(self, cell: int, u: Floats, tolerance: float = SEARCH_TOLERANCE) -> bool:
+        seen: Iterable[Floats] = self._seen[cell]
+        return all(abs(u[-1] - s[-1]) > tolerance or np.abs(u - s).max() > tolerance for s in seen)
