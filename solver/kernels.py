@@ -5,6 +5,8 @@
 `trace_<n>`         the states and observables at the n + 1 nodes of a step
 `advance`           a part of a Runge-Kutta step, observed
 
+In C every name begins with the model's, so that kernels of several models link into one program.
+
 The same CasADi functions run in CasADi's virtual machine where there is no C compiler.
 """
 
@@ -41,7 +43,7 @@ def build(model: Model) -> dict[str, ca.Function]:
     kernels += [_limit_cycle(step_map, n) for n in CYCLE_STEPS]
     kernels += [observation.trace(2 * n) for n in CYCLE_STEPS]
     kernels += [observation.advance]
-    return {kernel.name(): kernel for kernel in kernels}
+    return {kernel.name().removeprefix(f"{model.name}_"): kernel for kernel in kernels}
 
 
 def _search(step_map: StepMap, steps: int) -> ca.Function:
@@ -49,7 +51,9 @@ def _search(step_map: StepMap, steps: int) -> ca.Function:
     u0, p = ca.MX.sym("u0", step_map.nz + 1), ca.MX.sym("p", step_map.n_params)
     u = step_map.rootfinder(steps, SEARCH_ITERATIONS, abstol=1e-12, abstol_step=1e-4)(u0, p)
     residual = step_map.residual(steps)(u, p)
-    return ca.Function(f"search_{steps}", [u0, p], [u, residual], ["u0", "p"], ["u", "R"])
+    return ca.Function(
+        f"{step_map.model.name}_search_{steps}", [u0, p], [u, residual], ["u0", "p"], ["u", "R"]
+    )
 
 
 def _limit_cycle(step_map: StepMap, steps: int) -> ca.Function:
@@ -57,7 +61,13 @@ def _limit_cycle(step_map: StepMap, steps: int) -> ca.Function:
     u0, p = ca.MX.sym("u0", step_map.nz + 1), ca.MX.sym("p", step_map.n_params)
     u = step_map.rootfinder(steps, CYCLE_ITERATIONS, abstol=1e-14, abstol_step=1e-7)(u0, p)
     jacobian, residual = step_map.jacobian(steps)(u, p)
-    return ca.Function(f"limit_cycle_{steps}", [u0, p], [u, jacobian, residual], ["u0", "p"], ["u", "J", "R"])
+    return ca.Function(
+        f"{step_map.model.name}_limit_cycle_{steps}",
+        [u0, p],
+        [u, jacobian, residual],
+        ["u0", "p"],
+        ["u", "J", "R"],
+    )
 
 
 def c_source(model: Model) -> str:
@@ -73,10 +83,10 @@ def c_source(model: Model) -> str:
         generator.add(kernel)
     banner = (
         f"/* {model.title}: kernels of the solver\n"
-        f" * Printed by CasADi {ca.__version__} from {model.hash[:16]}; do not edit: `make derive`.\n"
-        " * SPDX-License-Identifier: BSD-3-Clause\n */\n"
+        f" * Printed by CasADi {ca.__version__} from equations {model.hash[:16]}.\n"
+        " * Do not edit: run `make derive`.\n * SPDX-License-Identifier: BSD-3-Clause\n */\n"
     )
-    text = banner + generator.dump() + DRIVER
+    text = banner + generator.dump() + DRIVER.replace("MODEL", model.name)
     if "#error" in text:
         raise RuntimeError(f"CasADi could not print every kernel of {model.name} as C")
     return text
@@ -88,9 +98,9 @@ DRIVER = """
  * work_size: lengths of arg, res, iw, w. Returns 0, or 1 when there is no memory. */
 #include <stdlib.h>
 
-typedef int (*stridemap_kernel)(const double** arg, double** res, casadi_int* iw, double* w, int mem);
+typedef int (*MODEL_kernel)(const double** arg, double** res, casadi_int* iw, double* w, int mem);
 
-CASADI_SYMBOL_EXPORT int stridemap_map(stridemap_kernel kernel, const casadi_int* work_size, casadi_int n,
+CASADI_SYMBOL_EXPORT int MODEL_map(MODEL_kernel kernel, const casadi_int* work_size, casadi_int n,
     casadi_int n_in, const double* const* in, const casadi_int* in_size,
     casadi_int n_out, double* const* out, const casadi_int* out_size, int* failed)
 {

@@ -101,9 +101,7 @@ class CompiledKernels(Kernels):
         super().__init__(model)
         self._command = [*shlex.split(compiler), *FLAGS]
         self._library = ctypes.CDLL(str(compile_shared(model.path(f"{model.name}_kernels.c"), compiler)))
-        self._work = {
-            name: (ctypes.c_longlong * 4)(*self._work_size(f)) for name, f in self.functions.items()
-        }
+        self._work = {f.name(): (ctypes.c_longlong * 4)(*self._work_size(f)) for f in self.functions.values()}
 
     @property
     def compiler(self) -> str:
@@ -119,7 +117,7 @@ class CompiledKernels(Kernels):
         n = len(inputs[0])
         failed = np.zeros(n, dtype=np.int32)
         name = function.name()
-        status = self._library.stridemap_map(
+        status = getattr(self._library, f"{self.model.name}_map")(
             getattr(self._library, name), self._work[name], ctypes.c_longlong(n),
             ctypes.c_longlong(len(inputs)), _pointers(inputs), _sizes(inputs),
             ctypes.c_longlong(len(outputs)), _pointers(outputs), _sizes(outputs),

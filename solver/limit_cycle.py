@@ -10,6 +10,7 @@ from stridemap.solver.kernels import CYCLE_STEPS, SEARCH_STEPS
 from stridemap.solver.library import Kernels, load_kernels
 from stridemap.solver.model import Model
 from stridemap.solver.orbit import Orbit
+from stridemap.solver.runge_kutta import ORDER
 
 Array = NDArray[np.float64]
 
@@ -124,13 +125,17 @@ class Solver:
             at = np.flatnonzero(steps == n)
             if not len(at):
                 continue
-            finest = n == CYCLE_STEPS[-1]
             batch = Batch.solve(self.model, self.kernels, n, u[at], params[at])
-            refine = batch.closed & (not finest) & ~(batch.integration_error <= INTEGRATION_TARGET)
-            steps[at[refine]] = CYCLE_STEPS[min(CYCLE_STEPS.index(n) + 1, len(CYCLE_STEPS) - 1)]
-            u[at[refine]] = batch.u[refine]
-            for i, orbit in zip(
-                at[~refine], batch.take(np.flatnonzero(~refine)).orbits(period_range), strict=True
-            ):
+            refine = batch.closed & ~(batch.integration_error <= INTEGRATION_TARGET)
+            if n < CYCLE_STEPS[-1]:
+                # The error falls with the order's power of the resolution: go where it will be small enough.
+                error = np.nan_to_num(batch.integration_error[refine], nan=1.0)
+                finer = n * np.maximum((error / INTEGRATION_TARGET) ** (1 / ORDER), 2.0)
+                steps[at[refine]] = self._resolution(finer, CYCLE_STEPS, per_step=1.0)
+                u[at[refine]] = batch.u[refine]
+            else:
+                refine[:] = False
+            done = np.flatnonzero(~refine)
+            for i, orbit in zip(at[done], batch.take(done).orbits(period_range), strict=True):
                 orbits[i] = orbit
         return [orbit for orbit in orbits if orbit is not None]

@@ -85,7 +85,9 @@ class Observation:
         p = ca.MX.sym("p", sm.n_params)
         end = self.working_step(t, w, h, p)
         g, dg = self.observe(t + h, end[: 2 * sm.n], p)
-        return ca.Function("advance", [t, w, h, p], [end, g, dg], ["t", "w", "h", "p"], ["w_end", "g", "dg"])
+        return ca.Function(
+            f"{sm.model.name}_advance", [t, w, h, p], [end, g, dg], ["t", "w", "h", "p"], ["w_end", "g", "dg"]
+        )
 
     @cached_property
     def _block(self) -> ca.Function:
@@ -125,5 +127,9 @@ class Observation:
         nodes, g, dg = (ca.horzcat(*column) for column in zip(*parts, strict=True))
         residual = sm.landing(w[: 2 * sm.n], z, p)
         return ca.Function(
-            f"trace_{steps}", [u, p], [nodes, g, dg, residual], ["u", "p"], ["w", "g", "dg", "R"]
+            f"{sm.model.name}_trace_{steps}",
+            [u, p],
+            [nodes, g, dg, residual],
+            ["u", "p"],
+            ["w", "g", "dg", "R"],
         )

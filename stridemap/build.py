@@ -46,11 +46,12 @@ def write_model(walker: Walker, folder: Path) -> list[Path]:
     from stridemap.solver.model import Model
 
     texts, manifest = emit(walker, f"stridemap {version('stridemap')}")
+    # The kernels are printed from the equations as written; a half-written folder is never seen.
+    with tempfile.TemporaryDirectory() as scratch:
+        _write(Path(scratch), texts, manifest)
+        texts[f"{walker.name}_kernels.c"] = c_source(Model(Path(scratch)))
     try:
         folder.mkdir(parents=True, exist_ok=True)
-        _write(folder, texts, manifest)
-        # The kernels are printed from the equations just written.
-        texts[f"{walker.name}_kernels.c"] = c_source(Model(folder))
         _write(folder, texts, manifest)
     except OSError as error:
         raise InputError(f"cannot write {error.filename or folder}: {error.strerror}") from None

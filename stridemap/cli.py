@@ -3,12 +3,13 @@
 Exit status: 0 found or done, 1 nothing found, 2 unusable input (one sentence on standard error).
 """
 
+import errno
 import json
 import math
+import os
 import signal
 import sys
 import warnings
-from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, NoReturn
 
@@ -33,6 +34,19 @@ _EPILOG = (
     "compass: omega beta Kp Kd S gamma."
 )
 
+
+def _count(text: str) -> int:
+    try:
+        return int(text)
+    except ValueError:
+        raise typer.BadParameter(f"{text!r} is not a whole number; at least 1 is needed") from None
+
+
+def _whole(meaning: str) -> Any:
+    """An option that takes a whole number; typer's own complaint does not say what was given."""
+    return typer.Option(parser=_count, metavar="N", help=meaning)
+
+
 app = typer.Typer(
     help="Limit cycles, Floquet multipliers and parameter sweeps of walking models.",
     add_completion=False,
@@ -50,6 +64,7 @@ def main() -> NoReturn:
     warnings.showwarning = lambda message, *_: print(f"warning: {message}", file=sys.stderr)
     try:
         status = app(standalone_mode=False)
+        sys.stdout.flush()
     except InputError as error:
         _fail(str(error))
     except _UsageError as error:
@@ -60,14 +75,25 @@ def main() -> NoReturn:
         sys.exit(INTERRUPTED)
     except BrokenPipeError:
         # The reader (head, less) has seen enough; nothing more can be written to it.
-        sys.stderr.close()
+        _discard_output()
         sys.exit(FOUND)
+    except OSError as error:
+        if error.errno not in (errno.ENOSPC, errno.EFBIG, errno.EIO):
+            raise
+        _discard_output()
+        _fail(f"cannot write to standard output ({error.strerror}); make room or send it elsewhere")
     sys.exit(status if isinstance(status, int) else FOUND)
 
 
 def _fail(sentence: str) -> NoReturn:
-    print(f"error: {sentence}", file=sys.stderr)
+    # A name or path with a line break in it would make two lines of one.
+    print(f"error: {' '.join(sentence.split())}", file=sys.stderr)
     sys.exit(UNUSABLE)
+
+
+def _discard_output() -> None:
+    """Send what is left for standard output nowhere, so that writing it does not fail again at exit."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 @app.command(epilog=_EPILOG, context_settings=_PARAMETERS)
@@ -75,7 +101,7 @@ def orbit(
     context: typer.Context,
     model: ModelOption = "wobbling",
     set_: SetOption = None,
-    starts: Annotated[int, typer.Option(help="Number of quasi-random starts.")] = 512,
+    starts: Annotated[int, _whole("Number of quasi-random starts.")] = 512,
     json_: JsonOption = False,
 ) -> int:
     """Print all limit cycles at one point of parameter space."""
@@ -105,7 +131,7 @@ def simulate(
         list[str] | None,
         typer.Option(metavar="NAME=VALUE", help="An entry of the state just after touchdown; all or none."),
     ] = None,
-    steps: Annotated[int, typer.Option(help="Number of steps to walk.")] = 10,
+    steps: Annotated[int, _whole("Number of steps to walk.")] = 10,
     json_: JsonOption = False,
 ) -> int:
     """Walk from a state just after touchdown (by default the most stable limit cycle), step by step.
@@ -113,9 +139,14 @@ def simulate(
     The integrator is event-driven and shares nothing with the search for limit cycles.
     """
     from stridemap.solver.face import simulate as simulate_
+    from stridemap.solver.model import load
 
-    start = _assignments(state, "--state") or None
-    walk = simulate_(model, start, steps=steps, **_parameters(context.args, set_))
+    params = _parameters(context.args, set_)
+    load(model).point(params)  # refuses a name that is no parameter, such as "steps"
+    start: dict[str, Any] = {}
+    for word in state or ():
+        _assign(start, *_split(word, "--state"))
+    walk = simulate_(model, start or None, steps=steps, **params)
     if json_:
         rows = [
             {"period": s.period, "step_length": s.step_length, "state": dict(s.state)} for s in walk.steps
@@ -138,7 +169,7 @@ def simulate(
 def sweep(
     config: Annotated[Path, typer.Argument(help="TOML file of the sweep.")],
     out: Annotated[Path, typer.Option(help="Output folder.")],
-    workers: Annotated[int | None, typer.Option(help="Number of processes; by default one a core.")] = None,
+    workers: Annotated[int | None, _whole("Number of processes; by default one a core.")] = None,
     resume: Annotated[bool, typer.Option("--resume", help="Continue from finished tiles.")] = False,
 ) -> int:
     """Find all limit cycles of a grid of parameters; writes orbits.parquet and cells.parquet."""
@@ -205,9 +236,9 @@ def version() -> int:
     return FOUND
 
 
-def _parameters(extra: list[str], assignments: list[str] | None) -> dict[str, float]:
+def _parameters(extra: list[str], assignments: list[str] | None) -> dict[str, Any]:
     """Model parameters from ``--name value``, ``--name=value`` and ``--set name=value``."""
-    pairs: dict[str, float] = {}
+    pairs: dict[str, Any] = {}
     rest = iter(extra)
     for word in rest:
         if not word.startswith("--"):
@@ -216,35 +247,30 @@ def _parameters(extra: list[str], assignments: list[str] | None) -> dict[str, fl
             )
         name, equals, value = word[2:].partition("=")
         text = value if equals else next(rest, None)
-        if text is None:
+        if text is None or (text.startswith("--") and not equals):
             raise InputError(f"--{name} needs a value")
-        _assign(pairs, name, text, f"--{name}")
-    for name, number in _assignments(assignments, "--set").items():
-        if name in pairs:
-            raise InputError(f"{name} is given twice")
-        pairs[name] = number
+        _assign(pairs, name, text)
+    for word in assignments or ():
+        _assign(pairs, *_split(word, "--set"))
     return pairs
 
 
-def _assignments(words: Iterable[str] | None, option: str) -> dict[str, float]:
-    """Numbers from words ``NAME=VALUE``."""
-    pairs: dict[str, float] = {}
-    for word in words or ():
-        name, equals, text = word.partition("=")
-        if not equals or not name:
-            raise InputError(f"{option} {word!r} is not understood; write {option} NAME=VALUE")
-        _assign(pairs, name, text, f"{option} {name}")
-    return pairs
+def _split(word: str, option: str) -> tuple[str, str]:
+    """Name and value of a word ``NAME=VALUE``."""
+    name, equals, text = word.partition("=")
+    if not equals or not name:
+        raise InputError(f"{option} {word!r} is not understood; write {option} NAME=VALUE")
+    return name, text
 
 
-def _assign(pairs: dict[str, float], name: str, text: str, where: str) -> None:
-    try:
-        number = float(text)
-    except ValueError:
-        raise InputError(f"{where} = {text!r} is not a number") from None
+def _assign(pairs: dict[str, Any], name: str, text: str) -> None:
+    """Enter a number, or the text itself where it is none: who knows the allowed range refuses it."""
     if name in pairs:
         raise InputError(f"{name} is given twice")
-    pairs[name] = number
+    try:
+        pairs[name] = float(text)
+    except ValueError:
+        pairs[name] = text
 
 
 def _print_orbits(orbits: "list[Orbit]") -> None:

@@ -179,27 +179,26 @@ class _Run:
         """Work until nothing new appears, then write the tables."""
         seeds = self.grid.subgrid(self.config.strides)
         owner = self.tiles.tile_of(seeds)
-        nothing = np.empty(0, dtype=np.int64)
+        nobody, nothing = np.empty((0, 2), dtype=np.int64), self.cycles[:0]
         tasks = [
-            self._task(1, tile, seeds[owner == tile], nothing, np.empty((0, self.cycles.shape[1])))
-            for tile in np.unique(owner).tolist()
+            self._task(1, tile, seeds[owner == tile], nobody, nothing) for tile in np.unique(owner).tolist()
         ]
         round_ = self._until_nothing_new(pool, 1, tasks)
         # A fold or a narrow gap can hide a cycle from the cells beside it, but not from those further off.
         for distance in REACHES:
-            everywhere = self._offers(round_, self.cells, self.cycles, distance)
+            everywhere = self._offers(round_, self.cells, distance)
             round_ = self._until_nothing_new(pool, round_, everywhere)
         return self._finish()
 
     def _until_nothing_new(self, pool: Executor, round_: int, tasks: list[Task]) -> int:
         """Run rounds until no cycle is left to offer; returns the number of the next round."""
         while tasks:
-            new_cells, new_cycles = self._run_round(pool, round_, tasks)
+            new_cells = self._run_round(pool, round_, tasks)
             round_ += 1
-            tasks = self._offers(round_, new_cells, new_cycles)
+            tasks = self._offers(round_, new_cells)
         return round_
 
-    def _task(self, round_: int, tile: int, seeds: Ints, offered: Ints, offers: Floats) -> Task:
+    def _task(self, round_: int, tile: int, seeds: Ints, pairs: Ints, offers: Floats) -> Task:
         cells = self.tiles[tile]
         known = np.isin(self.cells, cells)
         return Task(
@@ -211,14 +210,15 @@ class _Run:
             tile=tile,
             cells=cells,
             seeds=seeds,
-            offered_cells=offered,
+            sources=pairs[:, 0],
+            targets=pairs[:, 1],
             offers=offers,
             known_cells=self.cells[known],
             known=self.cycles[known],
         )
 
-    def _run_round(self, pool: Executor, round_: int, tasks: list[Task]) -> tuple[Ints, Floats]:
-        """Compute the tiles of a round that no earlier run finished; returns the new cycles."""
+    def _run_round(self, pool: Executor, round_: int, tasks: list[Task]) -> Ints:
+        """Compute the tiles of a round that no earlier run finished; returns the cells with new cycles."""
         done = [task for task in tasks if self.store.has_part(round_, task.tile)]
         finished = len(done)
         self._report(round_, finished, len(tasks))
@@ -254,8 +254,8 @@ class _Run:
         rows += [{"cell": cell, FAILURE: reason} for cell, reason in sorted(result.failures.items())]
         return pa.Table.from_pylist(rows, schema=pa.schema([f.with_nullable(True) for f in schema]))
 
-    def _absorb(self, parts: list[pa.Table]) -> tuple[Ints, Floats]:
-        """Take up the finished parts of a round; returns the new cycles."""
+    def _absorb(self, parts: list[pa.Table]) -> Ints:
+        """Take up the finished parts of a round; returns the cells with new cycles."""
         table = pa.concat_tables(parts)
         failed = table.filter(pa.compute.is_valid(table[FAILURE]))
         self.failures |= dict(zip(failed["cell"].to_pylist(), failed[FAILURE].to_pylist(), strict=True))
@@ -266,24 +266,23 @@ class _Run:
         cycles = np.column_stack([orbits[name].to_numpy() for name in names])
         self.cells = np.concatenate([self.cells, cells])
         self.cycles = np.concatenate([self.cycles, cycles])
-        return cells, cycles
+        return cells
 
-    def _offers(self, round_: int, cells: Ints, cycles: Floats, distance: int = 1) -> list[Task]:
-        """Offers of cycles to cells at a distance, as tasks; a tile sees to its own nearest neighbours."""
+    def _offers(self, round_: int, cells: Ints, distance: int = 1) -> list[Task]:
+        """Offers of all cycles of cells to cells at a distance; a tile sees to its own nearest neighbours."""
         pairs = self.grid.neighbour_pairs(np.unique(cells), distance)
-        targets = self.tiles.tile_of(pairs[:, 1])
+        tile = self.tiles.tile_of(pairs[:, 1])
         if distance == 1:
-            crossing = self.tiles.tile_of(pairs[:, 0]) != targets
-            pairs, targets = pairs[crossing], targets[crossing]
-        rows = {int(cell): np.flatnonzero(cells == cell) for cell in np.unique(pairs[:, 0])}
+            crossing = self.tiles.tile_of(pairs[:, 0]) != tile
+            pairs, tile = pairs[crossing], tile[crossing]
+        order = np.argsort(self.cells, kind="stable")
+        first, last = (np.searchsorted(self.cells[order], pairs[:, 0], side) for side in ("left", "right"))
         tasks = []
-        for tile in np.unique(targets).tolist():
-            into = pairs[targets == tile]
-            index = [rows[source] for source in into[:, 0].tolist()]
-            offered = np.repeat(into[:, 1], [len(i) for i in index])
-            tasks.append(
-                self._task(round_, tile, np.empty(0, dtype=np.int64), offered, cycles[np.concatenate(index)])
-            )
+        for t in np.unique(tile).tolist():
+            here = np.flatnonzero(tile == t)
+            rows = np.concatenate([order[first[i] : last[i]] for i in here])
+            repeated = np.repeat(pairs[here], last[here] - first[here], axis=0)
+            tasks.append(self._task(round_, t, np.empty(0, dtype=np.int64), repeated, self.cycles[rows]))
         return tasks
 
     def _finish(self) -> Summary:

@@ -3,8 +3,8 @@
 A pure function of its input, so that the result does not depend on who computes it, or when.
 """
 
-from collections.abc import Iterable
 from dataclasses import dataclass, field
+from itertools import chain
 from typing import Any
 
 import numpy as np
@@ -28,6 +28,10 @@ from stridemap.sweeps.tables import orbit_row
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
+LIKE = 0.03
+"""Largest difference, in any section coordinate or the period, between cycles of neighbouring cells that are
+taken for the same branch. Too small a value costs time only."""
+
 
 @dataclass(frozen=True)
 class Task:
@@ -45,8 +49,8 @@ class Task:
         The tile's cells, ascending.
     seeds : ndarray of int
         Those of them that get many starts.
-    offered_cells, offers : ndarray, shapes (m,) and (m, nz + 1)
-        Cycles of neighbours outside the tile, and the cells that they are offered to.
+    sources, targets, offers : ndarray, shapes (m,), (m,) and (m, nz + 1)
+        All cycles of cells elsewhere, those cells, and the cells here that the cycles are offered to.
     known_cells, known : ndarray, shapes (l,) and (l, nz + 1)
         Cycles that the tile's cells have already.
     """
@@ -59,7 +63,8 @@ class Task:
     tile: int
     cells: Ints
     seeds: Ints
-    offered_cells: Ints
+    sources: Ints
+    targets: Ints
     offers: Floats
     known_cells: Ints
     known: Floats
@@ -90,10 +95,28 @@ def work(task: Task) -> Result:
     search = _Search(task)
     options = task.options
     guesses = [starts(search.solver.model, options, cell) for cell in task.seeds.tolist()]
-    cells = np.concatenate([task.offered_cells, np.repeat(task.seeds, options.starts)])
-    search.relax(cells, np.concatenate([task.offers, *guesses]))
+    targets, offers = search.wanted_offers()
+    cells = np.concatenate([targets, np.repeat(task.seeds, options.starts)])
+    search.relax(cells, np.concatenate([offers, *guesses]))
     rows = [orbit_row(cell, orbit) for cell in sorted(search.new) for orbit in search.new[cell]]
     return Result(task.round, task.tile, rows, search.failures)
+
+
+def without_their_like(offered: list[Floats], present: list[Floats]) -> list[Floats]:
+    """Cycles of one cell that have no like among those of another, which so are worth an offer.
+
+    Likes are matched one to one, nearest first: of two cycles beside a fold, one is offered to a cell that
+    has only the other.
+    """
+    if not offered or not present:
+        return offered
+    distance = np.abs(np.array(offered)[:, None, :] - np.array(present)[None, :, :]).max(axis=2)
+    free = np.ones(len(offered), dtype=bool)
+    while distance.min() < LIKE:
+        one, other = np.unravel_index(distance.argmin(), distance.shape)
+        free[one] = False
+        distance[one, :] = distance[:, other] = np.inf
+    return [u for u, is_free in zip(offered, free, strict=True) if is_free]
 
 
 class _Search:
@@ -104,23 +127,41 @@ class _Search:
         self.solver = Solver.of(load(task.model))
         self.new: dict[int, list[Orbit]] = {}
         self.failures: dict[int, str] = {}
-        # Solutions that need no second look: cycles, and roots that are none.
-        self._seen: dict[int, list[Floats]] = {int(cell): [] for cell in task.cells}
+        # The cycles of each cell, and other solutions that need no second look.
+        self._cycles: dict[int, list[Floats]] = {int(cell): [] for cell in task.cells}
+        self._rejected: dict[int, list[Floats]] = {int(cell): [] for cell in task.cells}
+        self._offered: set[tuple[int, int]] = set()
         for cell, u in zip(task.known_cells, task.known, strict=True):
-            self._seen[int(cell)].append(u)
+            self._cycles[int(cell)].append(u)
         points = task.grid.points(self.solver.model, task.params, task.cells)
         self._point = dict(zip(task.cells.tolist(), points, strict=True))
+
+    def wanted_offers(self) -> tuple[Ints, Floats]:
+        """Offers from elsewhere whose like their target does not have, with their targets."""
+        task = self.task
+        targets, offers = [], [np.empty((0, task.offers.shape[1]))]
+        edges = np.flatnonzero(np.diff(task.sources) | np.diff(task.targets)) + 1
+        for rows in np.split(np.arange(len(task.sources)), edges):
+            if len(rows):
+                target = int(task.targets[rows[0]])
+                wanted = without_their_like(list(task.offers[rows]), self._cycles[target])
+                targets += [target] * len(wanted)
+                offers += [u[None, :] for u in wanted]
+        return np.array(targets, dtype=np.int64), np.concatenate(offers)
 
     def relax(self, cells: Ints, guesses: Floats) -> None:
         """Solve from guesses, offer what is new to neighbours in the tile, and so on."""
         while len(cells):
             found = self._solve(cells, guesses)
             offers = [
-                (target, section_point(orbit))
-                for cell, orbit in found
+                (target, u)
+                for cell in sorted({cell for cell, _ in found})
                 for target in self.task.grid.neighbours(cell).tolist()
                 if target in self._point
+                for u in without_their_like(self._cycles[cell], self._cycles[target])
+                if (target, id(u)) not in self._offered
             ]
+            self._offered |= {(target, id(u)) for target, u in offers}
             cells = np.array([target for target, _ in offers], dtype=np.int64)
             guesses = np.array([u for _, u in offers]).reshape(len(offers), guesses.shape[1])
 
@@ -147,6 +188,8 @@ class _Search:
 
     def _solve_together(self, cells: Ints, guesses: Floats) -> list[tuple[int, Orbit]]:
         u, closed = self.solver.search(guesses, self._points(cells))
+        shortest, longest = self.task.options.wider_period_range
+        closed &= (u[:, -1] > shortest) & (u[:, -1] <= longest)
         cells, u = distinct(cells[closed], u[closed])
         unseen = np.array([self._unseen(c, x) for c, x in zip(cells.tolist(), u, strict=True)], dtype=bool)
         cells, u = cells[unseen], u[unseen]
@@ -158,12 +201,12 @@ class _Search:
                 point = np.array(section_point(orbit))
                 # Newton's method at full resolution may have moved on to a cycle that is there already.
                 if self._unseen(cell, point, DUPLICATE):
-                    self._seen[cell].append(point)
+                    self._cycles[cell].append(point)
                     self.new.setdefault(cell, []).append(orbit)
                     new.append((cell, orbit))
         for cell, x, orbit in zip(cells.tolist(), u, orbits, strict=True):
             if not orbit.status.found and orbit.status != Status.NOT_CONVERGED:
-                self._seen[cell].append(x)
+                self._rejected[cell].append(x)
         return new
 
     def _points(self, cells: Ints) -> Floats:
@@ -171,5 +214,5 @@ class _Search:
         return np.array([self._point[c] for c in cells.tolist()]).reshape(len(cells), width)
 
     def _unseen(self, cell: int, u: Floats, tolerance: float = SEARCH_TOLERANCE) -> bool:
-        seen: Iterable[Floats] = self._seen[cell]
+        seen = chain(self._cycles[cell], self._rejected[cell])
         return all(abs(u[-1] - s[-1]) > tolerance or np.abs(u - s).max() > tolerance for s in seen)

@@ -5,10 +5,13 @@ point masses as one writes them down on paper, and adds up Newton's law over the
 Lagrangian and no SymPy. It runs on arrays of floats and, for the truth, on arrays of 50-digit numbers.
 """
 
+import os
+import shutil
 from functools import cache
 
 import mpmath
 import numpy as np
+import pytest
 
 from stridemap.solver.model import load
 
@@ -33,6 +36,18 @@ RANGES = {
     "S": (-0.5, 0.5), "gamma": (-0.5, 0.5), "theta1": (-1.2, 1.2), "theta2": (-2.4, 2.4), "x": (-1, 1),
     "dtheta1": (-3, 3), "dtheta2": (-3, 3), "dx": (-3, 3),
 }  # fmt: skip
+
+
+def need(*commands):
+    """The first of these commands that is on the path; without one the test is skipped, and fails in CI."""
+    found = next((command for command in commands if shutil.which(command)), None)
+    return found or lacking(f"there is no {' or '.join(commands)} on the path")
+
+
+def lacking(reason):
+    if os.environ.get("CI"):
+        pytest.fail(f"{reason}, and CI must have it")
+    pytest.skip(reason)
 
 
 @cache

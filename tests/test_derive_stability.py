@@ -108,13 +108,13 @@ def test_the_manifest_names_every_file():
 
 
 def test_generated_text_is_plain_and_names_no_time_host_user_or_path():
-    private = {socket.gethostname(), getpass.getuser(), os.path.expanduser("~"), str(GENERATED.parent)}
+    private = {socket.gethostname(), getpass.getuser(), str(GENERATED.parent), os.path.expanduser("~")}
     words = [re.escape(word) for word in private - {"root", "localhost", "/"}]
-    words += [r"/(home|root|tmp|usr|var|work|Users)/", r"\d{4}-\d\d-\d\d", r"\d\d:\d\d", r"[A-Z]:\\"]
+    words += [r"/(home|root|tmp|usr|var|opt|mnt|Users)/", r"[A-Z]:\\", r"\d{4}-\d\d-\d\d", r"\d\d:\d\d"]
     for name, data in contents(GENERATED).items():
         text = data.decode("ascii")
         assert "\r" not in text and "\t" not in text and text.endswith("\n"), name
-        found = re.search("|".join(rf"(?<!\w)(?:{word})(?!\w)" for word in words), text)
+        found = re.search("|".join(rf"(?<!\w){word}" for word in words), text)
         assert found is None, f"{name} holds {found}"
 
 

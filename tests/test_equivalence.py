@@ -6,14 +6,25 @@ carried along by the program itself.
 """
 
 import re
-import shutil
 import subprocess
 from functools import cache
 
 import numpy as np
 import pytest
 from cffi import FFI
-from derive_support import COUNT, FIFTY, MODELS, MP, Newton, call, differences, error_bounds, exact, states
+from derive_support import (
+    COUNT,
+    FIFTY,
+    MODELS,
+    MP,
+    Newton,
+    call,
+    differences,
+    error_bounds,
+    exact,
+    need,
+    states,
+)
 
 from stridemap.solver.model import load
 
@@ -110,12 +121,10 @@ def pointer(ffi, array, row):
 @pytest.fixture(scope="module")
 def libraries(tmp_path_factory):
     """Readable C by model: compiled, and called through what its header declares."""
-    compiler = next((c for c in ("cc", "gcc", "clang") if shutil.which(c)), None)
-    if compiler is None:
-        pytest.skip("no C compiler on the path")
 
     @cache
     def library(name):
+        compiler = need("cc", "gcc", "clang")
         target = tmp_path_factory.mktemp("readable") / f"{name}.so"
         flags = ["-O2", "-std=c99", "-ffp-contract=off", "-shared", "-fPIC"]
         subprocess.run([compiler, *flags, load(name).path(f"{name}.c"), "-o", target, "-lm"], check=True)

@@ -3,14 +3,13 @@
 A compiler that is missing skips its tests, except where the environment variable CI is set: there it fails.
 """
 
-import os
 import re
 import shutil
 import subprocess
 
 import numpy as np
 import pytest
-from derive_support import MODELS
+from derive_support import MODELS, lacking, need
 
 from stridemap.solver.model import load
 
@@ -20,19 +19,6 @@ LIBM = {"sin", "cos", "tan", "exp", "log", "sqrt", "sincos"}
 
 both_models = pytest.mark.parametrize("name", MODELS)
 both_compilers = pytest.mark.parametrize("compiler", COMPILERS)
-
-
-def need(command):
-    """The command, if it is on the path."""
-    if shutil.which(command) is None:
-        lacking(f"there is no {command} on the path")
-    return command
-
-
-def lacking(reason):
-    if os.environ.get("CI"):
-        pytest.fail(f"{reason}, and CI must have it")
-    pytest.skip(reason)
 
 
 def run(*command, cwd=None):
@@ -210,7 +196,7 @@ static const double* value_of(const char* name) {
     return w; /* state and work, or just t or h: its first entry */
 }
 
-static int run(const char* what, stridemap_kernel kernel, const casadi_int* size, casadi_int n_in,
+static int run(const char* what, MODEL_kernel kernel, const casadi_int* size, casadi_int n_in,
     casadi_int n_out, shape_of in_shape, shape_of out_shape, const char* (*name_in)(casadi_int))
 {
     const double* in[8];
@@ -228,7 +214,7 @@ static int run(const char* what, stridemap_kernel kernel, const casadi_int* size
         out_size[j] = entries(out_shape(j));
         out[j] = malloc((size_t) (POINTS * out_size[j]) * sizeof(double));
     }
-    if (stridemap_map(kernel, size, POINTS, n_in, in, in_size, n_out, out, out_size, failed)) bad++;
+    if (MODEL_map(kernel, size, POINTS, n_in, in, in_size, n_out, out, out_size, failed)) bad++;
     for (i = 0; i < POINTS; i++) bad += failed[i] != 0;
     for (j = 0; j < n_out; j++)
         for (i = 0; i < POINTS * out_size[j]; i++) bad += !isfinite(out[j][i]);
@@ -257,7 +243,7 @@ def kernels_main(name):
     lines = [f'#include "{folder(name) / f"{name}_kernels.c"}"', "#define POINTS 3"]
     lines += [f"static const double p[] = {c_list(model.point({}))};"]
     lines += [f"static const double u[] = {c_list(orbit)};", f"static const double w[] = {c_list(state)};"]
-    lines += [KERNELS_MAIN, "int main(void) {", "    int bad = 0;"]
+    lines += [KERNELS_MAIN.replace("MODEL", name), "int main(void) {", "    int bad = 0;"]
     lines += [f"    RUN({k});" for k in kernels]
     return "\n".join([*lines, "    return bad;", "}", ""]), kernels
 
@@ -296,6 +282,6 @@ def test_kernels_under_sanitizers(name, compiler, tmp_path):
 def test_sanitizers_would_see_an_array_that_is_too_small(tmp_path):
     source = readable_main("compass").replace("copy(q0, 2)", "copy(q0, 1)", 1)
     here = folder("compass")
-    compiler = next((c for c in COMPILERS if shutil.which(c)), "gcc")
+    compiler = need(*COMPILERS)
     with pytest.raises(AssertionError, match="heap-buffer-overflow"):
         sanitized(compiler, source, here / "compass.c", includes=here, tmp_path=tmp_path)

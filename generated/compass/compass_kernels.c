@@ -1,5 +1,7 @@
-/* Compass walker: kernels of the solver, printed by CasADi 3.8.2 from equations c442f74fc5d9ec97.
- * Do not edit: run `make derive`. SPDX-License-Identifier: BSD-3-Clause
+/* Compass walker: kernels of the solver
+ * Printed by CasADi 3.8.2 from equations c442f74fc5d9ec97.
+ * Do not edit: run `make derive`.
+ * SPDX-License-Identifier: BSD-3-Clause
  */
 /* How to prefix internal symbols */
 #ifdef CASADI_CODEGEN_PREFIX
@@ -6200,7 +6202,7 @@ static int casadi_f7(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   return 0;
 }
 
-/* search_12:(u0[4],p[6])->(u[4],R[4]) */
+/* compass_search_12:(u0[4],p[6])->(u[4],R[4]) */
 static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+406, *w1=w+410, *w2=w+416;
   const casadi_real **arg1=arg+2;
@@ -6225,34 +6227,34 @@ static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int search_12(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+CASADI_SYMBOL_EXPORT int compass_search_12(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
   return casadi_f0(arg, res, iw, w, mem);
 }
 
-CASADI_SYMBOL_EXPORT int search_12_checkout(void) {
+CASADI_SYMBOL_EXPORT int compass_search_12_checkout(void) {
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT void search_12_release(int mem) {
+CASADI_SYMBOL_EXPORT void compass_search_12_release(int mem) {
 }
 
-CASADI_SYMBOL_EXPORT void search_12_incref(void) {
+CASADI_SYMBOL_EXPORT void compass_search_12_incref(void) {
 }
 
-CASADI_SYMBOL_EXPORT void search_12_decref(void) {
+CASADI_SYMBOL_EXPORT void compass_search_12_decref(void) {
 }
 
-CASADI_SYMBOL_EXPORT casadi_int search_12_n_in(void) { return 2;}
+CASADI_SYMBOL_EXPORT casadi_int compass_search_12_n_in(void) { return 2;}
 
-CASADI_SYMBOL_EXPORT casadi_int search_12_n_out(void) { return 2;}
+CASADI_SYMBOL_EXPORT casadi_int compass_search_12_n_out(void) { return 2;}
 
-CASADI_SYMBOL_EXPORT casadi_real search_12_default_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT casadi_real compass_search_12_default_in(casadi_int i) {
   switch (i) {
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* search_12_name_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* compass_search_12_name_in(casadi_int i) {
   switch (i) {
     case 0: return "u0";
     case 1: return "p";
@@ -6260,7 +6262,7 @@ CASADI_SYMBOL_EXPORT const char* search_12_name_in(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* search_12_name_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* compass_search_12_name_out(casadi_int i) {
   switch (i) {
     case 0: return "u";
     case 1: return "R";
@@ -6268,7 +6270,7 @@ CASADI_SYMBOL_EXPORT const char* search_12_name_out(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* search_12_sparsity_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* compass_search_12_sparsity_in(casadi_int i) {
   switch (i) {
     case 0: return casadi_s4;
     case 1: return casadi_s5;
@@ -6276,7 +6278,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* search_12_sparsity_in(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* search_12_sparsity_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* compass_search_12_sparsity_out(casadi_int i) {
   switch (i) {
     case 0: return casadi_s4;
     case 1: return casadi_s4;
@@ -6284,7 +6286,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* search_12_sparsity_out(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT int search_12_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int compass_search_12_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 14;
   if (sz_res) *sz_res = 7;
   if (sz_iw) *sz_iw = 0;
@@ -6292,7 +6294,7 @@ CASADI_SYMBOL_EXPORT int search_12_work(casadi_int *sz_arg, casadi_int* sz_res, 
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int search_12_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int compass_search_12_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 14*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 7*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
@@ -6456,7 +6458,7 @@ static int casadi_f14(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* search_24:(u0[4],p[6])->(u[4],R[4]) */
+/* compass_search_24:(u0[4],p[6])->(u[4],R[4]) */
 static int casadi_f11(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+406, *w1=w+410, *w2=w+416;
   const casadi_real **arg1=arg+2;
@@ -6481,34 +6483,34 @@ static int casadi_f11(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int search_24(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+CASADI_SYMBOL_EXPORT int compass_search_24(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
   return casadi_f11(arg, res, iw, w, mem);
 }
 
-CASADI_SYMBOL_EXPORT int search_24_checkout(void) {
+CASADI_SYMBOL_EXPORT int compass_search_24_checkout(void) {
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT void search_24_release(int mem) {
+CASADI_SYMBOL_EXPORT void compass_search_24_release(int mem) {
 }
 
-CASADI_SYMBOL_EXPORT void search_24_incref(void) {
+CASADI_SYMBOL_EXPORT void compass_search_24_incref(void) {
 }
 
-CASADI_SYMBOL_EXPORT void search_24_decref(void) {
+CASADI_SYMBOL_EXPORT void compass_search_24_decref(void) {
 }
 
-CASADI_SYMBOL_EXPORT casadi_int search_24_n_in(void) { return 2;}
+CASADI_SYMBOL_EXPORT casadi_int compass_search_24_n_in(void) { return 2;}
 
-CASADI_SYMBOL_EXPORT casadi_int search_24_n_out(void) { return 2;}
+CASADI_SYMBOL_EXPORT casadi_int compass_search_24_n_out(void) { return 2;}
 
-CASADI_SYMBOL_EXPORT casadi_real search_24_default_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT casadi_real compass_search_24_default_in(casadi_int i) {
   switch (i) {
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* search_24_name_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* compass_search_24_name_in(casadi_int i) {
   switch (i) {
     case 0: return "u0";
     case 1: return "p";
@@ -6516,7 +6518,7 @@ CASADI_SYMBOL_EXPORT const char* search_24_name_in(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* search_24_name_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* compass_search_24_name_out(casadi_int i) {
   switch (i) {
     case 0: return "u";
     case 1: return "R";
@@ -6524,7 +6526,7 @@ CASADI_SYMBOL_EXPORT const char* search_24_name_out(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* search_24_sparsity_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* compass_search_24_sparsity_in(casadi_int i) {
   switch (i) {
     case 0: return casadi_s4;
     case 1: return casadi_s5;
@@ -6532,7 +6534,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* search_24_sparsity_in(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* search_24_sparsity_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* compass_search_24_sparsity_out(casadi_int i) {
   switch (i) {
     case 0: return casadi_s4;
     case 1: return casadi_s4;
@@ -6540,7 +6542,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* search_24_sparsity_out(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT int search_24_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int compass_search_24_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 14;
   if (sz_res) *sz_res = 7;
   if (sz_iw) *sz_iw = 0;
@@ -6548,7 +6550,7 @@ CASADI_SYMBOL_EXPORT int search_24_work(casadi_int *sz_arg, casadi_int* sz_res, 
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int search_24_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int compass_search_24_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 14*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 7*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
@@ -6772,7 +6774,7 @@ static int casadi_f18(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* search_48:(u0[4],p[6])->(u[4],R[4]) */
+/* compass_search_48:(u0[4],p[6])->(u[4],R[4]) */
 static int casadi_f15(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+406, *w1=w+410, *w2=w+416;
   const casadi_real **arg1=arg+2;
@@ -6797,34 +6799,34 @@ static int casadi_f15(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int search_48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+CASADI_SYMBOL_EXPORT int compass_search_48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
   return casadi_f15(arg, res, iw, w, mem);
 }
 
-CASADI_SYMBOL_EXPORT int search_48_checkout(void) {
+CASADI_SYMBOL_EXPORT int compass_search_48_checkout(void) {
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT void search_48_release(int mem) {
+CASADI_SYMBOL_EXPORT void compass_search_48_release(int mem) {
 }
 
-CASADI_SYMBOL_EXPORT void search_48_incref(void) {
+CASADI_SYMBOL_EXPORT void compass_search_48_incref(void) {
 }
 
-CASADI_SYMBOL_EXPORT void search_48_decref(void) {
+CASADI_SYMBOL_EXPORT void compass_search_48_decref(void) {
 }
 
-CASADI_SYMBOL_EXPORT casadi_int search_48_n_in(void) { return 2;}
+CASADI_SYMBOL_EXPORT casadi_int compass_search_48_n_in(void) { return 2;}
 
-CASADI_SYMBOL_EXPORT casadi_int search_48_n_out(void) { return 2;}
+CASADI_SYMBOL_EXPORT casadi_int compass_search_48_n_out(void) { return 2;}
 
-CASADI_SYMBOL_EXPORT casadi_real search_48_default_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT casadi_real compass_search_48_default_in(casadi_int i) {
   switch (i) {
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* search_48_name_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* compass_search_48_name_in(casadi_int i) {
   switch (i) {
     case 0: return "u0";
     case 1: return "p";
@@ -6832,7 +6834,7 @@ CASADI_SYMBOL_EXPORT const char* search_48_name_in(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* search_48_name_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* compass_search_48_name_out(casadi_int i) {
   switch (i) {
     case 0: return "u";
     case 1: return "R";
@@ -6840,7 +6842,7 @@ CASADI_SYMBOL_EXPORT const char* search_48_name_out(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* search_48_sparsity_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* compass_search_48_sparsity_in(casadi_int i) {
   switch (i) {
     case 0: return casadi_s4;
     case 1: return casadi_s5;
@@ -6848,7 +6850,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* search_48_sparsity_in(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* search_48_sparsity_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* compass_search_48_sparsity_out(casadi_int i) {
   switch (i) {
     case 0: return casadi_s4;
     case 1: return casadi_s4;
@@ -6856,7 +6858,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* search_48_sparsity_out(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT int search_48_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int compass_search_48_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 14;
   if (sz_res) *sz_res = 7;
   if (sz_iw) *sz_iw = 0;
@@ -6864,7 +6866,7 @@ CASADI_SYMBOL_EXPORT int search_48_work(casadi_int *sz_arg, casadi_int* sz_res, 
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int search_48_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int compass_search_48_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 14*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 7*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
@@ -7037,7 +7039,7 @@ static int casadi_f22(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* limit_cycle_24:(u0[4],p[6])->(u[4],J[4x4],R[4]) */
+/* compass_limit_cycle_24:(u0[4],p[6])->(u[4],J[4x4],R[4]) */
 static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+3, *w0=w+406, *w1=w+410, *w2=w+416, *w3=w+420;
   const casadi_real **arg1=arg+2;
@@ -7065,34 +7067,34 @@ static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int limit_cycle_24(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+CASADI_SYMBOL_EXPORT int compass_limit_cycle_24(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
   return casadi_f19(arg, res, iw, w, mem);
 }
 
-CASADI_SYMBOL_EXPORT int limit_cycle_24_checkout(void) {
+CASADI_SYMBOL_EXPORT int compass_limit_cycle_24_checkout(void) {
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT void limit_cycle_24_release(int mem) {
+CASADI_SYMBOL_EXPORT void compass_limit_cycle_24_release(int mem) {
 }
 
-CASADI_SYMBOL_EXPORT void limit_cycle_24_incref(void) {
+CASADI_SYMBOL_EXPORT void compass_limit_cycle_24_incref(void) {
 }
 
-CASADI_SYMBOL_EXPORT void limit_cycle_24_decref(void) {
+CASADI_SYMBOL_EXPORT void compass_limit_cycle_24_decref(void) {
 }
 
-CASADI_SYMBOL_EXPORT casadi_int limit_cycle_24_n_in(void) { return 2;}
+CASADI_SYMBOL_EXPORT casadi_int compass_limit_cycle_24_n_in(void) { return 2;}
 
-CASADI_SYMBOL_EXPORT casadi_int limit_cycle_24_n_out(void) { return 3;}
+CASADI_SYMBOL_EXPORT casadi_int compass_limit_cycle_24_n_out(void) { return 3;}
 
-CASADI_SYMBOL_EXPORT casadi_real limit_cycle_24_default_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT casadi_real compass_limit_cycle_24_default_in(casadi_int i) {
   switch (i) {
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* limit_cycle_24_name_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* compass_limit_cycle_24_name_in(casadi_int i) {
   switch (i) {
     case 0: return "u0";
     case 1: return "p";
@@ -7100,7 +7102,7 @@ CASADI_SYMBOL_EXPORT const char* limit_cycle_24_name_in(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* limit_cycle_24_name_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* compass_limit_cycle_24_name_out(casadi_int i) {
   switch (i) {
     case 0: return "u";
     case 1: return "J";
@@ -7109,7 +7111,7 @@ CASADI_SYMBOL_EXPORT const char* limit_cycle_24_name_out(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* limit_cycle_24_sparsity_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* compass_limit_cycle_24_sparsity_in(casadi_int i) {
   switch (i) {
     case 0: return casadi_s4;
     case 1: return casadi_s5;
@@ -7117,7 +7119,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* limit_cycle_24_sparsity_in(casadi_int i) 
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* limit_cycle_24_sparsity_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* compass_limit_cycle_24_sparsity_out(casadi_int i) {
   switch (i) {
     case 0: return casadi_s4;
     case 1: return casadi_s6;
@@ -7126,7 +7128,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* limit_cycle_24_sparsity_out(casadi_int i)
   }
 }
 
-CASADI_SYMBOL_EXPORT int limit_cycle_24_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int compass_limit_cycle_24_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 14;
   if (sz_res) *sz_res = 8;
   if (sz_iw) *sz_iw = 0;
@@ -7134,7 +7136,7 @@ CASADI_SYMBOL_EXPORT int limit_cycle_24_work(casadi_int *sz_arg, casadi_int* sz_
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int limit_cycle_24_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int compass_limit_cycle_24_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 14*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 8*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
@@ -7367,7 +7369,7 @@ static int casadi_f26(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* limit_cycle_48:(u0[4],p[6])->(u[4],J[4x4],R[4]) */
+/* compass_limit_cycle_48:(u0[4],p[6])->(u[4],J[4x4],R[4]) */
 static int casadi_f23(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+3, *w0=w+406, *w1=w+410, *w2=w+416, *w3=w+420;
   const casadi_real **arg1=arg+2;
@@ -7395,34 +7397,34 @@ static int casadi_f23(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int limit_cycle_48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+CASADI_SYMBOL_EXPORT int compass_limit_cycle_48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
   return casadi_f23(arg, res, iw, w, mem);
 }
 
-CASADI_SYMBOL_EXPORT int limit_cycle_48_checkout(void) {
+CASADI_SYMBOL_EXPORT int compass_limit_cycle_48_checkout(void) {
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT void limit_cycle_48_release(int mem) {
+CASADI_SYMBOL_EXPORT void compass_limit_cycle_48_release(int mem) {
 }
 
-CASADI_SYMBOL_EXPORT void limit_cycle_48_incref(void) {
+CASADI_SYMBOL_EXPORT void compass_limit_cycle_48_incref(void) {
 }
 
-CASADI_SYMBOL_EXPORT void limit_cycle_48_decref(void) {
+CASADI_SYMBOL_EXPORT void compass_limit_cycle_48_decref(void) {
 }
 
-CASADI_SYMBOL_EXPORT casadi_int limit_cycle_48_n_in(void) { return 2;}
+CASADI_SYMBOL_EXPORT casadi_int compass_limit_cycle_48_n_in(void) { return 2;}
 
-CASADI_SYMBOL_EXPORT casadi_int limit_cycle_48_n_out(void) { return 3;}
+CASADI_SYMBOL_EXPORT casadi_int compass_limit_cycle_48_n_out(void) { return 3;}
 
-CASADI_SYMBOL_EXPORT casadi_real limit_cycle_48_default_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT casadi_real compass_limit_cycle_48_default_in(casadi_int i) {
   switch (i) {
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* limit_cycle_48_name_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* compass_limit_cycle_48_name_in(casadi_int i) {
   switch (i) {
     case 0: return "u0";
     case 1: return "p";
@@ -7430,7 +7432,7 @@ CASADI_SYMBOL_EXPORT const char* limit_cycle_48_name_in(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* limit_cycle_48_name_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* compass_limit_cycle_48_name_out(casadi_int i) {
   switch (i) {
     case 0: return "u";
     case 1: return "J";
@@ -7439,7 +7441,7 @@ CASADI_SYMBOL_EXPORT const char* limit_cycle_48_name_out(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* limit_cycle_48_sparsity_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* compass_limit_cycle_48_sparsity_in(casadi_int i) {
   switch (i) {
     case 0: return casadi_s4;
     case 1: return casadi_s5;
@@ -7447,7 +7449,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* limit_cycle_48_sparsity_in(casadi_int i) 
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* limit_cycle_48_sparsity_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* compass_limit_cycle_48_sparsity_out(casadi_int i) {
   switch (i) {
     case 0: return casadi_s4;
     case 1: return casadi_s6;
@@ -7456,7 +7458,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* limit_cycle_48_sparsity_out(casadi_int i)
   }
 }
 
-CASADI_SYMBOL_EXPORT int limit_cycle_48_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int compass_limit_cycle_48_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 14;
   if (sz_res) *sz_res = 8;
   if (sz_iw) *sz_iw = 0;
@@ -7464,7 +7466,7 @@ CASADI_SYMBOL_EXPORT int limit_cycle_48_work(casadi_int *sz_arg, casadi_int* sz_
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int limit_cycle_48_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int compass_limit_cycle_48_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 14*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 8*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
@@ -7817,7 +7819,7 @@ static int casadi_f30(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* limit_cycle_96:(u0[4],p[6])->(u[4],J[4x4],R[4]) */
+/* compass_limit_cycle_96:(u0[4],p[6])->(u[4],J[4x4],R[4]) */
 static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+3, *w0=w+406, *w1=w+410, *w2=w+416, *w3=w+420;
   const casadi_real **arg1=arg+2;
@@ -7845,34 +7847,34 @@ static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int limit_cycle_96(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+CASADI_SYMBOL_EXPORT int compass_limit_cycle_96(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
   return casadi_f27(arg, res, iw, w, mem);
 }
 
-CASADI_SYMBOL_EXPORT int limit_cycle_96_checkout(void) {
+CASADI_SYMBOL_EXPORT int compass_limit_cycle_96_checkout(void) {
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT void limit_cycle_96_release(int mem) {
+CASADI_SYMBOL_EXPORT void compass_limit_cycle_96_release(int mem) {
 }
 
-CASADI_SYMBOL_EXPORT void limit_cycle_96_incref(void) {
+CASADI_SYMBOL_EXPORT void compass_limit_cycle_96_incref(void) {
 }
 
-CASADI_SYMBOL_EXPORT void limit_cycle_96_decref(void) {
+CASADI_SYMBOL_EXPORT void compass_limit_cycle_96_decref(void) {
 }
 
-CASADI_SYMBOL_EXPORT casadi_int limit_cycle_96_n_in(void) { return 2;}
+CASADI_SYMBOL_EXPORT casadi_int compass_limit_cycle_96_n_in(void) { return 2;}
 
-CASADI_SYMBOL_EXPORT casadi_int limit_cycle_96_n_out(void) { return 3;}
+CASADI_SYMBOL_EXPORT casadi_int compass_limit_cycle_96_n_out(void) { return 3;}
 
-CASADI_SYMBOL_EXPORT casadi_real limit_cycle_96_default_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT casadi_real compass_limit_cycle_96_default_in(casadi_int i) {
   switch (i) {
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* limit_cycle_96_name_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* compass_limit_cycle_96_name_in(casadi_int i) {
   switch (i) {
     case 0: return "u0";
     case 1: return "p";
@@ -7880,7 +7882,7 @@ CASADI_SYMBOL_EXPORT const char* limit_cycle_96_name_in(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* limit_cycle_96_name_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* compass_limit_cycle_96_name_out(casadi_int i) {
   switch (i) {
     case 0: return "u";
     case 1: return "J";
@@ -7889,7 +7891,7 @@ CASADI_SYMBOL_EXPORT const char* limit_cycle_96_name_out(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* limit_cycle_96_sparsity_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* compass_limit_cycle_96_sparsity_in(casadi_int i) {
   switch (i) {
     case 0: return casadi_s4;
     case 1: return casadi_s5;
@@ -7897,7 +7899,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* limit_cycle_96_sparsity_in(casadi_int i) 
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* limit_cycle_96_sparsity_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* compass_limit_cycle_96_sparsity_out(casadi_int i) {
   switch (i) {
     case 0: return casadi_s4;
     case 1: return casadi_s6;
@@ -7906,7 +7908,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* limit_cycle_96_sparsity_out(casadi_int i)
   }
 }
 
-CASADI_SYMBOL_EXPORT int limit_cycle_96_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int compass_limit_cycle_96_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 14;
   if (sz_res) *sz_res = 8;
   if (sz_iw) *sz_iw = 0;
@@ -7914,7 +7916,7 @@ CASADI_SYMBOL_EXPORT int limit_cycle_96_work(casadi_int *sz_arg, casadi_int* sz_
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int limit_cycle_96_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int compass_limit_cycle_96_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 14*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 8*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
@@ -8507,7 +8509,7 @@ static int casadi_f34(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* limit_cycle_192:(u0[4],p[6])->(u[4],J[4x4],R[4]) */
+/* compass_limit_cycle_192:(u0[4],p[6])->(u[4],J[4x4],R[4]) */
 static int casadi_f31(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+3, *w0=w+406, *w1=w+410, *w2=w+416, *w3=w+420;
   const casadi_real **arg1=arg+2;
@@ -8535,34 +8537,34 @@ static int casadi_f31(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int limit_cycle_192(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+CASADI_SYMBOL_EXPORT int compass_limit_cycle_192(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
   return casadi_f31(arg, res, iw, w, mem);
 }
 
-CASADI_SYMBOL_EXPORT int limit_cycle_192_checkout(void) {
+CASADI_SYMBOL_EXPORT int compass_limit_cycle_192_checkout(void) {
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT void limit_cycle_192_release(int mem) {
+CASADI_SYMBOL_EXPORT void compass_limit_cycle_192_release(int mem) {
 }
 
-CASADI_SYMBOL_EXPORT void limit_cycle_192_incref(void) {
+CASADI_SYMBOL_EXPORT void compass_limit_cycle_192_incref(void) {
 }
 
-CASADI_SYMBOL_EXPORT void limit_cycle_192_decref(void) {
+CASADI_SYMBOL_EXPORT void compass_limit_cycle_192_decref(void) {
 }
 
-CASADI_SYMBOL_EXPORT casadi_int limit_cycle_192_n_in(void) { return 2;}
+CASADI_SYMBOL_EXPORT casadi_int compass_limit_cycle_192_n_in(void) { return 2;}
 
-CASADI_SYMBOL_EXPORT casadi_int limit_cycle_192_n_out(void) { return 3;}
+CASADI_SYMBOL_EXPORT casadi_int compass_limit_cycle_192_n_out(void) { return 3;}
 
-CASADI_SYMBOL_EXPORT casadi_real limit_cycle_192_default_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT casadi_real compass_limit_cycle_192_default_in(casadi_int i) {
   switch (i) {
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* limit_cycle_192_name_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* compass_limit_cycle_192_name_in(casadi_int i) {
   switch (i) {
     case 0: return "u0";
     case 1: return "p";
@@ -8570,7 +8572,7 @@ CASADI_SYMBOL_EXPORT const char* limit_cycle_192_name_in(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* limit_cycle_192_name_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* compass_limit_cycle_192_name_out(casadi_int i) {
   switch (i) {
     case 0: return "u";
     case 1: return "J";
@@ -8579,7 +8581,7 @@ CASADI_SYMBOL_EXPORT const char* limit_cycle_192_name_out(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* limit_cycle_192_sparsity_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* compass_limit_cycle_192_sparsity_in(casadi_int i) {
   switch (i) {
     case 0: return casadi_s4;
     case 1: return casadi_s5;
@@ -8587,7 +8589,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* limit_cycle_192_sparsity_in(casadi_int i)
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* limit_cycle_192_sparsity_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* compass_limit_cycle_192_sparsity_out(casadi_int i) {
   switch (i) {
     case 0: return casadi_s4;
     case 1: return casadi_s6;
@@ -8596,7 +8598,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* limit_cycle_192_sparsity_out(casadi_int i
   }
 }
 
-CASADI_SYMBOL_EXPORT int limit_cycle_192_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int compass_limit_cycle_192_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 14;
   if (sz_res) *sz_res = 8;
   if (sz_iw) *sz_iw = 0;
@@ -8604,7 +8606,7 @@ CASADI_SYMBOL_EXPORT int limit_cycle_192_work(casadi_int *sz_arg, casadi_int* sz
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int limit_cycle_192_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int compass_limit_cycle_192_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 14*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 8*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
@@ -9677,7 +9679,7 @@ static int casadi_f38(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* limit_cycle_384:(u0[4],p[6])->(u[4],J[4x4],R[4]) */
+/* compass_limit_cycle_384:(u0[4],p[6])->(u[4],J[4x4],R[4]) */
 static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+3, *w0=w+406, *w1=w+410, *w2=w+416, *w3=w+420;
   const casadi_real **arg1=arg+2;
@@ -9705,34 +9707,34 @@ static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int limit_cycle_384(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+CASADI_SYMBOL_EXPORT int compass_limit_cycle_384(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
   return casadi_f35(arg, res, iw, w, mem);
 }
 
-CASADI_SYMBOL_EXPORT int limit_cycle_384_checkout(void) {
+CASADI_SYMBOL_EXPORT int compass_limit_cycle_384_checkout(void) {
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT void limit_cycle_384_release(int mem) {
+CASADI_SYMBOL_EXPORT void compass_limit_cycle_384_release(int mem) {
 }
 
-CASADI_SYMBOL_EXPORT void limit_cycle_384_incref(void) {
+CASADI_SYMBOL_EXPORT void compass_limit_cycle_384_incref(void) {
 }
 
-CASADI_SYMBOL_EXPORT void limit_cycle_384_decref(void) {
+CASADI_SYMBOL_EXPORT void compass_limit_cycle_384_decref(void) {
 }
 
-CASADI_SYMBOL_EXPORT casadi_int limit_cycle_384_n_in(void) { return 2;}
+CASADI_SYMBOL_EXPORT casadi_int compass_limit_cycle_384_n_in(void) { return 2;}
 
-CASADI_SYMBOL_EXPORT casadi_int limit_cycle_384_n_out(void) { return 3;}
+CASADI_SYMBOL_EXPORT casadi_int compass_limit_cycle_384_n_out(void) { return 3;}
 
-CASADI_SYMBOL_EXPORT casadi_real limit_cycle_384_default_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT casadi_real compass_limit_cycle_384_default_in(casadi_int i) {
   switch (i) {
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* limit_cycle_384_name_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* compass_limit_cycle_384_name_in(casadi_int i) {
   switch (i) {
     case 0: return "u0";
     case 1: return "p";
@@ -9740,7 +9742,7 @@ CASADI_SYMBOL_EXPORT const char* limit_cycle_384_name_in(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* limit_cycle_384_name_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* compass_limit_cycle_384_name_out(casadi_int i) {
   switch (i) {
     case 0: return "u";
     case 1: return "J";
@@ -9749,7 +9751,7 @@ CASADI_SYMBOL_EXPORT const char* limit_cycle_384_name_out(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* limit_cycle_384_sparsity_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* compass_limit_cycle_384_sparsity_in(casadi_int i) {
   switch (i) {
     case 0: return casadi_s4;
     case 1: return casadi_s5;
@@ -9757,7 +9759,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* limit_cycle_384_sparsity_in(casadi_int i)
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* limit_cycle_384_sparsity_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* compass_limit_cycle_384_sparsity_out(casadi_int i) {
   switch (i) {
     case 0: return casadi_s4;
     case 1: return casadi_s6;
@@ -9766,7 +9768,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* limit_cycle_384_sparsity_out(casadi_int i
   }
 }
 
-CASADI_SYMBOL_EXPORT int limit_cycle_384_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int compass_limit_cycle_384_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 14;
   if (sz_res) *sz_res = 8;
   if (sz_iw) *sz_iw = 0;
@@ -9774,7 +9776,7 @@ CASADI_SYMBOL_EXPORT int limit_cycle_384_work(casadi_int *sz_arg, casadi_int* sz
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int limit_cycle_384_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int compass_limit_cycle_384_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 14*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 8*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
@@ -11712,7 +11714,7 @@ static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* trace_48:(u[4],p[6])->(w[5x49],g[8x49],dg[8x49],R[4]) */
+/* compass_trace_48:(u[4],p[6])->(w[5x49],g[8x49],dg[8x49],R[4]) */
 static int casadi_f39(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w00, *w01=w+274, *w02=w+278, *w03=w+281, w04, *w05=w+285, w06, *w07=w+290, *w08=w+296, *w09=w+301;
@@ -11859,34 +11861,34 @@ static int casadi_f39(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int trace_48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+CASADI_SYMBOL_EXPORT int compass_trace_48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
   return casadi_f39(arg, res, iw, w, mem);
 }
 
-CASADI_SYMBOL_EXPORT int trace_48_checkout(void) {
+CASADI_SYMBOL_EXPORT int compass_trace_48_checkout(void) {
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT void trace_48_release(int mem) {
+CASADI_SYMBOL_EXPORT void compass_trace_48_release(int mem) {
 }
 
-CASADI_SYMBOL_EXPORT void trace_48_incref(void) {
+CASADI_SYMBOL_EXPORT void compass_trace_48_incref(void) {
 }
 
-CASADI_SYMBOL_EXPORT void trace_48_decref(void) {
+CASADI_SYMBOL_EXPORT void compass_trace_48_decref(void) {
 }
 
-CASADI_SYMBOL_EXPORT casadi_int trace_48_n_in(void) { return 2;}
+CASADI_SYMBOL_EXPORT casadi_int compass_trace_48_n_in(void) { return 2;}
 
-CASADI_SYMBOL_EXPORT casadi_int trace_48_n_out(void) { return 4;}
+CASADI_SYMBOL_EXPORT casadi_int compass_trace_48_n_out(void) { return 4;}
 
-CASADI_SYMBOL_EXPORT casadi_real trace_48_default_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT casadi_real compass_trace_48_default_in(casadi_int i) {
   switch (i) {
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* trace_48_name_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* compass_trace_48_name_in(casadi_int i) {
   switch (i) {
     case 0: return "u";
     case 1: return "p";
@@ -11894,7 +11896,7 @@ CASADI_SYMBOL_EXPORT const char* trace_48_name_in(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* trace_48_name_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* compass_trace_48_name_out(casadi_int i) {
   switch (i) {
     case 0: return "w";
     case 1: return "g";
@@ -11904,7 +11906,7 @@ CASADI_SYMBOL_EXPORT const char* trace_48_name_out(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* trace_48_sparsity_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* compass_trace_48_sparsity_in(casadi_int i) {
   switch (i) {
     case 0: return casadi_s4;
     case 1: return casadi_s5;
@@ -11912,7 +11914,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* trace_48_sparsity_in(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* trace_48_sparsity_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* compass_trace_48_sparsity_out(casadi_int i) {
   switch (i) {
     case 0: return casadi_s7;
     case 1: return casadi_s8;
@@ -11922,7 +11924,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* trace_48_sparsity_out(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT int trace_48_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int compass_trace_48_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 10;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
@@ -11930,7 +11932,7 @@ CASADI_SYMBOL_EXPORT int trace_48_work(casadi_int *sz_arg, casadi_int* sz_res, c
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int trace_48_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int compass_trace_48_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 10*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
@@ -11938,7 +11940,7 @@ CASADI_SYMBOL_EXPORT int trace_48_work_bytes(casadi_int *sz_arg, casadi_int* sz_
   return 0;
 }
 
-/* trace_96:(u[4],p[6])->(w[5x97],g[8x97],dg[8x97],R[4]) */
+/* compass_trace_96:(u[4],p[6])->(w[5x97],g[8x97],dg[8x97],R[4]) */
 static int casadi_f43(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w00, *w01=w+274, *w02=w+278, *w03=w+281, w04, *w05=w+285, w06, *w07=w+290, *w08=w+296, *w09=w+301;
@@ -12182,34 +12184,34 @@ static int casadi_f43(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int trace_96(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+CASADI_SYMBOL_EXPORT int compass_trace_96(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
   return casadi_f43(arg, res, iw, w, mem);
 }
 
-CASADI_SYMBOL_EXPORT int trace_96_checkout(void) {
+CASADI_SYMBOL_EXPORT int compass_trace_96_checkout(void) {
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT void trace_96_release(int mem) {
+CASADI_SYMBOL_EXPORT void compass_trace_96_release(int mem) {
 }
 
-CASADI_SYMBOL_EXPORT void trace_96_incref(void) {
+CASADI_SYMBOL_EXPORT void compass_trace_96_incref(void) {
 }
 
-CASADI_SYMBOL_EXPORT void trace_96_decref(void) {
+CASADI_SYMBOL_EXPORT void compass_trace_96_decref(void) {
 }
 
-CASADI_SYMBOL_EXPORT casadi_int trace_96_n_in(void) { return 2;}
+CASADI_SYMBOL_EXPORT casadi_int compass_trace_96_n_in(void) { return 2;}
 
-CASADI_SYMBOL_EXPORT casadi_int trace_96_n_out(void) { return 4;}
+CASADI_SYMBOL_EXPORT casadi_int compass_trace_96_n_out(void) { return 4;}
 
-CASADI_SYMBOL_EXPORT casadi_real trace_96_default_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT casadi_real compass_trace_96_default_in(casadi_int i) {
   switch (i) {
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* trace_96_name_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* compass_trace_96_name_in(casadi_int i) {
   switch (i) {
     case 0: return "u";
     case 1: return "p";
@@ -12217,7 +12219,7 @@ CASADI_SYMBOL_EXPORT const char* trace_96_name_in(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* trace_96_name_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* compass_trace_96_name_out(casadi_int i) {
   switch (i) {
     case 0: return "w";
     case 1: return "g";
@@ -12227,7 +12229,7 @@ CASADI_SYMBOL_EXPORT const char* trace_96_name_out(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* trace_96_sparsity_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* compass_trace_96_sparsity_in(casadi_int i) {
   switch (i) {
     case 0: return casadi_s4;
     case 1: return casadi_s5;
@@ -12235,7 +12237,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* trace_96_sparsity_in(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* trace_96_sparsity_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* compass_trace_96_sparsity_out(casadi_int i) {
   switch (i) {
     case 0: return casadi_s9;
     case 1: return casadi_s10;
@@ -12245,7 +12247,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* trace_96_sparsity_out(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT int trace_96_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int compass_trace_96_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 10;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
@@ -12253,7 +12255,7 @@ CASADI_SYMBOL_EXPORT int trace_96_work(casadi_int *sz_arg, casadi_int* sz_res, c
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int trace_96_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int compass_trace_96_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 10*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
@@ -12261,7 +12263,7 @@ CASADI_SYMBOL_EXPORT int trace_96_work_bytes(casadi_int *sz_arg, casadi_int* sz_
   return 0;
 }
 
-/* trace_192:(u[4],p[6])->(w[5x193],g[8x193],dg[8x193],R[4]) */
+/* compass_trace_192:(u[4],p[6])->(w[5x193],g[8x193],dg[8x193],R[4]) */
 static int casadi_f44(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w00, *w01=w+274, *w02=w+278, *w03=w+281, w04, *w05=w+285, w06, *w07=w+290, *w08=w+296, *w09=w+301;
@@ -12698,34 +12700,34 @@ static int casadi_f44(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int trace_192(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+CASADI_SYMBOL_EXPORT int compass_trace_192(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
   return casadi_f44(arg, res, iw, w, mem);
 }
 
-CASADI_SYMBOL_EXPORT int trace_192_checkout(void) {
+CASADI_SYMBOL_EXPORT int compass_trace_192_checkout(void) {
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT void trace_192_release(int mem) {
+CASADI_SYMBOL_EXPORT void compass_trace_192_release(int mem) {
 }
 
-CASADI_SYMBOL_EXPORT void trace_192_incref(void) {
+CASADI_SYMBOL_EXPORT void compass_trace_192_incref(void) {
 }
 
-CASADI_SYMBOL_EXPORT void trace_192_decref(void) {
+CASADI_SYMBOL_EXPORT void compass_trace_192_decref(void) {
 }
 
-CASADI_SYMBOL_EXPORT casadi_int trace_192_n_in(void) { return 2;}
+CASADI_SYMBOL_EXPORT casadi_int compass_trace_192_n_in(void) { return 2;}
 
-CASADI_SYMBOL_EXPORT casadi_int trace_192_n_out(void) { return 4;}
+CASADI_SYMBOL_EXPORT casadi_int compass_trace_192_n_out(void) { return 4;}
 
-CASADI_SYMBOL_EXPORT casadi_real trace_192_default_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT casadi_real compass_trace_192_default_in(casadi_int i) {
   switch (i) {
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* trace_192_name_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* compass_trace_192_name_in(casadi_int i) {
   switch (i) {
     case 0: return "u";
     case 1: return "p";
@@ -12733,7 +12735,7 @@ CASADI_SYMBOL_EXPORT const char* trace_192_name_in(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* trace_192_name_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* compass_trace_192_name_out(casadi_int i) {
   switch (i) {
     case 0: return "w";
     case 1: return "g";
@@ -12743,7 +12745,7 @@ CASADI_SYMBOL_EXPORT const char* trace_192_name_out(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* trace_192_sparsity_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* compass_trace_192_sparsity_in(casadi_int i) {
   switch (i) {
     case 0: return casadi_s4;
     case 1: return casadi_s5;
@@ -12751,7 +12753,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* trace_192_sparsity_in(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* trace_192_sparsity_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* compass_trace_192_sparsity_out(casadi_int i) {
   switch (i) {
     case 0: return casadi_s11;
     case 1: return casadi_s12;
@@ -12761,7 +12763,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* trace_192_sparsity_out(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT int trace_192_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int compass_trace_192_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 10;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
@@ -12769,7 +12771,7 @@ CASADI_SYMBOL_EXPORT int trace_192_work(casadi_int *sz_arg, casadi_int* sz_res, 
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int trace_192_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int compass_trace_192_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 10*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
@@ -12777,7 +12779,7 @@ CASADI_SYMBOL_EXPORT int trace_192_work_bytes(casadi_int *sz_arg, casadi_int* sz
   return 0;
 }
 
-/* trace_384:(u[4],p[6])->(w[5x385],g[8x385],dg[8x385],R[4]) */
+/* compass_trace_384:(u[4],p[6])->(w[5x385],g[8x385],dg[8x385],R[4]) */
 static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w00, *w01=w+274, *w02=w+278, *w03=w+281, w04, *w05=w+285, w06, *w07=w+290, *w08=w+296, *w09=w+301;
@@ -13601,34 +13603,34 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int trace_384(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+CASADI_SYMBOL_EXPORT int compass_trace_384(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
   return casadi_f45(arg, res, iw, w, mem);
 }
 
-CASADI_SYMBOL_EXPORT int trace_384_checkout(void) {
+CASADI_SYMBOL_EXPORT int compass_trace_384_checkout(void) {
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT void trace_384_release(int mem) {
+CASADI_SYMBOL_EXPORT void compass_trace_384_release(int mem) {
 }
 
-CASADI_SYMBOL_EXPORT void trace_384_incref(void) {
+CASADI_SYMBOL_EXPORT void compass_trace_384_incref(void) {
 }
 
-CASADI_SYMBOL_EXPORT void trace_384_decref(void) {
+CASADI_SYMBOL_EXPORT void compass_trace_384_decref(void) {
 }
 
-CASADI_SYMBOL_EXPORT casadi_int trace_384_n_in(void) { return 2;}
+CASADI_SYMBOL_EXPORT casadi_int compass_trace_384_n_in(void) { return 2;}
 
-CASADI_SYMBOL_EXPORT casadi_int trace_384_n_out(void) { return 4;}
+CASADI_SYMBOL_EXPORT casadi_int compass_trace_384_n_out(void) { return 4;}
 
-CASADI_SYMBOL_EXPORT casadi_real trace_384_default_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT casadi_real compass_trace_384_default_in(casadi_int i) {
   switch (i) {
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* trace_384_name_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* compass_trace_384_name_in(casadi_int i) {
   switch (i) {
     case 0: return "u";
     case 1: return "p";
@@ -13636,7 +13638,7 @@ CASADI_SYMBOL_EXPORT const char* trace_384_name_in(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* trace_384_name_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* compass_trace_384_name_out(casadi_int i) {
   switch (i) {
     case 0: return "w";
     case 1: return "g";
@@ -13646,7 +13648,7 @@ CASADI_SYMBOL_EXPORT const char* trace_384_name_out(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* trace_384_sparsity_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* compass_trace_384_sparsity_in(casadi_int i) {
   switch (i) {
     case 0: return casadi_s4;
     case 1: return casadi_s5;
@@ -13654,7 +13656,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* trace_384_sparsity_in(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* trace_384_sparsity_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* compass_trace_384_sparsity_out(casadi_int i) {
   switch (i) {
     case 0: return casadi_s13;
     case 1: return casadi_s14;
@@ -13664,7 +13666,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* trace_384_sparsity_out(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT int trace_384_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int compass_trace_384_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 10;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
@@ -13672,7 +13674,7 @@ CASADI_SYMBOL_EXPORT int trace_384_work(casadi_int *sz_arg, casadi_int* sz_res, 
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int trace_384_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int compass_trace_384_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 10*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
@@ -13680,7 +13682,7 @@ CASADI_SYMBOL_EXPORT int trace_384_work_bytes(casadi_int *sz_arg, casadi_int* sz
   return 0;
 }
 
-/* trace_768:(u[4],p[6])->(w[5x769],g[8x769],dg[8x769],R[4]) */
+/* compass_trace_768:(u[4],p[6])->(w[5x769],g[8x769],dg[8x769],R[4]) */
 static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w000, *w001=w+274, *w002=w+278, *w003=w+281, w004, *w005=w+285, w006, *w007=w+290, *w008=w+296, *w009=w+301;
@@ -15277,34 +15279,34 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int trace_768(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+CASADI_SYMBOL_EXPORT int compass_trace_768(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
   return casadi_f46(arg, res, iw, w, mem);
 }
 
-CASADI_SYMBOL_EXPORT int trace_768_checkout(void) {
+CASADI_SYMBOL_EXPORT int compass_trace_768_checkout(void) {
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT void trace_768_release(int mem) {
+CASADI_SYMBOL_EXPORT void compass_trace_768_release(int mem) {
 }
 
-CASADI_SYMBOL_EXPORT void trace_768_incref(void) {
+CASADI_SYMBOL_EXPORT void compass_trace_768_incref(void) {
 }
 
-CASADI_SYMBOL_EXPORT void trace_768_decref(void) {
+CASADI_SYMBOL_EXPORT void compass_trace_768_decref(void) {
 }
 
-CASADI_SYMBOL_EXPORT casadi_int trace_768_n_in(void) { return 2;}
+CASADI_SYMBOL_EXPORT casadi_int compass_trace_768_n_in(void) { return 2;}
 
-CASADI_SYMBOL_EXPORT casadi_int trace_768_n_out(void) { return 4;}
+CASADI_SYMBOL_EXPORT casadi_int compass_trace_768_n_out(void) { return 4;}
 
-CASADI_SYMBOL_EXPORT casadi_real trace_768_default_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT casadi_real compass_trace_768_default_in(casadi_int i) {
   switch (i) {
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* trace_768_name_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* compass_trace_768_name_in(casadi_int i) {
   switch (i) {
     case 0: return "u";
     case 1: return "p";
@@ -15312,7 +15314,7 @@ CASADI_SYMBOL_EXPORT const char* trace_768_name_in(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* trace_768_name_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* compass_trace_768_name_out(casadi_int i) {
   switch (i) {
     case 0: return "w";
     case 1: return "g";
@@ -15322,7 +15324,7 @@ CASADI_SYMBOL_EXPORT const char* trace_768_name_out(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* trace_768_sparsity_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* compass_trace_768_sparsity_in(casadi_int i) {
   switch (i) {
     case 0: return casadi_s4;
     case 1: return casadi_s5;
@@ -15330,7 +15332,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* trace_768_sparsity_in(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* trace_768_sparsity_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* compass_trace_768_sparsity_out(casadi_int i) {
   switch (i) {
     case 0: return casadi_s15;
     case 1: return casadi_s16;
@@ -15340,7 +15342,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* trace_768_sparsity_out(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT int trace_768_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int compass_trace_768_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 10;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
@@ -15348,7 +15350,7 @@ CASADI_SYMBOL_EXPORT int trace_768_work(casadi_int *sz_arg, casadi_int* sz_res, 
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int trace_768_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int compass_trace_768_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 10*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
@@ -15356,7 +15358,7 @@ CASADI_SYMBOL_EXPORT int trace_768_work_bytes(casadi_int *sz_arg, casadi_int* sz
   return 0;
 }
 
-/* advance:(t,w[5],h,p[6])->(w_end[5],g[8],dg[8]) */
+/* compass_advance:(t,w[5],h,p[6])->(w_end[5],g[8],dg[8]) */
 static int casadi_f47(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+3, *rr, w0, *w1=w+82, w2, *w3=w+87, *w4=w+93, *w5=w+98, *w6=w+102, *w7=w+110;
   const casadi_real **arg1=arg+4, *cs;
@@ -15395,34 +15397,34 @@ static int casadi_f47(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int advance(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+CASADI_SYMBOL_EXPORT int compass_advance(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
   return casadi_f47(arg, res, iw, w, mem);
 }
 
-CASADI_SYMBOL_EXPORT int advance_checkout(void) {
+CASADI_SYMBOL_EXPORT int compass_advance_checkout(void) {
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT void advance_release(int mem) {
+CASADI_SYMBOL_EXPORT void compass_advance_release(int mem) {
 }
 
-CASADI_SYMBOL_EXPORT void advance_incref(void) {
+CASADI_SYMBOL_EXPORT void compass_advance_incref(void) {
 }
 
-CASADI_SYMBOL_EXPORT void advance_decref(void) {
+CASADI_SYMBOL_EXPORT void compass_advance_decref(void) {
 }
 
-CASADI_SYMBOL_EXPORT casadi_int advance_n_in(void) { return 4;}
+CASADI_SYMBOL_EXPORT casadi_int compass_advance_n_in(void) { return 4;}
 
-CASADI_SYMBOL_EXPORT casadi_int advance_n_out(void) { return 3;}
+CASADI_SYMBOL_EXPORT casadi_int compass_advance_n_out(void) { return 3;}
 
-CASADI_SYMBOL_EXPORT casadi_real advance_default_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT casadi_real compass_advance_default_in(casadi_int i) {
   switch (i) {
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* advance_name_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* compass_advance_name_in(casadi_int i) {
   switch (i) {
     case 0: return "t";
     case 1: return "w";
@@ -15432,7 +15434,7 @@ CASADI_SYMBOL_EXPORT const char* advance_name_in(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* advance_name_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* compass_advance_name_out(casadi_int i) {
   switch (i) {
     case 0: return "w_end";
     case 1: return "g";
@@ -15441,7 +15443,7 @@ CASADI_SYMBOL_EXPORT const char* advance_name_out(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* advance_sparsity_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* compass_advance_sparsity_in(casadi_int i) {
   switch (i) {
     case 0: return casadi_s17;
     case 1: return casadi_s18;
@@ -15451,7 +15453,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* advance_sparsity_in(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* advance_sparsity_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* compass_advance_sparsity_out(casadi_int i) {
   switch (i) {
     case 0: return casadi_s18;
     case 1: return casadi_s19;
@@ -15460,7 +15462,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* advance_sparsity_out(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT int advance_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int compass_advance_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 8;
   if (sz_res) *sz_res = 5;
   if (sz_iw) *sz_iw = 0;
@@ -15468,7 +15470,7 @@ CASADI_SYMBOL_EXPORT int advance_work(casadi_int *sz_arg, casadi_int* sz_res, ca
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int advance_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int compass_advance_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 8*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 5*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
@@ -15483,9 +15485,9 @@ CASADI_SYMBOL_EXPORT int advance_work_bytes(casadi_int *sz_arg, casadi_int* sz_r
  * work_size: lengths of arg, res, iw, w. Returns 0, or 1 when there is no memory. */
 #include <stdlib.h>
 
-typedef int (*stridemap_kernel)(const double** arg, double** res, casadi_int* iw, double* w, int mem);
+typedef int (*compass_kernel)(const double** arg, double** res, casadi_int* iw, double* w, int mem);
 
-CASADI_SYMBOL_EXPORT int stridemap_map(stridemap_kernel kernel, const casadi_int* work_size, casadi_int n,
+CASADI_SYMBOL_EXPORT int compass_map(compass_kernel kernel, const casadi_int* work_size, casadi_int n,
     casadi_int n_in, const double* const* in, const casadi_int* in_size,
     casadi_int n_out, double* const* out, const casadi_int* out_size, int* failed)
 {

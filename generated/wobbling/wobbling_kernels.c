@@ -1,5 +1,7 @@
-/* Compass walker with a horizontally wobbling mass: kernels of the solver, printed by CasADi 3.8.2 from equations c17e26acaabdb12f.
- * Do not edit: run `make derive`. SPDX-License-Identifier: BSD-3-Clause
+/* Compass walker with a horizontally wobbling mass: kernels of the solver
+ * Printed by CasADi 3.8.2 from equations c17e26acaabdb12f.
+ * Do not edit: run `make derive`.
+ * SPDX-License-Identifier: BSD-3-Clause
  */
 /* How to prefix internal symbols */
 #ifdef CASADI_CODEGEN_PREFIX
@@ -11531,7 +11533,7 @@ static int casadi_f7(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   return 0;
 }
 
-/* search_12:(u0[6],p[8])->(u[6],R[6]) */
+/* wobbling_search_12:(u0[6],p[8])->(u[6],R[6]) */
 static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+647, *w2=w+653;
   const casadi_real **arg1=arg+2, *wr1;
@@ -11556,34 +11558,34 @@ static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int search_12(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+CASADI_SYMBOL_EXPORT int wobbling_search_12(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
   return casadi_f0(arg, res, iw, w, mem);
 }
 
-CASADI_SYMBOL_EXPORT int search_12_checkout(void) {
+CASADI_SYMBOL_EXPORT int wobbling_search_12_checkout(void) {
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT void search_12_release(int mem) {
+CASADI_SYMBOL_EXPORT void wobbling_search_12_release(int mem) {
 }
 
-CASADI_SYMBOL_EXPORT void search_12_incref(void) {
+CASADI_SYMBOL_EXPORT void wobbling_search_12_incref(void) {
 }
 
-CASADI_SYMBOL_EXPORT void search_12_decref(void) {
+CASADI_SYMBOL_EXPORT void wobbling_search_12_decref(void) {
 }
 
-CASADI_SYMBOL_EXPORT casadi_int search_12_n_in(void) { return 2;}
+CASADI_SYMBOL_EXPORT casadi_int wobbling_search_12_n_in(void) { return 2;}
 
-CASADI_SYMBOL_EXPORT casadi_int search_12_n_out(void) { return 2;}
+CASADI_SYMBOL_EXPORT casadi_int wobbling_search_12_n_out(void) { return 2;}
 
-CASADI_SYMBOL_EXPORT casadi_real search_12_default_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT casadi_real wobbling_search_12_default_in(casadi_int i) {
   switch (i) {
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* search_12_name_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* wobbling_search_12_name_in(casadi_int i) {
   switch (i) {
     case 0: return "u0";
     case 1: return "p";
@@ -11591,7 +11593,7 @@ CASADI_SYMBOL_EXPORT const char* search_12_name_in(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* search_12_name_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* wobbling_search_12_name_out(casadi_int i) {
   switch (i) {
     case 0: return "u";
     case 1: return "R";
@@ -11599,7 +11601,7 @@ CASADI_SYMBOL_EXPORT const char* search_12_name_out(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* search_12_sparsity_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_search_12_sparsity_in(casadi_int i) {
   switch (i) {
     case 0: return casadi_s4;
     case 1: return casadi_s5;
@@ -11607,7 +11609,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* search_12_sparsity_in(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* search_12_sparsity_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_search_12_sparsity_out(casadi_int i) {
   switch (i) {
     case 0: return casadi_s4;
     case 1: return casadi_s4;
@@ -11615,7 +11617,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* search_12_sparsity_out(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT int search_12_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int wobbling_search_12_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 14;
   if (sz_res) *sz_res = 7;
   if (sz_iw) *sz_iw = 0;
@@ -11623,7 +11625,7 @@ CASADI_SYMBOL_EXPORT int search_12_work(casadi_int *sz_arg, casadi_int* sz_res, 
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int search_12_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int wobbling_search_12_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 14*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 7*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
@@ -11787,7 +11789,7 @@ static int casadi_f14(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* search_24:(u0[6],p[8])->(u[6],R[6]) */
+/* wobbling_search_24:(u0[6],p[8])->(u[6],R[6]) */
 static int casadi_f11(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+647, *w2=w+653;
   const casadi_real **arg1=arg+2, *wr1;
@@ -11812,34 +11814,34 @@ static int casadi_f11(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int search_24(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+CASADI_SYMBOL_EXPORT int wobbling_search_24(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
   return casadi_f11(arg, res, iw, w, mem);
 }
 
-CASADI_SYMBOL_EXPORT int search_24_checkout(void) {
+CASADI_SYMBOL_EXPORT int wobbling_search_24_checkout(void) {
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT void search_24_release(int mem) {
+CASADI_SYMBOL_EXPORT void wobbling_search_24_release(int mem) {
 }
 
-CASADI_SYMBOL_EXPORT void search_24_incref(void) {
+CASADI_SYMBOL_EXPORT void wobbling_search_24_incref(void) {
 }
 
-CASADI_SYMBOL_EXPORT void search_24_decref(void) {
+CASADI_SYMBOL_EXPORT void wobbling_search_24_decref(void) {
 }
 
-CASADI_SYMBOL_EXPORT casadi_int search_24_n_in(void) { return 2;}
+CASADI_SYMBOL_EXPORT casadi_int wobbling_search_24_n_in(void) { return 2;}
 
-CASADI_SYMBOL_EXPORT casadi_int search_24_n_out(void) { return 2;}
+CASADI_SYMBOL_EXPORT casadi_int wobbling_search_24_n_out(void) { return 2;}
 
-CASADI_SYMBOL_EXPORT casadi_real search_24_default_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT casadi_real wobbling_search_24_default_in(casadi_int i) {
   switch (i) {
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* search_24_name_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* wobbling_search_24_name_in(casadi_int i) {
   switch (i) {
     case 0: return "u0";
     case 1: return "p";
@@ -11847,7 +11849,7 @@ CASADI_SYMBOL_EXPORT const char* search_24_name_in(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* search_24_name_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* wobbling_search_24_name_out(casadi_int i) {
   switch (i) {
     case 0: return "u";
     case 1: return "R";
@@ -11855,7 +11857,7 @@ CASADI_SYMBOL_EXPORT const char* search_24_name_out(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* search_24_sparsity_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_search_24_sparsity_in(casadi_int i) {
   switch (i) {
     case 0: return casadi_s4;
     case 1: return casadi_s5;
@@ -11863,7 +11865,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* search_24_sparsity_in(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* search_24_sparsity_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_search_24_sparsity_out(casadi_int i) {
   switch (i) {
     case 0: return casadi_s4;
     case 1: return casadi_s4;
@@ -11871,7 +11873,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* search_24_sparsity_out(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT int search_24_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int wobbling_search_24_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 14;
   if (sz_res) *sz_res = 7;
   if (sz_iw) *sz_iw = 0;
@@ -11879,7 +11881,7 @@ CASADI_SYMBOL_EXPORT int search_24_work(casadi_int *sz_arg, casadi_int* sz_res, 
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int search_24_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int wobbling_search_24_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 14*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 7*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
@@ -12103,7 +12105,7 @@ static int casadi_f18(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* search_48:(u0[6],p[8])->(u[6],R[6]) */
+/* wobbling_search_48:(u0[6],p[8])->(u[6],R[6]) */
 static int casadi_f15(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+647, *w2=w+653;
   const casadi_real **arg1=arg+2, *wr1;
@@ -12128,34 +12130,34 @@ static int casadi_f15(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int search_48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+CASADI_SYMBOL_EXPORT int wobbling_search_48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
   return casadi_f15(arg, res, iw, w, mem);
 }
 
-CASADI_SYMBOL_EXPORT int search_48_checkout(void) {
+CASADI_SYMBOL_EXPORT int wobbling_search_48_checkout(void) {
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT void search_48_release(int mem) {
+CASADI_SYMBOL_EXPORT void wobbling_search_48_release(int mem) {
 }
 
-CASADI_SYMBOL_EXPORT void search_48_incref(void) {
+CASADI_SYMBOL_EXPORT void wobbling_search_48_incref(void) {
 }
 
-CASADI_SYMBOL_EXPORT void search_48_decref(void) {
+CASADI_SYMBOL_EXPORT void wobbling_search_48_decref(void) {
 }
 
-CASADI_SYMBOL_EXPORT casadi_int search_48_n_in(void) { return 2;}
+CASADI_SYMBOL_EXPORT casadi_int wobbling_search_48_n_in(void) { return 2;}
 
-CASADI_SYMBOL_EXPORT casadi_int search_48_n_out(void) { return 2;}
+CASADI_SYMBOL_EXPORT casadi_int wobbling_search_48_n_out(void) { return 2;}
 
-CASADI_SYMBOL_EXPORT casadi_real search_48_default_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT casadi_real wobbling_search_48_default_in(casadi_int i) {
   switch (i) {
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* search_48_name_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* wobbling_search_48_name_in(casadi_int i) {
   switch (i) {
     case 0: return "u0";
     case 1: return "p";
@@ -12163,7 +12165,7 @@ CASADI_SYMBOL_EXPORT const char* search_48_name_in(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* search_48_name_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* wobbling_search_48_name_out(casadi_int i) {
   switch (i) {
     case 0: return "u";
     case 1: return "R";
@@ -12171,7 +12173,7 @@ CASADI_SYMBOL_EXPORT const char* search_48_name_out(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* search_48_sparsity_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_search_48_sparsity_in(casadi_int i) {
   switch (i) {
     case 0: return casadi_s4;
     case 1: return casadi_s5;
@@ -12179,7 +12181,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* search_48_sparsity_in(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* search_48_sparsity_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_search_48_sparsity_out(casadi_int i) {
   switch (i) {
     case 0: return casadi_s4;
     case 1: return casadi_s4;
@@ -12187,7 +12189,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* search_48_sparsity_out(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT int search_48_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int wobbling_search_48_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 14;
   if (sz_res) *sz_res = 7;
   if (sz_iw) *sz_iw = 0;
@@ -12195,7 +12197,7 @@ CASADI_SYMBOL_EXPORT int search_48_work(casadi_int *sz_arg, casadi_int* sz_res, 
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int search_48_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int wobbling_search_48_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 14*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 7*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
@@ -12368,7 +12370,7 @@ static int casadi_f22(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* limit_cycle_24:(u0[6],p[8])->(u[6],J[6x6],R[6]) */
+/* wobbling_limit_cycle_24:(u0[6],p[8])->(u[6],J[6x6],R[6]) */
 static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+3, *w0=w+647, *w2=w+653, *w3=w+659;
   const casadi_real **arg1=arg+2, *wr1;
@@ -12396,34 +12398,34 @@ static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int limit_cycle_24(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_24(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
   return casadi_f19(arg, res, iw, w, mem);
 }
 
-CASADI_SYMBOL_EXPORT int limit_cycle_24_checkout(void) {
+CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_24_checkout(void) {
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT void limit_cycle_24_release(int mem) {
+CASADI_SYMBOL_EXPORT void wobbling_limit_cycle_24_release(int mem) {
 }
 
-CASADI_SYMBOL_EXPORT void limit_cycle_24_incref(void) {
+CASADI_SYMBOL_EXPORT void wobbling_limit_cycle_24_incref(void) {
 }
 
-CASADI_SYMBOL_EXPORT void limit_cycle_24_decref(void) {
+CASADI_SYMBOL_EXPORT void wobbling_limit_cycle_24_decref(void) {
 }
 
-CASADI_SYMBOL_EXPORT casadi_int limit_cycle_24_n_in(void) { return 2;}
+CASADI_SYMBOL_EXPORT casadi_int wobbling_limit_cycle_24_n_in(void) { return 2;}
 
-CASADI_SYMBOL_EXPORT casadi_int limit_cycle_24_n_out(void) { return 3;}
+CASADI_SYMBOL_EXPORT casadi_int wobbling_limit_cycle_24_n_out(void) { return 3;}
 
-CASADI_SYMBOL_EXPORT casadi_real limit_cycle_24_default_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT casadi_real wobbling_limit_cycle_24_default_in(casadi_int i) {
   switch (i) {
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* limit_cycle_24_name_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* wobbling_limit_cycle_24_name_in(casadi_int i) {
   switch (i) {
     case 0: return "u0";
     case 1: return "p";
@@ -12431,7 +12433,7 @@ CASADI_SYMBOL_EXPORT const char* limit_cycle_24_name_in(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* limit_cycle_24_name_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* wobbling_limit_cycle_24_name_out(casadi_int i) {
   switch (i) {
     case 0: return "u";
     case 1: return "J";
@@ -12440,7 +12442,7 @@ CASADI_SYMBOL_EXPORT const char* limit_cycle_24_name_out(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* limit_cycle_24_sparsity_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_limit_cycle_24_sparsity_in(casadi_int i) {
   switch (i) {
     case 0: return casadi_s4;
     case 1: return casadi_s5;
@@ -12448,7 +12450,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* limit_cycle_24_sparsity_in(casadi_int i) 
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* limit_cycle_24_sparsity_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_limit_cycle_24_sparsity_out(casadi_int i) {
   switch (i) {
     case 0: return casadi_s4;
     case 1: return casadi_s6;
@@ -12457,7 +12459,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* limit_cycle_24_sparsity_out(casadi_int i)
   }
 }
 
-CASADI_SYMBOL_EXPORT int limit_cycle_24_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_24_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 14;
   if (sz_res) *sz_res = 8;
   if (sz_iw) *sz_iw = 0;
@@ -12465,7 +12467,7 @@ CASADI_SYMBOL_EXPORT int limit_cycle_24_work(casadi_int *sz_arg, casadi_int* sz_
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int limit_cycle_24_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_24_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 14*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 8*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
@@ -12698,7 +12700,7 @@ static int casadi_f26(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* limit_cycle_48:(u0[6],p[8])->(u[6],J[6x6],R[6]) */
+/* wobbling_limit_cycle_48:(u0[6],p[8])->(u[6],J[6x6],R[6]) */
 static int casadi_f23(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+3, *w0=w+647, *w2=w+653, *w3=w+659;
   const casadi_real **arg1=arg+2, *wr1;
@@ -12726,34 +12728,34 @@ static int casadi_f23(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int limit_cycle_48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
   return casadi_f23(arg, res, iw, w, mem);
 }
 
-CASADI_SYMBOL_EXPORT int limit_cycle_48_checkout(void) {
+CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_48_checkout(void) {
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT void limit_cycle_48_release(int mem) {
+CASADI_SYMBOL_EXPORT void wobbling_limit_cycle_48_release(int mem) {
 }
 
-CASADI_SYMBOL_EXPORT void limit_cycle_48_incref(void) {
+CASADI_SYMBOL_EXPORT void wobbling_limit_cycle_48_incref(void) {
 }
 
-CASADI_SYMBOL_EXPORT void limit_cycle_48_decref(void) {
+CASADI_SYMBOL_EXPORT void wobbling_limit_cycle_48_decref(void) {
 }
 
-CASADI_SYMBOL_EXPORT casadi_int limit_cycle_48_n_in(void) { return 2;}
+CASADI_SYMBOL_EXPORT casadi_int wobbling_limit_cycle_48_n_in(void) { return 2;}
 
-CASADI_SYMBOL_EXPORT casadi_int limit_cycle_48_n_out(void) { return 3;}
+CASADI_SYMBOL_EXPORT casadi_int wobbling_limit_cycle_48_n_out(void) { return 3;}
 
-CASADI_SYMBOL_EXPORT casadi_real limit_cycle_48_default_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT casadi_real wobbling_limit_cycle_48_default_in(casadi_int i) {
   switch (i) {
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* limit_cycle_48_name_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* wobbling_limit_cycle_48_name_in(casadi_int i) {
   switch (i) {
     case 0: return "u0";
     case 1: return "p";
@@ -12761,7 +12763,7 @@ CASADI_SYMBOL_EXPORT const char* limit_cycle_48_name_in(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* limit_cycle_48_name_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* wobbling_limit_cycle_48_name_out(casadi_int i) {
   switch (i) {
     case 0: return "u";
     case 1: return "J";
@@ -12770,7 +12772,7 @@ CASADI_SYMBOL_EXPORT const char* limit_cycle_48_name_out(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* limit_cycle_48_sparsity_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_limit_cycle_48_sparsity_in(casadi_int i) {
   switch (i) {
     case 0: return casadi_s4;
     case 1: return casadi_s5;
@@ -12778,7 +12780,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* limit_cycle_48_sparsity_in(casadi_int i) 
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* limit_cycle_48_sparsity_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_limit_cycle_48_sparsity_out(casadi_int i) {
   switch (i) {
     case 0: return casadi_s4;
     case 1: return casadi_s6;
@@ -12787,7 +12789,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* limit_cycle_48_sparsity_out(casadi_int i)
   }
 }
 
-CASADI_SYMBOL_EXPORT int limit_cycle_48_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_48_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 14;
   if (sz_res) *sz_res = 8;
   if (sz_iw) *sz_iw = 0;
@@ -12795,7 +12797,7 @@ CASADI_SYMBOL_EXPORT int limit_cycle_48_work(casadi_int *sz_arg, casadi_int* sz_
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int limit_cycle_48_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_48_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 14*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 8*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
@@ -13148,7 +13150,7 @@ static int casadi_f30(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* limit_cycle_96:(u0[6],p[8])->(u[6],J[6x6],R[6]) */
+/* wobbling_limit_cycle_96:(u0[6],p[8])->(u[6],J[6x6],R[6]) */
 static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+3, *w0=w+647, *w2=w+653, *w3=w+659;
   const casadi_real **arg1=arg+2, *wr1;
@@ -13176,34 +13178,34 @@ static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int limit_cycle_96(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_96(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
   return casadi_f27(arg, res, iw, w, mem);
 }
 
-CASADI_SYMBOL_EXPORT int limit_cycle_96_checkout(void) {
+CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_96_checkout(void) {
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT void limit_cycle_96_release(int mem) {
+CASADI_SYMBOL_EXPORT void wobbling_limit_cycle_96_release(int mem) {
 }
 
-CASADI_SYMBOL_EXPORT void limit_cycle_96_incref(void) {
+CASADI_SYMBOL_EXPORT void wobbling_limit_cycle_96_incref(void) {
 }
 
-CASADI_SYMBOL_EXPORT void limit_cycle_96_decref(void) {
+CASADI_SYMBOL_EXPORT void wobbling_limit_cycle_96_decref(void) {
 }
 
-CASADI_SYMBOL_EXPORT casadi_int limit_cycle_96_n_in(void) { return 2;}
+CASADI_SYMBOL_EXPORT casadi_int wobbling_limit_cycle_96_n_in(void) { return 2;}
 
-CASADI_SYMBOL_EXPORT casadi_int limit_cycle_96_n_out(void) { return 3;}
+CASADI_SYMBOL_EXPORT casadi_int wobbling_limit_cycle_96_n_out(void) { return 3;}
 
-CASADI_SYMBOL_EXPORT casadi_real limit_cycle_96_default_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT casadi_real wobbling_limit_cycle_96_default_in(casadi_int i) {
   switch (i) {
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* limit_cycle_96_name_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* wobbling_limit_cycle_96_name_in(casadi_int i) {
   switch (i) {
     case 0: return "u0";
     case 1: return "p";
@@ -13211,7 +13213,7 @@ CASADI_SYMBOL_EXPORT const char* limit_cycle_96_name_in(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* limit_cycle_96_name_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* wobbling_limit_cycle_96_name_out(casadi_int i) {
   switch (i) {
     case 0: return "u";
     case 1: return "J";
@@ -13220,7 +13222,7 @@ CASADI_SYMBOL_EXPORT const char* limit_cycle_96_name_out(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* limit_cycle_96_sparsity_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_limit_cycle_96_sparsity_in(casadi_int i) {
   switch (i) {
     case 0: return casadi_s4;
     case 1: return casadi_s5;
@@ -13228,7 +13230,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* limit_cycle_96_sparsity_in(casadi_int i) 
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* limit_cycle_96_sparsity_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_limit_cycle_96_sparsity_out(casadi_int i) {
   switch (i) {
     case 0: return casadi_s4;
     case 1: return casadi_s6;
@@ -13237,7 +13239,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* limit_cycle_96_sparsity_out(casadi_int i)
   }
 }
 
-CASADI_SYMBOL_EXPORT int limit_cycle_96_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_96_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 14;
   if (sz_res) *sz_res = 8;
   if (sz_iw) *sz_iw = 0;
@@ -13245,7 +13247,7 @@ CASADI_SYMBOL_EXPORT int limit_cycle_96_work(casadi_int *sz_arg, casadi_int* sz_
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int limit_cycle_96_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_96_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 14*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 8*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
@@ -13838,7 +13840,7 @@ static int casadi_f34(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* limit_cycle_192:(u0[6],p[8])->(u[6],J[6x6],R[6]) */
+/* wobbling_limit_cycle_192:(u0[6],p[8])->(u[6],J[6x6],R[6]) */
 static int casadi_f31(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+3, *w0=w+647, *w2=w+653, *w3=w+659;
   const casadi_real **arg1=arg+2, *wr1;
@@ -13866,34 +13868,34 @@ static int casadi_f31(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int limit_cycle_192(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_192(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
   return casadi_f31(arg, res, iw, w, mem);
 }
 
-CASADI_SYMBOL_EXPORT int limit_cycle_192_checkout(void) {
+CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_192_checkout(void) {
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT void limit_cycle_192_release(int mem) {
+CASADI_SYMBOL_EXPORT void wobbling_limit_cycle_192_release(int mem) {
 }
 
-CASADI_SYMBOL_EXPORT void limit_cycle_192_incref(void) {
+CASADI_SYMBOL_EXPORT void wobbling_limit_cycle_192_incref(void) {
 }
 
-CASADI_SYMBOL_EXPORT void limit_cycle_192_decref(void) {
+CASADI_SYMBOL_EXPORT void wobbling_limit_cycle_192_decref(void) {
 }
 
-CASADI_SYMBOL_EXPORT casadi_int limit_cycle_192_n_in(void) { return 2;}
+CASADI_SYMBOL_EXPORT casadi_int wobbling_limit_cycle_192_n_in(void) { return 2;}
 
-CASADI_SYMBOL_EXPORT casadi_int limit_cycle_192_n_out(void) { return 3;}
+CASADI_SYMBOL_EXPORT casadi_int wobbling_limit_cycle_192_n_out(void) { return 3;}
 
-CASADI_SYMBOL_EXPORT casadi_real limit_cycle_192_default_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT casadi_real wobbling_limit_cycle_192_default_in(casadi_int i) {
   switch (i) {
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* limit_cycle_192_name_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* wobbling_limit_cycle_192_name_in(casadi_int i) {
   switch (i) {
     case 0: return "u0";
     case 1: return "p";
@@ -13901,7 +13903,7 @@ CASADI_SYMBOL_EXPORT const char* limit_cycle_192_name_in(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* limit_cycle_192_name_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* wobbling_limit_cycle_192_name_out(casadi_int i) {
   switch (i) {
     case 0: return "u";
     case 1: return "J";
@@ -13910,7 +13912,7 @@ CASADI_SYMBOL_EXPORT const char* limit_cycle_192_name_out(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* limit_cycle_192_sparsity_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_limit_cycle_192_sparsity_in(casadi_int i) {
   switch (i) {
     case 0: return casadi_s4;
     case 1: return casadi_s5;
@@ -13918,7 +13920,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* limit_cycle_192_sparsity_in(casadi_int i)
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* limit_cycle_192_sparsity_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_limit_cycle_192_sparsity_out(casadi_int i) {
   switch (i) {
     case 0: return casadi_s4;
     case 1: return casadi_s6;
@@ -13927,7 +13929,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* limit_cycle_192_sparsity_out(casadi_int i
   }
 }
 
-CASADI_SYMBOL_EXPORT int limit_cycle_192_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_192_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 14;
   if (sz_res) *sz_res = 8;
   if (sz_iw) *sz_iw = 0;
@@ -13935,7 +13937,7 @@ CASADI_SYMBOL_EXPORT int limit_cycle_192_work(casadi_int *sz_arg, casadi_int* sz
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int limit_cycle_192_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_192_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 14*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 8*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
@@ -15008,7 +15010,7 @@ static int casadi_f38(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* limit_cycle_384:(u0[6],p[8])->(u[6],J[6x6],R[6]) */
+/* wobbling_limit_cycle_384:(u0[6],p[8])->(u[6],J[6x6],R[6]) */
 static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+3, *w0=w+647, *w2=w+653, *w3=w+659;
   const casadi_real **arg1=arg+2, *wr1;
@@ -15036,34 +15038,34 @@ static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int limit_cycle_384(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_384(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
   return casadi_f35(arg, res, iw, w, mem);
 }
 
-CASADI_SYMBOL_EXPORT int limit_cycle_384_checkout(void) {
+CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_384_checkout(void) {
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT void limit_cycle_384_release(int mem) {
+CASADI_SYMBOL_EXPORT void wobbling_limit_cycle_384_release(int mem) {
 }
 
-CASADI_SYMBOL_EXPORT void limit_cycle_384_incref(void) {
+CASADI_SYMBOL_EXPORT void wobbling_limit_cycle_384_incref(void) {
 }
 
-CASADI_SYMBOL_EXPORT void limit_cycle_384_decref(void) {
+CASADI_SYMBOL_EXPORT void wobbling_limit_cycle_384_decref(void) {
 }
 
-CASADI_SYMBOL_EXPORT casadi_int limit_cycle_384_n_in(void) { return 2;}
+CASADI_SYMBOL_EXPORT casadi_int wobbling_limit_cycle_384_n_in(void) { return 2;}
 
-CASADI_SYMBOL_EXPORT casadi_int limit_cycle_384_n_out(void) { return 3;}
+CASADI_SYMBOL_EXPORT casadi_int wobbling_limit_cycle_384_n_out(void) { return 3;}
 
-CASADI_SYMBOL_EXPORT casadi_real limit_cycle_384_default_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT casadi_real wobbling_limit_cycle_384_default_in(casadi_int i) {
   switch (i) {
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* limit_cycle_384_name_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* wobbling_limit_cycle_384_name_in(casadi_int i) {
   switch (i) {
     case 0: return "u0";
     case 1: return "p";
@@ -15071,7 +15073,7 @@ CASADI_SYMBOL_EXPORT const char* limit_cycle_384_name_in(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* limit_cycle_384_name_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* wobbling_limit_cycle_384_name_out(casadi_int i) {
   switch (i) {
     case 0: return "u";
     case 1: return "J";
@@ -15080,7 +15082,7 @@ CASADI_SYMBOL_EXPORT const char* limit_cycle_384_name_out(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* limit_cycle_384_sparsity_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_limit_cycle_384_sparsity_in(casadi_int i) {
   switch (i) {
     case 0: return casadi_s4;
     case 1: return casadi_s5;
@@ -15088,7 +15090,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* limit_cycle_384_sparsity_in(casadi_int i)
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* limit_cycle_384_sparsity_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_limit_cycle_384_sparsity_out(casadi_int i) {
   switch (i) {
     case 0: return casadi_s4;
     case 1: return casadi_s6;
@@ -15097,7 +15099,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* limit_cycle_384_sparsity_out(casadi_int i
   }
 }
 
-CASADI_SYMBOL_EXPORT int limit_cycle_384_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_384_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 14;
   if (sz_res) *sz_res = 8;
   if (sz_iw) *sz_iw = 0;
@@ -15105,7 +15107,7 @@ CASADI_SYMBOL_EXPORT int limit_cycle_384_work(casadi_int *sz_arg, casadi_int* sz
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int limit_cycle_384_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_384_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 14*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 8*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
@@ -17730,7 +17732,7 @@ static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* trace_48:(u[6],p[8])->(w[7x49],g[8x49],dg[8x49],R[6]) */
+/* wobbling_trace_48:(u[6],p[8])->(w[7x49],g[8x49],dg[8x49],R[6]) */
 static int casadi_f39(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w00, *w01=w+338, *w02=w+344, *w03=w+349, w04, *w05=w+355, w06, *w08=w+362, *w09=w+369, *w10=w+453;
@@ -17877,34 +17879,34 @@ static int casadi_f39(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int trace_48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+CASADI_SYMBOL_EXPORT int wobbling_trace_48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
   return casadi_f39(arg, res, iw, w, mem);
 }
 
-CASADI_SYMBOL_EXPORT int trace_48_checkout(void) {
+CASADI_SYMBOL_EXPORT int wobbling_trace_48_checkout(void) {
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT void trace_48_release(int mem) {
+CASADI_SYMBOL_EXPORT void wobbling_trace_48_release(int mem) {
 }
 
-CASADI_SYMBOL_EXPORT void trace_48_incref(void) {
+CASADI_SYMBOL_EXPORT void wobbling_trace_48_incref(void) {
 }
 
-CASADI_SYMBOL_EXPORT void trace_48_decref(void) {
+CASADI_SYMBOL_EXPORT void wobbling_trace_48_decref(void) {
 }
 
-CASADI_SYMBOL_EXPORT casadi_int trace_48_n_in(void) { return 2;}
+CASADI_SYMBOL_EXPORT casadi_int wobbling_trace_48_n_in(void) { return 2;}
 
-CASADI_SYMBOL_EXPORT casadi_int trace_48_n_out(void) { return 4;}
+CASADI_SYMBOL_EXPORT casadi_int wobbling_trace_48_n_out(void) { return 4;}
 
-CASADI_SYMBOL_EXPORT casadi_real trace_48_default_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT casadi_real wobbling_trace_48_default_in(casadi_int i) {
   switch (i) {
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* trace_48_name_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* wobbling_trace_48_name_in(casadi_int i) {
   switch (i) {
     case 0: return "u";
     case 1: return "p";
@@ -17912,7 +17914,7 @@ CASADI_SYMBOL_EXPORT const char* trace_48_name_in(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* trace_48_name_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* wobbling_trace_48_name_out(casadi_int i) {
   switch (i) {
     case 0: return "w";
     case 1: return "g";
@@ -17922,7 +17924,7 @@ CASADI_SYMBOL_EXPORT const char* trace_48_name_out(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* trace_48_sparsity_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_trace_48_sparsity_in(casadi_int i) {
   switch (i) {
     case 0: return casadi_s4;
     case 1: return casadi_s5;
@@ -17930,7 +17932,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* trace_48_sparsity_in(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* trace_48_sparsity_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_trace_48_sparsity_out(casadi_int i) {
   switch (i) {
     case 0: return casadi_s7;
     case 1: return casadi_s8;
@@ -17940,7 +17942,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* trace_48_sparsity_out(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT int trace_48_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int wobbling_trace_48_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 10;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
@@ -17948,7 +17950,7 @@ CASADI_SYMBOL_EXPORT int trace_48_work(casadi_int *sz_arg, casadi_int* sz_res, c
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int trace_48_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int wobbling_trace_48_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 10*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
@@ -17956,7 +17958,7 @@ CASADI_SYMBOL_EXPORT int trace_48_work_bytes(casadi_int *sz_arg, casadi_int* sz_
   return 0;
 }
 
-/* trace_96:(u[6],p[8])->(w[7x97],g[8x97],dg[8x97],R[6]) */
+/* wobbling_trace_96:(u[6],p[8])->(w[7x97],g[8x97],dg[8x97],R[6]) */
 static int casadi_f43(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w00, *w01=w+338, *w02=w+344, *w03=w+349, w04, *w05=w+355, w06, *w08=w+362, *w09=w+369, *w10=w+453;
@@ -18200,34 +18202,34 @@ static int casadi_f43(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int trace_96(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+CASADI_SYMBOL_EXPORT int wobbling_trace_96(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
   return casadi_f43(arg, res, iw, w, mem);
 }
 
-CASADI_SYMBOL_EXPORT int trace_96_checkout(void) {
+CASADI_SYMBOL_EXPORT int wobbling_trace_96_checkout(void) {
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT void trace_96_release(int mem) {
+CASADI_SYMBOL_EXPORT void wobbling_trace_96_release(int mem) {
 }
 
-CASADI_SYMBOL_EXPORT void trace_96_incref(void) {
+CASADI_SYMBOL_EXPORT void wobbling_trace_96_incref(void) {
 }
 
-CASADI_SYMBOL_EXPORT void trace_96_decref(void) {
+CASADI_SYMBOL_EXPORT void wobbling_trace_96_decref(void) {
 }
 
-CASADI_SYMBOL_EXPORT casadi_int trace_96_n_in(void) { return 2;}
+CASADI_SYMBOL_EXPORT casadi_int wobbling_trace_96_n_in(void) { return 2;}
 
-CASADI_SYMBOL_EXPORT casadi_int trace_96_n_out(void) { return 4;}
+CASADI_SYMBOL_EXPORT casadi_int wobbling_trace_96_n_out(void) { return 4;}
 
-CASADI_SYMBOL_EXPORT casadi_real trace_96_default_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT casadi_real wobbling_trace_96_default_in(casadi_int i) {
   switch (i) {
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* trace_96_name_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* wobbling_trace_96_name_in(casadi_int i) {
   switch (i) {
     case 0: return "u";
     case 1: return "p";
@@ -18235,7 +18237,7 @@ CASADI_SYMBOL_EXPORT const char* trace_96_name_in(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* trace_96_name_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* wobbling_trace_96_name_out(casadi_int i) {
   switch (i) {
     case 0: return "w";
     case 1: return "g";
@@ -18245,7 +18247,7 @@ CASADI_SYMBOL_EXPORT const char* trace_96_name_out(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* trace_96_sparsity_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_trace_96_sparsity_in(casadi_int i) {
   switch (i) {
     case 0: return casadi_s4;
     case 1: return casadi_s5;
@@ -18253,7 +18255,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* trace_96_sparsity_in(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* trace_96_sparsity_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_trace_96_sparsity_out(casadi_int i) {
   switch (i) {
     case 0: return casadi_s9;
     case 1: return casadi_s10;
@@ -18263,7 +18265,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* trace_96_sparsity_out(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT int trace_96_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int wobbling_trace_96_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 10;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
@@ -18271,7 +18273,7 @@ CASADI_SYMBOL_EXPORT int trace_96_work(casadi_int *sz_arg, casadi_int* sz_res, c
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int trace_96_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int wobbling_trace_96_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 10*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
@@ -18279,7 +18281,7 @@ CASADI_SYMBOL_EXPORT int trace_96_work_bytes(casadi_int *sz_arg, casadi_int* sz_
   return 0;
 }
 
-/* trace_192:(u[6],p[8])->(w[7x193],g[8x193],dg[8x193],R[6]) */
+/* wobbling_trace_192:(u[6],p[8])->(w[7x193],g[8x193],dg[8x193],R[6]) */
 static int casadi_f44(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w00, *w01=w+338, *w02=w+344, *w03=w+349, w04, *w05=w+355, w06, *w08=w+362, *w09=w+369, *w10=w+453;
@@ -18716,34 +18718,34 @@ static int casadi_f44(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int trace_192(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+CASADI_SYMBOL_EXPORT int wobbling_trace_192(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
   return casadi_f44(arg, res, iw, w, mem);
 }
 
-CASADI_SYMBOL_EXPORT int trace_192_checkout(void) {
+CASADI_SYMBOL_EXPORT int wobbling_trace_192_checkout(void) {
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT void trace_192_release(int mem) {
+CASADI_SYMBOL_EXPORT void wobbling_trace_192_release(int mem) {
 }
 
-CASADI_SYMBOL_EXPORT void trace_192_incref(void) {
+CASADI_SYMBOL_EXPORT void wobbling_trace_192_incref(void) {
 }
 
-CASADI_SYMBOL_EXPORT void trace_192_decref(void) {
+CASADI_SYMBOL_EXPORT void wobbling_trace_192_decref(void) {
 }
 
-CASADI_SYMBOL_EXPORT casadi_int trace_192_n_in(void) { return 2;}
+CASADI_SYMBOL_EXPORT casadi_int wobbling_trace_192_n_in(void) { return 2;}
 
-CASADI_SYMBOL_EXPORT casadi_int trace_192_n_out(void) { return 4;}
+CASADI_SYMBOL_EXPORT casadi_int wobbling_trace_192_n_out(void) { return 4;}
 
-CASADI_SYMBOL_EXPORT casadi_real trace_192_default_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT casadi_real wobbling_trace_192_default_in(casadi_int i) {
   switch (i) {
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* trace_192_name_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* wobbling_trace_192_name_in(casadi_int i) {
   switch (i) {
     case 0: return "u";
     case 1: return "p";
@@ -18751,7 +18753,7 @@ CASADI_SYMBOL_EXPORT const char* trace_192_name_in(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* trace_192_name_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* wobbling_trace_192_name_out(casadi_int i) {
   switch (i) {
     case 0: return "w";
     case 1: return "g";
@@ -18761,7 +18763,7 @@ CASADI_SYMBOL_EXPORT const char* trace_192_name_out(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* trace_192_sparsity_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_trace_192_sparsity_in(casadi_int i) {
   switch (i) {
     case 0: return casadi_s4;
     case 1: return casadi_s5;
@@ -18769,7 +18771,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* trace_192_sparsity_in(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* trace_192_sparsity_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_trace_192_sparsity_out(casadi_int i) {
   switch (i) {
     case 0: return casadi_s11;
     case 1: return casadi_s12;
@@ -18779,7 +18781,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* trace_192_sparsity_out(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT int trace_192_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int wobbling_trace_192_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 10;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
@@ -18787,7 +18789,7 @@ CASADI_SYMBOL_EXPORT int trace_192_work(casadi_int *sz_arg, casadi_int* sz_res, 
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int trace_192_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int wobbling_trace_192_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 10*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
@@ -18795,7 +18797,7 @@ CASADI_SYMBOL_EXPORT int trace_192_work_bytes(casadi_int *sz_arg, casadi_int* sz
   return 0;
 }
 
-/* trace_384:(u[6],p[8])->(w[7x385],g[8x385],dg[8x385],R[6]) */
+/* wobbling_trace_384:(u[6],p[8])->(w[7x385],g[8x385],dg[8x385],R[6]) */
 static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w00, *w01=w+338, *w02=w+344, *w03=w+349, w04, *w05=w+355, w06, *w08=w+362, *w09=w+369, *w10=w+453;
@@ -19619,34 +19621,34 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int trace_384(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+CASADI_SYMBOL_EXPORT int wobbling_trace_384(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
   return casadi_f45(arg, res, iw, w, mem);
 }
 
-CASADI_SYMBOL_EXPORT int trace_384_checkout(void) {
+CASADI_SYMBOL_EXPORT int wobbling_trace_384_checkout(void) {
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT void trace_384_release(int mem) {
+CASADI_SYMBOL_EXPORT void wobbling_trace_384_release(int mem) {
 }
 
-CASADI_SYMBOL_EXPORT void trace_384_incref(void) {
+CASADI_SYMBOL_EXPORT void wobbling_trace_384_incref(void) {
 }
 
-CASADI_SYMBOL_EXPORT void trace_384_decref(void) {
+CASADI_SYMBOL_EXPORT void wobbling_trace_384_decref(void) {
 }
 
-CASADI_SYMBOL_EXPORT casadi_int trace_384_n_in(void) { return 2;}
+CASADI_SYMBOL_EXPORT casadi_int wobbling_trace_384_n_in(void) { return 2;}
 
-CASADI_SYMBOL_EXPORT casadi_int trace_384_n_out(void) { return 4;}
+CASADI_SYMBOL_EXPORT casadi_int wobbling_trace_384_n_out(void) { return 4;}
 
-CASADI_SYMBOL_EXPORT casadi_real trace_384_default_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT casadi_real wobbling_trace_384_default_in(casadi_int i) {
   switch (i) {
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* trace_384_name_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* wobbling_trace_384_name_in(casadi_int i) {
   switch (i) {
     case 0: return "u";
     case 1: return "p";
@@ -19654,7 +19656,7 @@ CASADI_SYMBOL_EXPORT const char* trace_384_name_in(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* trace_384_name_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* wobbling_trace_384_name_out(casadi_int i) {
   switch (i) {
     case 0: return "w";
     case 1: return "g";
@@ -19664,7 +19666,7 @@ CASADI_SYMBOL_EXPORT const char* trace_384_name_out(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* trace_384_sparsity_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_trace_384_sparsity_in(casadi_int i) {
   switch (i) {
     case 0: return casadi_s4;
     case 1: return casadi_s5;
@@ -19672,7 +19674,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* trace_384_sparsity_in(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* trace_384_sparsity_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_trace_384_sparsity_out(casadi_int i) {
   switch (i) {
     case 0: return casadi_s13;
     case 1: return casadi_s14;
@@ -19682,7 +19684,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* trace_384_sparsity_out(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT int trace_384_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int wobbling_trace_384_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 10;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
@@ -19690,7 +19692,7 @@ CASADI_SYMBOL_EXPORT int trace_384_work(casadi_int *sz_arg, casadi_int* sz_res, 
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int trace_384_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int wobbling_trace_384_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 10*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
@@ -19698,7 +19700,7 @@ CASADI_SYMBOL_EXPORT int trace_384_work_bytes(casadi_int *sz_arg, casadi_int* sz
   return 0;
 }
 
-/* trace_768:(u[6],p[8])->(w[7x769],g[8x769],dg[8x769],R[6]) */
+/* wobbling_trace_768:(u[6],p[8])->(w[7x769],g[8x769],dg[8x769],R[6]) */
 static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w000, *w001=w+338, *w002=w+344, *w003=w+349, w004, *w005=w+355, w006, *w008=w+362, *w009=w+369, *w010=w+453;
@@ -21295,34 +21297,34 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int trace_768(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+CASADI_SYMBOL_EXPORT int wobbling_trace_768(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
   return casadi_f46(arg, res, iw, w, mem);
 }
 
-CASADI_SYMBOL_EXPORT int trace_768_checkout(void) {
+CASADI_SYMBOL_EXPORT int wobbling_trace_768_checkout(void) {
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT void trace_768_release(int mem) {
+CASADI_SYMBOL_EXPORT void wobbling_trace_768_release(int mem) {
 }
 
-CASADI_SYMBOL_EXPORT void trace_768_incref(void) {
+CASADI_SYMBOL_EXPORT void wobbling_trace_768_incref(void) {
 }
 
-CASADI_SYMBOL_EXPORT void trace_768_decref(void) {
+CASADI_SYMBOL_EXPORT void wobbling_trace_768_decref(void) {
 }
 
-CASADI_SYMBOL_EXPORT casadi_int trace_768_n_in(void) { return 2;}
+CASADI_SYMBOL_EXPORT casadi_int wobbling_trace_768_n_in(void) { return 2;}
 
-CASADI_SYMBOL_EXPORT casadi_int trace_768_n_out(void) { return 4;}
+CASADI_SYMBOL_EXPORT casadi_int wobbling_trace_768_n_out(void) { return 4;}
 
-CASADI_SYMBOL_EXPORT casadi_real trace_768_default_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT casadi_real wobbling_trace_768_default_in(casadi_int i) {
   switch (i) {
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* trace_768_name_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* wobbling_trace_768_name_in(casadi_int i) {
   switch (i) {
     case 0: return "u";
     case 1: return "p";
@@ -21330,7 +21332,7 @@ CASADI_SYMBOL_EXPORT const char* trace_768_name_in(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* trace_768_name_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* wobbling_trace_768_name_out(casadi_int i) {
   switch (i) {
     case 0: return "w";
     case 1: return "g";
@@ -21340,7 +21342,7 @@ CASADI_SYMBOL_EXPORT const char* trace_768_name_out(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* trace_768_sparsity_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_trace_768_sparsity_in(casadi_int i) {
   switch (i) {
     case 0: return casadi_s4;
     case 1: return casadi_s5;
@@ -21348,7 +21350,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* trace_768_sparsity_in(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* trace_768_sparsity_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_trace_768_sparsity_out(casadi_int i) {
   switch (i) {
     case 0: return casadi_s15;
     case 1: return casadi_s16;
@@ -21358,7 +21360,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* trace_768_sparsity_out(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT int trace_768_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int wobbling_trace_768_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 10;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
@@ -21366,7 +21368,7 @@ CASADI_SYMBOL_EXPORT int trace_768_work(casadi_int *sz_arg, casadi_int* sz_res, 
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int trace_768_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int wobbling_trace_768_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 10*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
@@ -21374,7 +21376,7 @@ CASADI_SYMBOL_EXPORT int trace_768_work_bytes(casadi_int *sz_arg, casadi_int* sz
   return 0;
 }
 
-/* advance:(t,w[7],h,p[8])->(w_end[7],g[8],dg[8]) */
+/* wobbling_advance:(t,w[7],h,p[8])->(w_end[7],g[8],dg[8]) */
 static int casadi_f47(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+3, *rr, w0, *w1=w+116, w2, *w4=w+123, *w5=w+130, *w6=w+136, *w7=w+144;
   const casadi_real **arg1=arg+4, *cs, *wr3;
@@ -21413,34 +21415,34 @@ static int casadi_f47(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int advance(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+CASADI_SYMBOL_EXPORT int wobbling_advance(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
   return casadi_f47(arg, res, iw, w, mem);
 }
 
-CASADI_SYMBOL_EXPORT int advance_checkout(void) {
+CASADI_SYMBOL_EXPORT int wobbling_advance_checkout(void) {
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT void advance_release(int mem) {
+CASADI_SYMBOL_EXPORT void wobbling_advance_release(int mem) {
 }
 
-CASADI_SYMBOL_EXPORT void advance_incref(void) {
+CASADI_SYMBOL_EXPORT void wobbling_advance_incref(void) {
 }
 
-CASADI_SYMBOL_EXPORT void advance_decref(void) {
+CASADI_SYMBOL_EXPORT void wobbling_advance_decref(void) {
 }
 
-CASADI_SYMBOL_EXPORT casadi_int advance_n_in(void) { return 4;}
+CASADI_SYMBOL_EXPORT casadi_int wobbling_advance_n_in(void) { return 4;}
 
-CASADI_SYMBOL_EXPORT casadi_int advance_n_out(void) { return 3;}
+CASADI_SYMBOL_EXPORT casadi_int wobbling_advance_n_out(void) { return 3;}
 
-CASADI_SYMBOL_EXPORT casadi_real advance_default_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT casadi_real wobbling_advance_default_in(casadi_int i) {
   switch (i) {
     default: return 0;
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* advance_name_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* wobbling_advance_name_in(casadi_int i) {
   switch (i) {
     case 0: return "t";
     case 1: return "w";
@@ -21450,7 +21452,7 @@ CASADI_SYMBOL_EXPORT const char* advance_name_in(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const char* advance_name_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const char* wobbling_advance_name_out(casadi_int i) {
   switch (i) {
     case 0: return "w_end";
     case 1: return "g";
@@ -21459,7 +21461,7 @@ CASADI_SYMBOL_EXPORT const char* advance_name_out(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* advance_sparsity_in(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_advance_sparsity_in(casadi_int i) {
   switch (i) {
     case 0: return casadi_s17;
     case 1: return casadi_s18;
@@ -21469,7 +21471,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* advance_sparsity_in(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT const casadi_int* advance_sparsity_out(casadi_int i) {
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_advance_sparsity_out(casadi_int i) {
   switch (i) {
     case 0: return casadi_s18;
     case 1: return casadi_s5;
@@ -21478,7 +21480,7 @@ CASADI_SYMBOL_EXPORT const casadi_int* advance_sparsity_out(casadi_int i) {
   }
 }
 
-CASADI_SYMBOL_EXPORT int advance_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int wobbling_advance_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 8;
   if (sz_res) *sz_res = 5;
   if (sz_iw) *sz_iw = 0;
@@ -21486,7 +21488,7 @@ CASADI_SYMBOL_EXPORT int advance_work(casadi_int *sz_arg, casadi_int* sz_res, ca
   return 0;
 }
 
-CASADI_SYMBOL_EXPORT int advance_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+CASADI_SYMBOL_EXPORT int wobbling_advance_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
   if (sz_arg) *sz_arg = 8*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 5*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
@@ -21501,9 +21503,9 @@ CASADI_SYMBOL_EXPORT int advance_work_bytes(casadi_int *sz_arg, casadi_int* sz_r
  * work_size: lengths of arg, res, iw, w. Returns 0, or 1 when there is no memory. */
 #include <stdlib.h>
 
-typedef int (*stridemap_kernel)(const double** arg, double** res, casadi_int* iw, double* w, int mem);
+typedef int (*wobbling_kernel)(const double** arg, double** res, casadi_int* iw, double* w, int mem);
 
-CASADI_SYMBOL_EXPORT int stridemap_map(stridemap_kernel kernel, const casadi_int* work_size, casadi_int n,
+CASADI_SYMBOL_EXPORT int wobbling_map(wobbling_kernel kernel, const casadi_int* work_size, casadi_int n,
     casadi_int n_in, const double* const* in, const casadi_int* in_size,
     casadi_int n_out, double* const* out, const casadi_int* out_size, int* failed)
 {

@@ -1,0 +1,365 @@
+"""How fast limit cycles are found, beside the paper's practice: ``python -m benchmarks.bench``.
+
+One process, one thread, one run. Both sides start from the same guesses for the same cycles: every cycle in
+the groups A, B and C at `POINTS`, stable and unstable, pairs of cycles at one point included, each guess off
+by up to 1 % in every entry. Repetitions of all measurements alternate, so that a busy moment of the machine
+hits them alike; the table shows medians, and the best in brackets.
+
+*stridemap* is timed in batches, from guesses to complete orbits: closed to 1e-11, checked at twice the
+resolution, multipliers from the exact derivative, extrema in continuous time, work split at its kinks.
+
+*The paper's practice* (MATLAB's ``fsolve``), as one would write it with SciPy: `fsolve` on the step map's
+closing error, with `solve_ivp` up to the touchdown event, all to 1e-9; once with RK45, the default of
+`solve_ivp` and the method of MATLAB's ``ode45``, and once with DOP853, the fastest of SciPy's methods here.
+The right-hand side is the generated one on plain floats with `math.sin`, which is several times faster than
+on arrays. The multipliers are the eigenvalues of a matrix of central differences; d_max and work come from
+1,000 samples of one more integration, evaluated as arrays.
+"""
+
+import argparse
+import ctypes
+import json
+import math
+import platform
+import statistics
+import sys
+import tempfile
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import casadi as ca
+import numpy as np
+from scipy.integrate import solve_ivp
+from scipy.optimize import fsolve
+
+from stridemap.solver.library import compile_shared, find_compiler
+from stridemap.solver.limit_cycle import Solver
+from stridemap.solver.model import Model, load
+from stridemap.solver.search import find_orbits, section_point
+from stridemap.solver.step_map import StepMap
+
+POINTS = (
+    {"k": 0.5, "alpha": 0.25, "omega": 3.0},
+    {"k": 2.0, "alpha": 0.25, "omega": 3.0},
+    {"k": 6.0, "alpha": 0.25, "omega": 3.0},
+    {"k": 8.0, "alpha": 0.25, "omega": 2.5},
+    {"k": 12.0, "alpha": 0.5, "omega": 3.0},
+    {"k": 22.5, "alpha": 0.25, "omega": 3.0},
+    {"k": 26.0, "alpha": 0.25, "omega": 3.0},
+    {"k": 7.0, "alpha": 0.5, "omega": 2.0},
+)
+NEXT_CELL = {"k": 0.5}
+"""To the neighbouring cell of the default sweep's grid."""
+METHODS = ("RK45", "DOP853")
+OFF = 0.01
+RESOLUTION = 24
+"""Runge-Kutta steps of the step map in the first two rows."""
+
+
+@dataclass(frozen=True)
+class Cycles:
+    """What is solved: guesses at points, and the cycle that each is meant for."""
+
+    params: np.ndarray
+    guesses: np.ndarray
+    cycles: np.ndarray
+    groups: tuple[str, ...]
+    stable: tuple[bool, ...]
+
+
+def cycles_to_find(model: Model) -> Cycles:
+    """Every cycle of the groups A, B and C at `POINTS`, with a guess `OFF` from it."""
+    points = np.array([model.point(p) for p in POINTS])
+    rows = [
+        (point, orbit)
+        for point, orbits in zip(points, find_orbits(model, points), strict=True)
+        for orbit in orbits
+        if orbit.group in ("A", "B", "C")
+    ]
+    cycles = np.array([section_point(orbit) for _, orbit in rows])
+    noise = np.random.default_rng(0).uniform(-OFF, OFF, cycles.shape)
+    return Cycles(
+        np.array([point for point, _ in rows]),
+        cycles * (1 + noise),
+        cycles,
+        tuple(str(orbit.group) for _, orbit in rows),
+        tuple(orbit.stable for _, orbit in rows),
+    )
+
+
+# -- stridemap -------------------------------------------------------------------------------------------
+
+
+class StepMaps:
+    """The step map without and with its derivative, compiled with the solver's compiler and flags.
+
+    Parameters
+    ----------
+    model : Model
+    compiler : str or None
+        Without one, CasADi's virtual machine runs them.
+    """
+
+    LOOP = """
+void run_{name}(casadi_int n, const double* u, const double* p, double** out) {{
+  const double* arg[{sz_arg}]; double* res[{sz_res}]; casadi_int iw[{sz_iw}], i; double w[{sz_w}];
+  for (i = 0; i < n; i++) {{
+    arg[0] = u + i*{nu}; arg[1] = p + i*{n_params}; {results}
+    {name}(arg, res, iw, w, 0);
+  }}
+}}
+"""
+
+    def __init__(self, model: Model, compiler: str | None) -> None:
+        step_map = StepMap(model)
+        self.functions = {"step": step_map.residual(RESOLUTION), "variational": step_map.jacobian(RESOLUTION)}
+        self.library = None
+        if compiler is None:
+            return
+        generator = ca.CodeGenerator("bench_step_map.c")
+        text = ""
+        for f in self.functions.values():
+            generator.add(f)
+            text += self.LOOP.format(
+                name=f.name(), sz_arg=f.sz_arg(), sz_res=f.sz_res(), sz_iw=f.sz_iw() + 1, sz_w=f.sz_w() + 1,
+                nu=f.nnz_in(0), n_params=f.nnz_in(1),
+                results=" ".join(f"res[{i}] = out[{i}] + i*{f.nnz_out(i)};" for i in range(f.n_out())),
+            )  # fmt: skip
+        with tempfile.TemporaryDirectory() as folder:
+            source = Path(folder) / "bench_step_map.c"
+            source.write_text(generator.dump() + text, encoding="utf-8")
+            self.library = ctypes.CDLL(str(compile_shared(source, compiler)))
+
+    def __call__(self, key: str, u: np.ndarray, params: np.ndarray) -> None:
+        """Compute at n points, shapes (n, nz + 1) and (n, n_params)."""
+        function = self.functions[key]
+        if self.library is None:
+            for row in zip(u, params, strict=True):
+                function(*row)
+            return
+        out = [np.empty((len(u), function.nnz_out(i))) for i in range(function.n_out())]
+        pointers = (ctypes.c_void_p * len(out))(*[a.ctypes.data for a in out])
+        run = getattr(self.library, f"run_{function.name()}")
+        u, params = np.ascontiguousarray(u), np.ascontiguousarray(params)
+        run(
+            ctypes.c_longlong(len(u)),
+            ctypes.c_void_p(u.ctypes.data),
+            ctypes.c_void_p(params.ctypes.data),
+            pointers,
+        )
+
+
+def complete_cycles(solver: Solver, guesses: np.ndarray, params: np.ndarray) -> list[Any]:
+    """Orbits from guesses, as a sweep computes them."""
+    u, _ = solver.search(guesses, params)
+    return solver.complete(u, params, (0.3, 3.0))
+
+
+# -- the paper's practice --------------------------------------------------------------------------------
+
+
+class Practice:
+    """Limit cycles by `fsolve` over `solve_ivp` with a touchdown event.
+
+    Parameters
+    ----------
+    model : Model
+    params : ndarray, shape (n_params,)
+    method : str
+        Of `solve_ivp`.
+    """
+
+    tolerance = 1e-9
+
+    def __init__(self, model: Model, params: np.ndarray, method: str) -> None:
+        self.model, self.params, self.p, self.method = model, params, params.tolist(), method
+        equations, p = model.equations, self.p
+
+        def rate(t: float, y: np.ndarray) -> list[float]:
+            theta1, theta2, x, dtheta1, dtheta2, dx = y.tolist()
+            out = equations.state_derivative(math, t, (theta1, theta2, x), (dtheta1, dtheta2, dx), p)
+            return out["dq"] + out["dv"]
+
+        def touchdown(t: float, y: np.ndarray) -> float:
+            return y[1] - 2 * y[0] if y[0] < 0 else 1.0
+
+        touchdown.terminal, touchdown.direction = True, 1.0  # type: ignore[attr-defined]
+        self.rate, self.touchdown = rate, touchdown
+        self.evaluations = 0
+
+    def swing(self, z: np.ndarray, **options: Any) -> Any:
+        """Integrate one swing phase."""
+        theta1, dtheta1, dtheta2, x, dx = z.tolist()
+        start = [theta1, 2 * theta1, x, dtheta1, dtheta2, dx]
+        options |= {"events": self.touchdown, "rtol": self.tolerance, "atol": self.tolerance}
+        return solve_ivp(self.rate, (0, 5), start, self.method, **options)
+
+    def step(self, z: np.ndarray) -> np.ndarray:
+        """The step map: section point after the impact."""
+        self.evaluations += 1
+        y = self.swing(z).y[:, -1].tolist()
+        out = self.model.equations.impact_map(math, y[:3], y[3:], self.p)
+        q, v = out["q_plus"], out["v_plus"]
+        return np.array([q[0], v[0], v[1], q[2], v[2]])
+
+    def cycle(self, guess: np.ndarray) -> tuple[np.ndarray, np.ndarray, float, float]:
+        """Section point, multipliers, d_max and CoT."""
+        # Difference quotients need a step well above the integrator's error.
+        z = fsolve(lambda z: self.step(z) - z, guess, xtol=self.tolerance, epsfcn=1e-6)
+        size = 1e-4
+        columns = [(self.step(z + size * e) - self.step(z - size * e)) / (2 * size) for e in np.eye(len(z))]
+        multipliers = np.linalg.eigvals(np.array(columns).T)
+        motion = self.swing(z, dense_output=True)
+        t = np.linspace(0, motion.t[-1], 1000)
+        y = motion.sol(t).T
+        values = {"t": t, "q": y[:, :3], "v": y[:, 3:], "p": self.params}
+        d_max = np.abs(self.model.evaluate("zmp", **values)["d"]).max()
+        power = np.abs(self.model.evaluate("controller_torque", **values)["u"] * y[:, 4])
+        mass = self.model.evaluate("total_mass", p=self.params)["mass"]
+        return z, multipliers, float(d_max), float(np.trapezoid(power, t) / (mass * 2 * math.sin(z[0])))
+
+
+# -- measuring -------------------------------------------------------------------------------------------
+
+
+def timed(work: Callable[[], Any]) -> tuple[float, Any]:
+    """Wall time and result."""
+    start = time.perf_counter()
+    result = work()
+    return time.perf_counter() - start, result
+
+
+def measure(batch: int, repeat: int, practice_repeat: int) -> dict[str, Any]:
+    """Run everything; rates are per second, one entry a repetition."""
+    model = load("wobbling")
+    solver = Solver.of(model)
+    steps = StepMaps(model, find_compiler())
+    todo = cycles_to_find(model)
+    n = len(todo.cycles)
+    copies = -(-batch // n)
+    which = np.tile(np.arange(n), copies)
+    params, cycles = todo.params[which], todo.cycles[which]
+    noise = np.random.default_rng(1).uniform(-OFF, OFF, cycles.shape)
+    noise[:n] = todo.guesses / todo.cycles - 1
+    guesses = cycles * (1 + noise)
+    shifted = params.copy()
+    for name, by in NEXT_CELL.items():
+        shifted[:, list(model.preset).index(name)] += by
+
+    rates: dict[str, list[float]] = {
+        key: [] for key in ("step", "variational", "cycle", "neighbour", *METHODS)
+    }
+    found = {"cycle": 0.0, "neighbour": 0.0}
+    practice: dict[str, dict[str, float]] = {}
+    for turn in range(repeat):
+        seconds, _ = timed(lambda: steps("step", cycles, params))
+        rates["step"].append(len(cycles) / seconds)
+        seconds, _ = timed(lambda: steps("variational", cycles, params))
+        rates["variational"].append(len(cycles) / seconds)
+        for key, starts, points in (("cycle", guesses, params), ("neighbour", cycles, shifted)):
+            seconds, orbits = timed(
+                lambda starts=starts, points=points: complete_cycles(solver, starts, points)
+            )
+            good = sum(orbit.status.found for orbit in orbits)
+            found[key] = good / len(orbits)
+            rates[key].append(good / seconds)  # only what was found counts
+        for method in METHODS:
+            if turn < practice_repeat:
+                seconds, practice[method] = timed(lambda method=method: practice_cycles(model, todo, method))
+                rates[method].append(n / seconds)
+    return {
+        "rates": rates,
+        "found": found,
+        "practice": practice,
+        "batch": len(which),
+        "set": {
+            "points": list(POINTS),
+            "cycles": n,
+            "groups": {g: todo.groups.count(g) for g in "ABC"},
+            "stable": sum(todo.stable),
+        },
+        "machine": {
+            "processor": _processor(),
+            "python": platform.python_version(),
+            "numpy": np.__version__,
+            "casadi": ca.__version__,
+            "kernels": solver.kernels.compiler,
+        },
+    }
+
+
+def practice_cycles(model: Model, todo: Cycles, method: str) -> dict[str, float]:
+    """All cycles by the paper's practice: which share was reached, by how many step maps a cycle."""
+    reached, evaluations = 0, 0
+    for point, guess, cycle in zip(todo.params, todo.guesses, todo.cycles, strict=True):
+        practice = Practice(model, point, method)
+        z, *_ = practice.cycle(guess[:-1])
+        reached += bool(np.abs(z - cycle[:-1]).max() < 1e-6)
+        evaluations += practice.evaluations
+    return {"reached": reached / len(todo.cycles), "step_maps": evaluations / len(todo.cycles)}
+
+
+def _processor() -> str:
+    try:
+        lines = Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines()
+        return next(line.split(":", 1)[1].strip() for line in lines if line.startswith("model name"))
+    except (OSError, StopIteration):
+        return platform.processor() or platform.machine()
+
+
+# -- the table -------------------------------------------------------------------------------------------
+
+
+def table(result: dict[str, Any]) -> str:
+    """The result in words."""
+    rates, machine, chosen = result["rates"], result["machine"], result["set"]
+    middle = {key: statistics.median(values) for key, values in rates.items()}
+    best = {key: max(values) for key, values in rates.items()}
+
+    def row(name: str, key: str, digits: int = 0) -> str:
+        return f"{name:55s} {middle[key]:>11,.{digits}f}   ({best[key]:,.{digits}f})"
+
+    lines = [
+        f"{machine['processor']}, one core; {machine['kernels']}",
+        f"{chosen['cycles']} cycles at {len(chosen['points'])} points "
+        f"({', '.join(f'{n} in {g}' for g, n in chosen['groups'].items())}; {chosen['stable']} stable), "
+        f"in batches of {result['batch']}",
+        "",
+        f"per second, median of {len(rates['cycle'])} repetitions (and the best)",
+        row(f"steps of the walker ({RESOLUTION} Runge-Kutta steps of order 8)", "step"),
+        row("  with variational equations", "variational"),
+        row(f"complete limit cycles, from {OFF:.0%} off", "cycle"),
+        row("  from the cycle of the neighbouring cell", "neighbour"),
+        *(row(f"the same by fsolve over solve_ivp, {m}, from {OFF:.0%} off", m, 2) for m in METHODS),
+        *(f"{'ratio to ' + m:55s} {middle['cycle'] / middle[m]:>11,.0f}" for m in METHODS),
+        "",
+        f"found, and only these count: {result['found']['cycle']:.1%} from {OFF:.0%} off, "
+        f"{result['found']['neighbour']:.1%} in the neighbouring cell;",
+        *(
+            f"by fsolve and {m}: {p['reached']:.0%}, with {p['step_maps']:.0f} step maps a cycle"
+            for m, p in result["practice"].items()
+        ),
+    ]
+    return "\n".join(lines)
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Measure and print."""
+    parser = argparse.ArgumentParser(prog="python -m benchmarks.bench", description="Measure the speed.")
+    parser.add_argument("--json", action="store_true", help="print one JSON object with every repetition")
+    parser.add_argument("--batch", type=int, default=1000, help="guesses in one batch, at least (1000)")
+    parser.add_argument("--repeat", type=int, default=9, help="repetitions (9)")
+    parser.add_argument("--practice", type=int, default=3, help="repetitions of the paper's practice (3)")
+    options = parser.parse_args(arguments)
+    if min(options.batch, options.repeat, options.practice) < 1 or options.practice > options.repeat:
+        parser.error("--batch, --repeat and --practice are at least 1, and --practice at most --repeat")
+    result = measure(options.batch, options.repeat, options.practice)
+    print(json.dumps(result, indent=1) if options.json else table(result))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,86 @@
+"""What the tests of the command line and of running sweeps share."""
+
+import os
+import subprocess
+import sys
+import time
+from concurrent.futures import Executor, Future
+
+STRIDEMAP = [sys.executable, "-m", "stridemap"]
+
+SMALL_TILES = """
+import signal, sys
+signal.signal(signal.SIGINT, signal.default_int_handler)  # not so where the tests run in the background
+import stridemap.sweeps.run as run
+from stridemap.cli import main
+run.TILE_CELLS = 4
+main()
+"""
+"""The command line with a sweep in small pieces, so that it can be stopped in the middle."""
+
+
+class Inline(Executor):
+    """Computes a task where it is submitted, and remembers it."""
+
+    def __init__(self):
+        self.tasks = []
+
+    def submit(self, fn, /, *args, **kwargs):
+        self.tasks.append(args[0])
+        future = Future()
+        try:
+            future.set_result(fn(*args, **kwargs))
+        except BaseException as error:
+            future.set_exception(error)
+        return future
+
+    @property
+    def pieces(self):
+        """Round and tile of what was computed."""
+        return [(task.round, task.tile) for task in self.tasks]
+
+
+def content(folder):
+    """Bytes of every file below a folder."""
+    return {str(p.relative_to(folder)): p.read_bytes() for p in sorted(folder.rglob("*")) if p.is_file()}
+
+
+def tables(folder):
+    """Bytes of the two tables of a finished sweep, which has no other files."""
+    found = content(folder)
+    assert set(found) == {"orbits.parquet", "cells.parquet"}
+    return found
+
+
+def parts(folder):
+    """Finished pieces of an unfinished sweep."""
+    return sorted((folder / "parts").glob("round-*.parquet"))
+
+
+def piece(part):
+    """Round and tile of a part file."""
+    _, round_, _, tile = part.stem.split("-")
+    return int(round_), int(tile)
+
+
+def start(command, **environment):
+    """Start a command in a process group of its own."""
+    return subprocess.Popen(
+        command, text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+        start_new_session=True, env={**os.environ, **environment},
+    )  # fmt: skip
+
+
+def ended(process, timeout=120):
+    """Exit status, standard output and standard error of a process, once it has ended."""
+    out, err = process.communicate(timeout=timeout)
+    return process.returncode, out, err
+
+
+def wait_for(condition, process, timeout=120):
+    """Wait until something is so, while a process runs."""
+    limit = time.monotonic() + timeout
+    while not condition():
+        assert process.poll() is None, process.communicate()
+        assert time.monotonic() < limit
+        time.sleep(0.005)
