@@ -137,7 +137,8 @@ class Batch:
             "stable": radius < 1.0,
             "step_length": length,
             "speed": length / period,
-            "d_max": measures.extreme(trace, "d", np.absolute),
+            # Without contact there is no zero moment point: it runs to infinity where the force vanishes.
+            "d_max": np.where(lowest > 0, measures.extreme(trace, "d", np.absolute), np.nan),
             "work": total,
             "work_positive": positive,
             "work_net": net,

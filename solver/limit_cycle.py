@@ -54,6 +54,12 @@ class Solver:
         modes: Array = np.abs(np.linalg.eigvals(linear)).max(axis=1)
         return modes[inverse.ravel()]
 
+    def _phase(self, period: Array, params: Array) -> Array:
+        """Phase of the fastest mode in a period; 0 for a period that is none, which no resolution helps."""
+        with np.errstate(over="ignore", invalid="ignore"):
+            phase: Array = self.fastest_mode(params) * np.abs(period)
+        return np.nan_to_num(phase, posinf=0.0)
+
     @staticmethod
     def _resolution(phase: Array, choices: tuple[int, ...], per_step: float) -> NDArray[np.int64]:
         """Fewest Runge-Kutta steps of at most `per_step` of the fastest mode's phase each."""
@@ -80,7 +86,7 @@ class Solver:
         """
         u = np.full(guesses.shape, np.nan)
         closed = np.zeros(len(guesses), dtype=bool)
-        phase = self.fastest_mode(params) * np.abs(guesses[:, -1])
+        phase = self._phase(guesses[:, -1], params)
         steps = self._resolution(phase, SEARCH_STEPS, per_step=SEARCH_PHASE)
         for n in np.unique(steps):
             at = np.flatnonzero(steps == n)
@@ -119,7 +125,7 @@ class Solver:
         """
         orbits: list[Orbit | None] = [None] * len(guesses)
         u = guesses.copy()
-        phase = self.fastest_mode(params) * np.nan_to_num(np.abs(u[:, -1]))
+        phase = self._phase(u[:, -1], params)
         steps = self._resolution(phase, CYCLE_STEPS, per_step=CYCLE_PHASE)
         for n in CYCLE_STEPS:
             at = np.flatnonzero(steps == n)

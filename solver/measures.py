@@ -77,8 +77,16 @@ def earlier_touchdown(trace: Trace, side: Array) -> NDArray[np.bool_]:
     rising = found.take(found.f_lower < found.f_upper)
     last = trace.w.shape[1] - 2
     rising = rising.take(~_is_the_touchdown(rising, trace, last))
-    admissible = side[rising.orbit, rising.node + 1] < 0
-    return np.bincount(rising.orbit[admissible], minlength=len(trace.period)) > 0
+    left, right = side[rising.orbit, rising.node] < 0, side[rising.orbit, rising.node + 1] < 0
+    # Where the stance leg passes the vertical in the same interval, the zero itself decides.
+    doubtful = np.flatnonzero(left != right)
+    if len(doubtful):
+        model = trace.kernels.model
+        n = len(model.coordinates)
+        _, w, _ = locate(trace, rising.take(doubtful))
+        q, v = w[:, :n], w[:, n : 2 * n]
+        right[doubtful] = model.evaluate("touchdown_condition", q=q, v=v)["side"] < 0
+    return np.bincount(rising.orbit[right], minlength=len(trace.period)) > 0
 
 
 def _is_the_touchdown(found: Brackets, trace: Trace, last: int) -> NDArray[np.bool_]:

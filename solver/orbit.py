@@ -55,7 +55,7 @@ class Orbit:
         Solution group: A, B, C, ... by whole oscillations of the spring in one period.
     step_length, speed : float
     d_max : float
-        Largest distance between stance foot and zero moment point.
+        Largest distance between stance foot and zero moment point; NaN where the contact is lost.
     work, work_positive, work_net : float
         Integral of the absolute, positive and signed power of the hip over a step.
     cot, cot_per_speed : float

@@ -107,6 +107,8 @@ def find_orbits(model: Model, points: Array, options: SearchOptions | None = Non
         For each point its limit cycles, ordered by period.
     """
     options = options or SearchOptions()
+    if not len(points):
+        return []
     solver = Solver.of(model)
     cell = np.repeat(np.arange(len(points)), options.starts)
     guesses = [starts(model, options, i) for i in range(len(points))]
@@ -172,8 +174,10 @@ def merge(n: int, cell: Sequence[int] | NDArray[np.int64], orbits: Sequence[Orbi
     orbits : sequence of Orbit
     """
     out: list[list[Orbit]] = [[] for _ in range(n)]
-    for c, orbit in sorted(zip(cell, orbits, strict=True), key=lambda pair: _key(pair[1])):
-        if orbit.status.found and not any(same(orbit, other) for other in out[c]):
+    # Failures go first: a period that is not a number has no place in an order.
+    found = [(c, orbit) for c, orbit in zip(cell, orbits, strict=True) if orbit.status.found]
+    for c, orbit in sorted(found, key=lambda pair: _key(pair[1])):
+        if not any(same(orbit, other) for other in out[c]):
             out[c].append(orbit)
     return out
 

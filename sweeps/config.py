@@ -93,10 +93,10 @@ class Search(BaseModel):
 
     model_config = _STRICT
 
-    starts: int = Field(256, ge=1, le=MAX_COUNT, description=f"a whole number from 1 to {MAX_COUNT:,}")
+    starts: int = Field(64, ge=1, le=MAX_COUNT, description=f"a whole number from 1 to {MAX_COUNT:,}")
     seed: int = Field(0, ge=0, lt=2**32, description="a whole number from 0 to 4,294,967,295")
     subgrid: Annotated[int, Field(ge=1)] | dict[str, Annotated[int, Field(ge=1)]] = Field(
-        4, description="a whole number of at least 1, or a table of such numbers for grid parameters"
+        1, description="a whole number of at least 1, or a table of such numbers for grid parameters"
     )
     period_min: float = Field(0.3, gt=0, description="a finite number above 0")
     period_max: float = Field(3.0, gt=0, description="a finite number above 0")

@@ -40,7 +40,7 @@ Ints = NDArray[np.int64]
 
 TILE_CELLS = 96
 REACHES = (2, 3, 5)
-"""Distances at which every cycle is offered once more when nearest neighbours have nothing new."""
+"""Distances at which cycles are offered once more when nearest neighbours have nothing new."""
 
 FAILURE = "failure"
 """Column of a part that holds the reason why a cell failed; empty in the rows of orbits."""
@@ -269,12 +269,19 @@ class _Run:
         return cells
 
     def _offers(self, round_: int, cells: Ints, distance: int = 1) -> list[Task]:
-        """Offers of all cycles of cells to cells at a distance; a tile sees to its own nearest neighbours."""
+        """Offers of all cycles of cells to cells at a distance.
+
+        A tile sees to its own nearest neighbours; cells further off are offered to if they have fewer cycles.
+        """
         pairs = self.grid.neighbour_pairs(np.unique(cells), distance)
         tile = self.tiles.tile_of(pairs[:, 1])
         if distance == 1:
             crossing = self.tiles.tile_of(pairs[:, 0]) != tile
             pairs, tile = pairs[crossing], tile[crossing]
+        else:
+            count = np.bincount(self.cells, minlength=self.grid.n_cells)
+            fewer = count[pairs[:, 1]] < count[pairs[:, 0]]
+            pairs, tile = pairs[fewer], tile[fewer]
         order = np.argsort(self.cells, kind="stable")
         first, last = (np.searchsorted(self.cells[order], pairs[:, 0], side) for side in ("left", "right"))
         tasks = []

@@ -6,17 +6,33 @@ import sys
 import time
 from concurrent.futures import Executor, Future
 
+import pytest
+
+from stridemap.sweeps import run
+from stridemap.sweeps.config import parse_config
+
+K, ALPHA = (0.5, 2.0, 6.0, 22.5), (0.2, 0.25)
+CONFIG = parse_config(
+    {"model": "wobbling", "grid": {"k": K, "alpha": ALPHA}, "search": {"starts": 8, "subgrid": 2}}
+)
+"""Eight cells; alpha = 0.25 with the preset is where the reference orbits are."""
+
 STRIDEMAP = [sys.executable, "-m", "stridemap"]
 
-SMALL_TILES = """
-import signal, sys
+IN_PIECES = """
+import os, signal, time
 signal.signal(signal.SIGINT, signal.default_int_handler)  # not so where the tests run in the background
 import stridemap.sweeps.run as run
 from stridemap.cli import main
-run.TILE_CELLS = 4
+run.TILE_CELLS = 2
+write = run.Store.write_part
+def write_and_rest(*args):
+    write(*args)
+    time.sleep(float(os.environ["REST"]))
+run.Store.write_part = write_and_rest
 main()
 """
-"""The command line with a sweep in small pieces, so that it can be stopped in the middle."""
+"""The command line with a sweep in small pieces and a rest after each, so that it can be stopped between."""
 
 
 class Inline(Executor):
@@ -38,6 +54,15 @@ class Inline(Executor):
     def pieces(self):
         """Round and tile of what was computed."""
         return [(task.round, task.tile) for task in self.tasks]
+
+
+def uninterrupted(folder):
+    """The sweep of CONFIG in tiles of 2: its folder, summary, progress, and the pieces that were computed."""
+    seen, executor = [], Inline()
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(run, "TILE_CELLS", 2)
+        summary = run.sweep(CONFIG, folder, executor=executor, progress=seen.append)
+    return folder, summary, seen, executor.pieces
 
 
 def content(folder):

@@ -146,7 +146,7 @@ def test_hash_does_not_depend_on_any_order(random):
         {"grid": {"k": [1, 2]}},  # integers
         {"grid": {"k": {"start": 1, "stop": 2, "num": 2}}},
         {"grid": {"k": {"start": 2, "stop": 1, "num": 2, "spacing": "log"}}},
-        {"search": {"starts": 256}},  # a default, spelt out
+        {"search": {"starts": 64}},  # a default, spelt out
         {"search": {"subgrid": {"k": 9}}},  # longer than the axis
         {"max_cells": 5},  # a guard, no part of the sweep
     ],
@@ -171,7 +171,6 @@ def test_different_meaning_different_hash():
         {"search": {"starts": 257}},
         {"search": {"seed": 1}},
         {"search": {"period_max": 2.5}},
-        {"grid": {"k": [1, 2, 3]}, "search": {"subgrid": 1}},
         {"grid": {"k": [1, 2, 3]}, "search": {"subgrid": 2}},
     ]
     hashes = [config(**tables).config_hash for tables in different]
