@@ -8,9 +8,10 @@ hits them alike; the table shows medians, and the best in brackets.
 *stridemap* is timed in batches, from guesses to complete orbits: closed to 1e-11, checked at twice the
 resolution, multipliers from the exact derivative, extrema in continuous time, work split at its kinks.
 
-*The paper's practice* (MATLAB's ``fsolve``), as one would write it with SciPy: `fsolve` on the step map's
-closing error, with `solve_ivp` up to the touchdown event, all to 1e-9; once with RK45, the default of
-`solve_ivp` and the method of MATLAB's ``ode45``, and once with DOP853, the fastest of SciPy's methods here.
+*The paper's practice* (MATLAB's ``fsolve``), as one would write it with SciPy: `fsolve` to 1e-9 on the step
+map's closing error, with `solve_ivp` up to the touchdown event; once with RK45, the default of `solve_ivp`
+and the method of MATLAB's ``ode45``, and once with DOP853, the fastest of SciPy's methods here. The
+integrator's tolerances are 1e-10 and 1e-12: with 1e-9 the cycles come out several digits worse than 1e-9.
 The right-hand side is the generated one on plain floats with `math.sin`, which is several times faster than
 on arrays. The multipliers are the eigenvalues of a matrix of central differences; d_max and work come from
 1,000 samples of one more integration, evaluated as arrays.
@@ -172,7 +173,7 @@ class Practice:
         Of `solve_ivp`.
     """
 
-    tolerance = 1e-9
+    xtol, rtol, atol = 1e-9, 1e-10, 1e-12
 
     def __init__(self, model: Model, params: np.ndarray, method: str) -> None:
         self.model, self.params, self.p, self.method = model, params, params.tolist(), method
@@ -194,7 +195,7 @@ class Practice:
         """Integrate one swing phase."""
         theta1, dtheta1, dtheta2, x, dx = z.tolist()
         start = [theta1, 2 * theta1, x, dtheta1, dtheta2, dx]
-        options |= {"events": self.touchdown, "rtol": self.tolerance, "atol": self.tolerance}
+        options |= {"events": self.touchdown, "rtol": self.rtol, "atol": self.atol}
         return solve_ivp(self.rate, (0, 5), start, self.method, **options)
 
     def step(self, z: np.ndarray) -> np.ndarray:
@@ -208,7 +209,7 @@ class Practice:
     def cycle(self, guess: np.ndarray) -> tuple[np.ndarray, np.ndarray, float, float]:
         """Section point, multipliers, d_max and CoT."""
         # Difference quotients need a step well above the integrator's error.
-        z = fsolve(lambda z: self.step(z) - z, guess, xtol=self.tolerance, epsfcn=1e-6)
+        z = fsolve(lambda z: self.step(z) - z, guess, xtol=self.xtol, epsfcn=1e-8)
         size = 1e-4
         columns = [(self.step(z + size * e) - self.step(z - size * e)) / (2 * size) for e in np.eye(len(z))]
         multipliers = np.linalg.eigvals(np.array(columns).T)
@@ -292,14 +293,14 @@ def measure(batch: int, repeat: int, practice_repeat: int) -> dict[str, Any]:
 
 
 def practice_cycles(model: Model, todo: Cycles, method: str) -> dict[str, float]:
-    """All cycles by the paper's practice: which share was reached, by how many step maps a cycle."""
-    reached, evaluations = 0, 0
+    """All cycles by the paper's practice: largest distance from ours, and step maps a cycle."""
+    distance, evaluations = 0.0, 0
     for point, guess, cycle in zip(todo.params, todo.guesses, todo.cycles, strict=True):
         practice = Practice(model, point, method)
         z, *_ = practice.cycle(guess[:-1])
-        reached += bool(np.abs(z - cycle[:-1]).max() < 1e-6)
+        distance = max(distance, float(np.abs(z - cycle[:-1]).max()))
         evaluations += practice.evaluations
-    return {"reached": reached / len(todo.cycles), "step_maps": evaluations / len(todo.cycles)}
+    return {"distance": distance, "step_maps": evaluations / len(todo.cycles)}
 
 
 def _processor() -> str:
@@ -339,7 +340,7 @@ def table(result: dict[str, Any]) -> str:
         f"found, and only these count: {result['found']['cycle']:.1%} from {OFF:.0%} off, "
         f"{result['found']['neighbour']:.1%} in the neighbouring cell;",
         *(
-            f"by fsolve and {m}: {p['reached']:.0%}, with {p['step_maps']:.0f} step maps a cycle"
+            f"fsolve and {m}: at most {p['distance']:.0e} away, by {p['step_maps']:.0f} step maps a cycle"
             for m, p in result["practice"].items()
         ),
     ]
@@ -354,9 +355,9 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument("--repeat", type=int, default=9, help="repetitions (9)")
     parser.add_argument("--practice", type=int, default=3, help="repetitions of the paper's practice (3)")
     options = parser.parse_args(arguments)
-    if min(options.batch, options.repeat, options.practice) < 1 or options.practice > options.repeat:
-        parser.error("--batch, --repeat and --practice are at least 1, and --practice at most --repeat")
-    result = measure(options.batch, options.repeat, options.practice)
+    if min(options.batch, options.repeat, options.practice) < 1:
+        parser.error("--batch, --repeat and --practice are at least 1")
+    result = measure(options.batch, options.repeat, min(options.practice, options.repeat))
     print(json.dumps(result, indent=1) if options.json else table(result))
     return 0
 

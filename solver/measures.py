@@ -52,7 +52,8 @@ def work(trace: Trace) -> tuple[Array, Array, Array]:
     orbit, so_far = orbit[order], so_far[order]
     same = orbit[1:] == orbit[:-1]
     pieces = np.diff(so_far)[same]
-    total: Array = np.bincount(orbit[1:][same], weights=np.abs(pieces), minlength=n)
+    total = np.zeros(n)
+    np.add.at(total, orbit[1:][same], np.abs(pieces))
     return total, 0.5 * (total + net), net
 
 

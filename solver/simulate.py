@@ -153,7 +153,7 @@ class _Walker:
 
         def call(t: float, y: list[float]) -> dict[str, Any]:
             values = (t, y[:n], y[n:], p)
-            return function(math, *[values[i] for i in place])  # type: ignore[no-any-return]
+            return function(math, *[values[i] for i in place])
 
         return call
 
@@ -164,7 +164,7 @@ class _Walker:
         except (ValueError, OverflowError, ZeroDivisionError):
             # Beyond the range of numbers; the integrator then gives up by itself.
             return [math.nan] * (2 * self.n)
-        return out["dq"] + out["dv"]  # type: ignore[no-any-return]
+        return out["dq"] + out["dv"]
 
     def touchdown(self, y: Array) -> tuple[float, float, float]:
         """Touchdown condition, its rate, and what is negative where a touchdown counts."""
@@ -185,7 +185,7 @@ class _Walker:
 
     def advance(self, t: float, y: Array, to: float, rtol: float, atol: float) -> Array:
         """State at the time `to`, integrated from `t`."""
-        return solve_ivp(self.rate, (t, to), y, "DOP853", rtol=rtol, atol=atol).y[:, -1]  # type: ignore[no-any-return]
+        return solve_ivp(self.rate, (t, to), y, "DOP853", rtol=rtol, atol=atol).y[:, -1]
 
 
 def walk(
@@ -404,4 +404,4 @@ class _Standstill(DenseOutput):
         self._y = y
 
     def _call_impl(self, t: Any) -> Array:
-        return np.multiply.outer(self._y, np.ones_like(t))  # type: ignore[no-any-return]
+        return np.multiply.outer(self._y, np.ones_like(t))

@@ -39,7 +39,7 @@ Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
 TILE_CELLS = 96
-REACHES = (2, 3, 5)
+REACHES = (2, 3, 4, 6)
 """Distances at which cycles are offered once more when nearest neighbours have nothing new."""
 
 FAILURE = "failure"
