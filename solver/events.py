@@ -54,7 +54,9 @@ class Trace:
         return self.g[:, :, row], self.dg[:, :, row]
 
     def take(self, index: Index) -> "Trace":
-        """Some of the orbits."""
+        """Some of the orbits, in order."""
+        if len(index) == len(self.period):
+            return self
         parts = (self.params, self.period, self.w, self.g, self.dg)
         return Trace(self.kernels, *(a[index] for a in parts))
 
@@ -78,8 +80,8 @@ class Brackets:
         Whether the zero is one of its time derivative.
     lower, upper : ndarray, shape (m,)
         Times after the node.
-    f_lower, f_upper : ndarray, shape (m,)
-        Values there; of opposite signs.
+    g_lower, g_upper, dg_lower, dg_upper : ndarray, shape (m,)
+        The observable and its time derivative there.
     """
 
     orbit: Index
@@ -88,22 +90,43 @@ class Brackets:
     derivative: bool
     lower: Array
     upper: Array
-    f_lower: Array
-    f_upper: Array
+    g_lower: Array
+    g_upper: Array
+    dg_lower: Array
+    dg_upper: Array
+
+    @property
+    def f_lower(self) -> Array:
+        """What has the zero, at the lower end."""
+        return self.dg_lower if self.derivative else self.g_lower
+
+    @property
+    def f_upper(self) -> Array:
+        """What has the zero, at the upper end; of the opposite sign."""
+        return self.dg_upper if self.derivative else self.g_upper
 
     def take(self, index: Index | NDArray[np.bool_]) -> "Brackets":
         """Some of the brackets."""
-        parts = (self.lower, self.upper, self.f_lower, self.f_upper)
-        return Brackets(
-            self.orbit[index], self.node[index], self.row, self.derivative, *(a[index] for a in parts)
-        )
+        parts = (getattr(self, name)[index] for name in _COLUMNS)
+        return Brackets(self.orbit[index], self.node[index], self.row, self.derivative, *parts)
+
+    def guess(self) -> Array:
+        """Where the cubic through values and slopes at both ends has the zero, shape (m,)."""
+        h = self.upper - self.lower
+        if self.derivative:
+            return self.lower + _turning_point(self.g_lower, self.g_upper, self.dg_lower, self.dg_upper, h)
+        return self.lower + _zero(self.g_lower, self.g_upper, self.dg_lower, self.dg_upper, h)
+
+
+_COLUMNS = ("lower", "upper", "g_lower", "g_upper", "dg_lower", "dg_upper")
 
 
 def brackets(trace: Trace, name: str, derivative: bool = False) -> Brackets:
     """Every zero of an observable, or of its derivative, as a bracket.
 
-    A pair of zeros between two nodes shows no change of sign at the nodes; where the function turns
-    towards zero and back inside an interval, its turning point is computed and the interval is split.
+    A pair of zeros between two nodes shows no change of sign at the nodes, and three zeros look like one;
+    where the function may turn towards zero and back inside an interval, its turning points are computed
+    and split the interval.
 
     Parameters
     ----------
@@ -113,31 +136,60 @@ def brackets(trace: Trace, name: str, derivative: bool = False) -> Brackets:
     derivative : bool
     """
     row = OBSERVABLES.index(name)
-    f, slope = trace.observable(name)
-    if derivative:
-        f, slope = slope, np.gradient(slope, axis=1) / trace.h[:, None]
-    h = np.broadcast_to(trace.h[:, None], f[:, 1:].shape)
+    g, dg = trace.observable(name)
+    f, slope = (dg, np.gradient(dg, axis=1) / trace.h[:, None]) if derivative else (g, dg)
     left, right, s_left, s_right = f[:, :-1], f[:, 1:], slope[:, :-1], slope[:, 1:]
     change = (left < 0) != (right < 0)
-    turn = ~change & (left * s_left < 0) & (right * s_right > 0)
 
-    orbit, node = np.nonzero(change)
-    zero = np.zeros(len(orbit))
-    found = Brackets(orbit, node, row, derivative, zero, h[change], left[change], right[change])
-    if not turn.any():
-        return found
-    # The turning point of the cubic through values and slopes at both ends.
-    o, i = np.nonzero(turn)
-    tau = _turning_point(left[turn], right[turn], s_left[turn], s_right[turn], h[turn])
-    _, g, dg = trace.advance(o, i, tau)
-    middle = (dg if derivative else g)[:, row]
-    split = (middle < 0) != (left[turn] < 0)
-    if not split.any():
-        return found
-    o, i, tau, middle = o[split], i[split], tau[split], middle[split]
-    first = Brackets(o, i, row, derivative, np.zeros(len(o)), tau, f[o, i], middle)
-    second = Brackets(o, i, row, derivative, tau, trace.h[o], middle, f[o, i + 1])
-    return _merged(found, first, second)
+    parts = []
+    turn = ~change & (left * s_left < 0) & (right * s_right > 0)
+    if turn.any():
+        orbit, node = np.nonzero(turn)
+        h = trace.h[orbit]
+        tau = _turning_point(left[turn], right[turn], s_left[turn], s_right[turn], h)
+        parts.append(_split(trace, row, derivative, orbit, node, np.stack([0 * h, tau, h], axis=1)))
+    # A function that crosses zero three times leaves and arrives in the direction of its change.
+    straight = change & (left * s_left < 0) & (right * s_right > 0)
+    orbit, node = np.nonzero(straight)
+    h = trace.h[orbit]
+    tau = _turning_points(left[straight], right[straight], s_left[straight], s_right[straight], h)
+    twice = np.isfinite(tau).all(axis=1)
+    if twice.any():
+        orbit, node, h, tau = orbit[twice], node[twice], h[twice], tau[twice]
+        change[orbit, node] = False
+        times = np.concatenate([0 * h[:, None], tau, h[:, None]], axis=1)
+        parts.append(_split(trace, row, derivative, orbit, node, times))
+
+    o, i = np.nonzero(change)
+    simple = Brackets(
+        o, i, row, derivative, np.zeros(len(o)), trace.h[o], g[o, i], g[o, i + 1], dg[o, i], dg[o, i + 1]
+    )
+    return _merged(simple, *parts) if parts else simple
+
+
+def _split(trace: Trace, row: int, derivative: bool, orbit: Index, node: Index, times: Array) -> Brackets:
+    """Those parts of intervals, cut at `times` after the node, at whose ends the signs differ."""
+    g, dg = np.empty(times.shape), np.empty(times.shape)
+    for side, end in ((0, 0), (-1, 1)):
+        g[:, side], dg[:, side] = trace.g[orbit, node + end, row], trace.dg[orbit, node + end, row]
+    for j in range(1, times.shape[1] - 1):
+        _, seen, slope = trace.advance(orbit, node, times[:, j])
+        g[:, j], dg[:, j] = seen[:, row], slope[:, row]
+    f = dg if derivative else g
+    k, j = np.nonzero((f[:, :-1] < 0) != (f[:, 1:] < 0))
+    columns = (a[k, at] for a in (times, g, dg) for at in (j, j + 1))
+    return Brackets(orbit[k], node[k], row, derivative, *columns)
+
+
+def _turning_points(left: Array, right: Array, s_left: Array, s_right: Array, h: Array) -> Array:
+    """Both turning points of the cubic Hermite interpolant inside the interval, shape (m, 2), or NaN."""
+    a = 3 * h * (s_left + s_right) - 6 * (right - left)
+    b = -2 * h * (2 * s_left + s_right) + 6 * (right - left)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        q = -0.5 * (b + np.copysign(np.sqrt(b * b - 4 * a * h * s_left), b))
+        fractions = np.sort(np.stack([q / a, h * s_left / q], axis=1), axis=1)
+    inside = (fractions > 0).all(axis=1) & (fractions < 1).all(axis=1)
+    return np.where(inside[:, None], fractions * h[:, None], np.nan)
 
 
 def _turning_point(left: Array, right: Array, s_left: Array, s_right: Array, h: Array) -> Array:
@@ -151,22 +203,31 @@ def _turning_point(left: Array, right: Array, s_left: Array, s_right: Array, h: 
     with np.errstate(divide="ignore", invalid="ignore"):
         one, two = q / a, c / q
     fraction = np.where((one > 0) & (one < 1), one, two)
-    return h * np.clip(np.nan_to_num(fraction, nan=0.5), 0.01, 0.99)
+    return h * np.clip(np.nan_to_num(fraction, nan=0.5), 0.0, 1.0)
+
+
+def _zero(left: Array, right: Array, s_left: Array, s_right: Array, h: Array) -> Array:
+    """Zero of the cubic Hermite interpolant; left and right have opposite signs."""
+    a = h * (s_left + s_right) + 2 * (left - right)
+    b = 3 * (right - left) - h * (2 * s_left + s_right)
+    c, d = h * s_left, left
+    with np.errstate(divide="ignore", invalid="ignore"):
+        x = left / (left - right)
+        for _ in range(3):
+            x = np.clip(x - (((a * x + b) * x + c) * x + d) / ((3 * a * x + 2 * b) * x + c), 0.0, 1.0)
+    return h * np.where(np.isfinite(x), x, 0.5)
 
 
 def _merged(*parts: Brackets) -> Brackets:
-    columns = [
-        np.concatenate([getattr(p, c) for p in parts])
-        for c in ("orbit", "node", "lower", "upper", "f_lower", "f_upper")
-    ]
-    orbit, node, lower, upper, f_lower, f_upper = columns
-    order = np.lexsort((lower, node, orbit))
-    merged = Brackets(orbit, node, parts[0].row, parts[0].derivative, lower, upper, f_lower, f_upper)
-    return merged.take(order)
+    orbit, node, *columns = (
+        np.concatenate([getattr(p, name) for p in parts]) for name in ("orbit", "node", *_COLUMNS)
+    )
+    order = np.lexsort((columns[0], node, orbit))
+    return Brackets(orbit, node, parts[0].row, parts[0].derivative, *columns).take(order)
 
 
 def locate(trace: Trace, found: Brackets) -> tuple[Array, Array, Array]:
-    """Shrink every bracket to its zero (regula falsi with the Illinois weights).
+    """Shrink every bracket to its zero: the cubic's zero splits it, until it is near enough.
 
     Returns
     -------
@@ -177,35 +238,36 @@ def locate(trace: Trace, found: Brackets) -> tuple[Array, Array, Array]:
     g : ndarray, shape (m, len(OBSERVABLES))
         Observables there.
     """
-    m = len(found.orbit)
-    lower, upper = found.lower.copy(), found.upper.copy()
-    f_lower, f_upper = found.f_lower.copy(), found.f_upper.copy()
+    m, row = len(found.orbit), found.row
     h = trace.h[found.orbit]
-    tau, w, g = lower.copy(), np.full((m, trace.w.shape[2]), np.nan), np.full((m, len(OBSERVABLES)), np.nan)
-    side = np.zeros(m, dtype=np.int64)
-    active = np.arange(m)
-    for _ in range(LOCATE_ITERATIONS):
+    tau, w = found.lower.copy(), np.full((m, trace.w.shape[2]), np.nan)
+    g = np.full((m, len(OBSERVABLES)), np.nan)
+    active, left = np.arange(m), found
+    for turn in range(LOCATE_ITERATIONS):
         if not len(active):
             break
-        a, b, fa, fb = lower[active], upper[active], f_lower[active], f_upper[active]
-        with np.errstate(divide="ignore", invalid="ignore"):
-            guess = (a * fb - b * fa) / (fb - fa)
-        guess = np.where(np.isfinite(guess), np.clip(guess, a, b), 0.5 * (a + b))
-        state, seen, slope = trace.advance(found.orbit[active], found.node[active], guess)
-        f = (slope if found.derivative else seen)[:, found.row]
-        moved = np.abs(guess - tau[active])
+        # A bracket that the cubics do not shrink is halved.
+        guess = left.guess() if turn % 4 < 3 else 0.5 * (left.lower + left.upper)
+        state, seen, slope = trace.advance(left.orbit, left.node, guess)
         tau[active], w[active], g[active] = guess, state, seen
-        on_left = (f < 0) == (fa < 0)
-        # Illinois: halve the weight of an end that stays twice in a row.
-        halve = np.where(on_left, side[active] == 1, side[active] == -1)
-        side[active] = np.where(on_left, 1, -1)
-        lower[active], f_lower[active] = (
-            np.where(on_left, guess, a),
-            np.where(on_left, f, np.where(halve, 0.5 * fa, fa)),
+        f = (slope if found.derivative else seen)[:, row]
+        with np.errstate(divide="ignore", invalid="ignore"):
+            if found.derivative:
+                missing = np.abs(f * (left.upper - left.lower) / (left.f_upper - left.f_lower))
+            else:
+                missing = np.abs(f / slope[:, row])
+        below = (f < 0) == (left.f_lower < 0)
+        ends = (guess, seen[:, row], slope[:, row])
+        lower = (
+            np.where(below, new, old)
+            for new, old in zip(ends, (left.lower, left.g_lower, left.dg_lower), strict=True)
         )
-        upper[active], f_upper[active] = (
-            np.where(on_left, b, guess),
-            np.where(on_left, np.where(halve, 0.5 * fb, fb), f),
+        upper = (
+            np.where(below, old, new)
+            for new, old in zip(ends, (left.upper, left.g_upper, left.dg_upper), strict=True)
         )
-        active = active[(moved > LOCATE_TOLERANCE * h[active]) & (f != 0)]
+        (t0, g0, d0), (t1, g1, d1) = lower, upper
+        go_on = ~(missing < LOCATE_TOLERANCE * h[active]) & (f != 0) & (t1 - t0 > 1e-9 * h[active])
+        left = Brackets(left.orbit, left.node, row, found.derivative, t0, t1, g0, g1, d0, d1).take(go_on)
+        active = active[go_on]
     return found.node * h + tau, w, g

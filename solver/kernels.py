@@ -14,12 +14,12 @@ import casadi as ca
 
 from stridemap.solver.model import Model
 from stridemap.solver.observe import Observation
-from stridemap.solver.step_map import StepMap
+from stridemap.solver.step_map import BLOCK, StepMap
 
 SEARCH_STEPS = (12, 24, 48)
 """Resolutions of the search from rough guesses."""
 
-CYCLE_STEPS = (24, 48, 96, 192, 384)
+CYCLE_STEPS = (24, 36, 48, 72, 96, 144, 192, 288, 384)
 """Resolutions of accepted limit cycles; each is checked at twice as many steps."""
 
 SEARCH_ITERATIONS = 10
@@ -59,7 +59,9 @@ def _search(step_map: StepMap, steps: int) -> ca.Function:
 def _limit_cycle(step_map: StepMap, steps: int) -> ca.Function:
     """(u0, p) -> (u, J, R)."""
     u0, p = ca.MX.sym("u0", step_map.nz + 1), ca.MX.sym("p", step_map.n_params)
-    u = step_map.rootfinder(steps, CYCLE_ITERATIONS, abstol=1e-14, abstol_step=1e-7)(u0, p)
+    u = step_map.rootfinder(
+        steps, CYCLE_ITERATIONS, abstol=1e-14, abstol_step=1e-9, jacobian_steps=steps // 2 // BLOCK * BLOCK
+    )(u0, p)
     jacobian, residual = step_map.jacobian(steps)(u, p)
     return ca.Function(
         f"{step_map.model.name}_limit_cycle_{steps}",

@@ -136,7 +136,7 @@ class Solver:
             if n < CYCLE_STEPS[-1]:
                 # The error falls with the order's power of the resolution: go where it will be small enough.
                 error = np.nan_to_num(batch.integration_error[refine], nan=1.0)
-                finer = n * np.maximum((error / INTEGRATION_TARGET) ** (1 / ORDER), 2.0)
+                finer = n * np.maximum(1.1 * (error / INTEGRATION_TARGET) ** (1 / ORDER), 1.01)
                 steps[at[refine]] = self._resolution(finer, CYCLE_STEPS, per_step=1.0)
                 u[at[refine]] = batch.u[refine]
             else:

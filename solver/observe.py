@@ -5,7 +5,7 @@ from functools import cached_property
 
 import casadi as ca
 
-from stridemap.solver.runge_kutta import step
+from stridemap.solver.runge_kutta import STAGES
 from stridemap.solver.step_map import BLOCK, StepMap
 
 OBSERVABLES = ("power", "d", "vertical_force", "friction", "foot_height", "peak", "touchdown", "wobble")
@@ -15,6 +15,10 @@ OBSERVABLES = ("power", "d", "vertical_force", "friction", "foot_height", "peak"
 vertical ground force; height of the swing foot; acceleration of the stance angle (its falling zeros are
 peaks of the rate); touchdown condition; position of the wobbling mass (zero where there is none).
 """
+
+
+OBSERVE_EVERY = 2
+"""Runge-Kutta steps between two nodes of a trace; it runs at twice the resolution that the cycle needs."""
 
 
 @dataclass(frozen=True)
@@ -47,6 +51,15 @@ class Observation:
         }
         return ca.vertcat(*[rows[name] for name in OBSERVABLES])
 
+    def _working_rate(self, phase: ca.SX, w: ca.SX, p: ca.SX) -> ca.SX:
+        """Time derivative of the state and of the hip's net work."""
+        sm = self.step_map
+        y = w[: 2 * sm.n]
+        q, v = y[: sm.n], y[sm.n :]
+        torque = sm.at_phase("controller_torque", phase, q=q, v=v, p=p)["u"]
+        actuated = sm.model.coordinates.index(sm.model.manifest["actuated"])
+        return ca.vertcat(sm.rate_at_phase(phase, y, p), torque * v[actuated])
+
     def _power(self, t: ca.SX, y: ca.SX, p: ca.SX, actuated: int) -> ca.SX:
         sm = self.step_map
         torque = sm.call("controller_torque", t=t, q=y[: sm.n], v=y[sm.n :], p=p)["u"]
@@ -64,18 +77,9 @@ class Observation:
 
     @cached_property
     def working_step(self) -> ca.Function:
-        """One step of the state and the hip's net work: (t, w, h, p) -> w, with w = (state, work)."""
+        """One step of state and net work: (y, phase, turns, h, p) -> y with y = (state, work)."""
         sm = self.step_map
-        actuated = sm.model.coordinates.index(sm.model.manifest["actuated"])
-        w, p = ca.SX.sym("w", 2 * sm.n + 1), ca.SX.sym("p", sm.n_params)
-        t, h = ca.SX.sym("t"), ca.SX.sym("h")
-
-        def rate(s: ca.SX, x: ca.SX) -> ca.SX:
-            y = x[: 2 * sm.n]
-            return ca.vertcat(sm.rate(s, y, p), self._power(s, y, p, actuated))
-
-        end = ca.cse(step(rate, t, w, h))
-        return ca.Function("working_step", [t, w, h, p], [end], ["t", "w", "h", "p"], ["w_end"])
+        return sm.one_step("working_step", self._working_rate, ca.SX.sym("w", 2 * sm.n + 1))
 
     @cached_property
     def advance(self) -> ca.Function:
@@ -83,7 +87,7 @@ class Observation:
         sm = self.step_map
         t, w, h = ca.MX.sym("t"), ca.MX.sym("w", 2 * sm.n + 1), ca.MX.sym("h")
         p = ca.MX.sym("p", sm.n_params)
-        end = self.working_step(t, w, h, p)
+        end = self.working_step(w, sm.phase(t, p), sm.turns(h, p), h, p)
         g, dg = self.observe(t + h, end[: 2 * sm.n], p)
         return ca.Function(
             f"{sm.model.name}_advance", [t, w, h, p], [end, g, dg], ["t", "w", "h", "p"], ["w_end", "g", "dg"]
@@ -91,28 +95,33 @@ class Observation:
 
     @cached_property
     def _block(self) -> ca.Function:
-        """`BLOCK` working steps, observed at the start of each: (t, w, h, p) -> (w_end, nodes, g, dg)."""
+        """`BLOCK` working steps, observed at the start of every second one.
+
+        (t, turns, w, h, p) -> (w_end, nodes, g, dg)
+        """
         sm = self.step_map
         t, w, h = ca.MX.sym("t"), ca.MX.sym("w", 2 * sm.n + 1), ca.MX.sym("h")
-        p = ca.MX.sym("p", sm.n_params)
+        p, turns = ca.MX.sym("p", sm.n_params), ca.MX.sym("turns", 2, STAGES)
         nodes = [w]
         for i in range(BLOCK):
-            nodes.append(self.working_step(t + i * h, nodes[-1], h, p))
-        seen = [self.observe(t + i * h, node[: 2 * sm.n], p) for i, node in enumerate(nodes[:-1])]
+            nodes.append(self.working_step(nodes[-1], sm.phase(t + i * h, p), turns, h, p))
+        kept = range(0, BLOCK, OBSERVE_EVERY)
+        seen = [self.observe(t + i * h, nodes[i][: 2 * sm.n], p) for i in kept]
         outputs = [
             nodes[-1],
-            ca.horzcat(*nodes[:-1]),
+            ca.horzcat(*[nodes[i] for i in kept]),
             ca.horzcat(*[s[0] for s in seen]),
             ca.horzcat(*[s[1] for s in seen]),
         ]
+        inputs = {"t": t, "turns": turns, "w": w, "h": h, "p": p}
         return ca.Function(
-            "working_steps", [t, w, h, p], outputs, ["t", "w", "h", "p"], ["w_end", "nodes", "g", "dg"]
+            "working_steps", [*inputs.values()], outputs, [*inputs], ["w_end", "nodes", "g", "dg"]
         )
 
     def trace(self, steps: int) -> ca.Function:
-        """A whole step, observed at its `steps` + 1 nodes.
+        """A whole step of `steps` Runge-Kutta steps, observed at steps / 2 + 1 nodes.
 
-        (u, p) -> (w, g, dg, R): state and net work at the nodes, shape (2 n + 1, steps + 1),
+        (u, p) -> (w, g, dg, R): state and net work at the nodes, shape (2 n + 1, steps / 2 + 1),
         observables and their derivatives at the nodes, and the residual at this resolution.
         """
         sm = self.step_map
@@ -120,8 +129,10 @@ class Observation:
         z, period = u[: sm.nz], u[sm.nz]
         w = ca.vertcat(sm.start(z)[0], 0)
         parts = []
+        h = period / steps
+        turns = sm.turns(h, p)
         for i in range(0, steps, BLOCK):
-            w, *part = self._block((i / steps) * period, w, period / steps, p)
+            w, *part = self._block((i / steps) * period, turns, w, h, p)
             parts.append(part)
         parts.append([w, *self.observe(period, w[: 2 * sm.n], p)])
         nodes, g, dg = (ca.horzcat(*column) for column in zip(*parts, strict=True))

@@ -5,7 +5,8 @@ I, section II.10); its coefficients are read from SciPy. A fixed step keeps the 
 branch-free function of state and step, which is what Newton's method and exact derivatives need.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from typing import Any
 
 import casadi as ca
 from scipy.integrate import DOP853
@@ -15,16 +16,21 @@ _A, _B, _C = DOP853.A[:STAGES, :STAGES], DOP853.B[:STAGES], DOP853.C[:STAGES]
 
 ORDER = 8
 
+NODES: tuple[float, ...] = tuple(_C.tolist())
+"""Where the stages lie, in terms of the step."""
 
-def step(rate: Callable[[ca.SX, ca.SX], ca.SX], t: ca.SX, y: ca.SX, h: ca.SX) -> ca.SX:
+
+def step(rate: Callable[[Any, ca.SX], ca.SX], times: Sequence[Any], y: ca.SX, h: ca.SX) -> ca.SX:
     """Advance ``dy/dt = rate(t, y)`` by one step.
 
     Parameters
     ----------
     rate : callable
         Maps time and y to dy/dt, of y's shape.
-    t, h : casadi.SX, scalar
-        Time at the start and step size.
+    times : sequence, length STAGES
+        Times of the stages, at ``t + NODES[i] h``, in whatever form `rate` takes them.
+    h : casadi.SX, scalar
+        Step size.
     y : casadi.SX
         State, of any shape.
 
@@ -38,5 +44,5 @@ def step(rate: Callable[[ca.SX, ca.SX], ca.SX], t: ca.SX, y: ca.SX, h: ca.SX) ->
         stage = y + sum(
             (h * _A[i, j] * slopes[j] for j in range(i) if _A[i, j] != 0.0), ca.SX.zeros(*y.shape)
         )
-        slopes.append(rate(t + _C[i] * h, stage))
+        slopes.append(rate(times[i], stage))
     return y + sum((h * _B[i] * slopes[i] for i in range(STAGES) if _B[i] != 0.0), ca.SX.zeros(*y.shape))

@@ -11,12 +11,14 @@ The state y is (q, v); a point on the section is z. One SX graph holds a Runge-K
 derivative, so that sines, cosines and eliminations are shared; MX chains the steps.
 """
 
+from collections.abc import Callable
 from functools import cached_property
 
 import casadi as ca
 
 from stridemap.solver.model import Model
-from stridemap.solver.runge_kutta import step
+from stridemap.solver.phase import phase_function, rotated, with_phase
+from stridemap.solver.runge_kutta import NODES, STAGES, step
 
 BLOCK = 12
 """Runge-Kutta steps in one block; every resolution is a multiple of it."""
@@ -51,30 +53,60 @@ class StepMap:
         out = self.call("state_derivative", t=t, q=y[: self.n], v=y[self.n :], p=p)
         return ca.vertcat(out["dq"], out["dv"])
 
-    def _variational_rate(self, t: ca.SX, y: ca.SX, p: ca.SX) -> ca.SX:
+    def at_phase(self, name: str, phase: ca.SX, **values: ca.SX) -> dict[str, ca.SX]:
+        """Call a generated function with cosine and sine of the phase in the place of the time."""
+        return with_phase(self.model, name, ca.SX.sym("t"), phase, **values)[0]
+
+    def rate_at_phase(self, phase: ca.SX, y: ca.SX, p: ca.SX) -> ca.SX:
+        """Time derivative of the state, shape (2 n, 1)."""
+        out = self.at_phase("state_derivative", phase, q=y[: self.n], v=y[self.n :], p=p)
+        return ca.vertcat(out["dq"], out["dv"])
+
+    def _variational_rate(self, phase: ca.SX, y: ca.SX, p: ca.SX) -> ca.SX:
         """Time derivative of the state and of its tangents; y is (state | tangents), shape (2 n, 1 + nz)."""
         state, tangents = y[:, 0], y[:, 1:]
-        values = {"t": t, "q": state[: self.n], "v": state[self.n :], "p": p}
-        dv_dq = self.call("state_derivative_dq", **values)["dv_dq"]
-        dv_dv = self.call("state_derivative_dv", **values)["dv_dv"]
+        values = {"q": state[: self.n], "v": state[self.n :], "p": p}
+        dv_dq = self.at_phase("state_derivative_dq", phase, **values)["dv_dq"]
+        dv_dv = self.at_phase("state_derivative_dv", phase, **values)["dv_dv"]
         upper, lower = tangents[: self.n, :], tangents[self.n :, :]
-        return ca.horzcat(self.rate(t, state, p), ca.vertcat(lower, dv_dq @ upper + dv_dv @ lower))
+        return ca.horzcat(
+            self.rate_at_phase(phase, state, p), ca.vertcat(lower, dv_dq @ upper + dv_dv @ lower)
+        )
+
+    @cached_property
+    def phase(self) -> ca.Function:
+        """(t, p) -> cosine and sine of the oscillator's phase."""
+        return phase_function(self.model)
+
+    @cached_property
+    def turns(self) -> ca.Function:
+        """(h, p) -> cosine and sine, for each stage, of the phase's advance since the start of the step."""
+        h, p = ca.SX.sym("h"), ca.SX.sym("p", self.n_params)
+        columns = [self.phase(node * h, p) for node in NODES]
+        return ca.Function("turns", [h, p], [ca.cse(ca.horzcat(*columns))], ["h", "p"], ["turns"])
+
+    def one_step(self, name: str, rate: Callable[[ca.SX, ca.SX, ca.SX], ca.SX], y: ca.SX) -> ca.Function:
+        """One Runge-Kutta step: (y, phase, turns, h, p) -> y, for a rate of (phase, y, p)."""
+        phase, turns, h = ca.SX.sym("phase", 2), ca.SX.sym("turns", 2, STAGES), ca.SX.sym("h")
+        p = ca.SX.sym("p", self.n_params)
+        phases = [
+            ca.vertcat(*rotated((phase[0], phase[1]), (turns[0, i], turns[1, i]))) if node else phase
+            for i, node in enumerate(NODES)
+        ]
+        end = step(lambda s, x: rate(s, x, p), phases, y, h)
+        inputs = {"y": y, "phase": phase, "turns": turns, "h": h, "p": p}
+        return ca.Function(name, [*inputs.values()], [ca.cse(end)], [*inputs], ["y_end"])
 
     @cached_property
     def plain_step(self) -> ca.Function:
-        """One step of the state: (y, t, h, p) -> y."""
-        t, y, p = self._symbols()
-        h = ca.SX.sym("h")
-        end = step(lambda s, x: self.rate(s, x, p), t, y, h)
-        return ca.Function("plain_step", [y, t, h, p], [ca.cse(end)], ["y", "t", "h", "p"], ["y_end"])
+        """One step of the state: (y, phase, turns, h, p) -> y."""
+        return self.one_step("plain_step", self.rate_at_phase, ca.SX.sym("y", 2 * self.n))
 
     @cached_property
     def variational_step(self) -> ca.Function:
-        """One step of the state and its tangents: (y, t, h, p) -> y, with y of shape (2 n, 1 + nz)."""
-        t, _, p = self._symbols()
-        y, h = ca.SX.sym("y", 2 * self.n, 1 + self.nz), ca.SX.sym("h")
-        end = step(lambda s, x: self._variational_rate(s, x, p), t, y, h)
-        return ca.Function("variational_step", [y, t, h, p], [ca.cse(end)], ["y", "t", "h", "p"], ["y_end"])
+        """One step of the state and its tangents, y of shape (2 n, 1 + nz)."""
+        y = ca.SX.sym("y", 2 * self.n, 1 + self.nz)
+        return self.one_step("variational_step", self._variational_rate, y)
 
     @cached_property
     def start(self) -> ca.Function:
@@ -129,13 +161,17 @@ class StepMap:
     # -- whole steps -------------------------------------------------------------------------------------
 
     def _block(self, one_step: ca.Function) -> ca.Function:
-        """`BLOCK` steps as one function, so that the C of a long chain stays short: (y, t, h, p) -> y."""
+        """`BLOCK` steps as one function, so that the C of a long chain stays short.
+
+        (y, t, turns, h, p) -> y
+        """
         y0, p = ca.MX.sym("y", *one_step.size_in("y")), ca.MX.sym("p", self.n_params)
-        t, h = ca.MX.sym("t"), ca.MX.sym("h")
+        t, turns, h = ca.MX.sym("t"), ca.MX.sym("turns", 2, STAGES), ca.MX.sym("h")
         y = y0
         for i in range(BLOCK):
-            y = one_step(y, t + i * h, h, p)
-        return ca.Function(f"{one_step.name()}s", [y0, t, h, p], [y], ["y", "t", "h", "p"], ["y_end"])
+            y = one_step(y, self.phase(t + i * h, p), turns, h, p)
+        inputs = {"y": y0, "t": t, "turns": turns, "h": h, "p": p}
+        return ca.Function(f"{one_step.name()}s", [*inputs.values()], [y], [*inputs], ["y_end"])
 
     @cached_property
     def _plain_block(self) -> ca.Function:
@@ -147,8 +183,10 @@ class StepMap:
 
     def _flow(self, block: ca.Function, y: ca.MX, period: ca.MX, p: ca.MX, steps: int) -> ca.MX:
         """The state after `period`; `steps` is a multiple of `BLOCK`."""
+        h = period / steps
+        turns = self.turns(h, p)
         for i in range(0, steps, BLOCK):
-            y = block(y, (i / steps) * period, period / steps, p)
+            y = block(y, (i / steps) * period, turns, h, p)
         return y
 
     def residual(self, steps: int) -> ca.Function:
@@ -166,15 +204,31 @@ class StepMap:
         outputs = self.landing_with_derivative(y, z, period, p)
         return ca.Function(f"jacobian_{steps}", [u, p], list(outputs), ["u", "p"], ["J", "R"])
 
-    def rootfinder(self, steps: int, iterations: int, abstol: float, abstol_step: float) -> ca.Function:
+    def rootfinder(
+        self,
+        steps: int,
+        iterations: int,
+        abstol: float,
+        abstol_step: float,
+        jacobian_steps: int | None = None,
+    ) -> ca.Function:
         """Newton's method on R as one CasADi rootfinder: (u0, p) -> u.
 
         It prints as a single C function. It stops at residual `abstol`, after a Newton step below
         `abstol_step` (the error left is of the order of its square), or after `iterations`; whether it
         arrived is for the caller to judge from the residual.
+
+        With fewer `jacobian_steps` the derivative is that of a coarser integration, which costs less and
+        does not change what the iteration converges to.
         """
+        derivative = self.jacobian(steps)
+        if jacobian_steps is not None and jacobian_steps != steps:
+            u, p = ca.MX.sym("u", self.nz + 1), ca.MX.sym("p", self.n_params)
+            coarse, _ = self.jacobian(jacobian_steps)(u, p)
+            outputs = [coarse, self.residual(steps)(u, p)]
+            derivative = ca.Function(f"coarse_jacobian_{steps}", [u, p], outputs, ["u", "p"], ["J", "R"])
         options = {
-            "jacobian_function": self.jacobian(steps),
+            "jacobian_function": derivative,
             "abstol": abstol,
             "abstolStep": abstol_step,
             "max_iter": iterations,

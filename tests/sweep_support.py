@@ -17,6 +17,8 @@ CONFIG = parse_config(
 )
 """Eight cells; alpha = 0.25 with the preset is where the reference orbits are."""
 
+SMALL = 'model = "compass"\n[grid]\nomega = [2.5, 3.0]\n[search]\nstarts = 16\n'
+
 STRIDEMAP = [sys.executable, "-m", "stridemap"]
 
 IN_PIECES = """

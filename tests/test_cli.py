@@ -3,7 +3,6 @@
 import json
 import subprocess
 import sys
-import warnings
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
@@ -13,7 +12,6 @@ from solver_cases import REFERENCE, reference_name
 from sweep_support import STRIDEMAP, tables
 
 import stridemap
-from stridemap.cli import main
 from stridemap.solver.library import load_kernels
 from stridemap.solver.model import available, load
 from stridemap.solver.simulate import Outcome
@@ -26,21 +24,6 @@ ORBIT_KEYS = (
 """Section 6 of the issue, which others script against."""
 
 TWO = ["--k", "6", "--alpha", "0.25", "--omega", "3"]
-
-
-@pytest.fixture
-def run(monkeypatch, capsys):
-    """The command line in this process: exit status, standard output, standard error."""
-
-    def command(*words):
-        monkeypatch.setattr(sys, "argv", ["stridemap", *map(str, words)])
-        monkeypatch.setattr(warnings, "showwarning", warnings.showwarning)  # main() sets its own
-        with pytest.raises(SystemExit) as exit_:
-            main()
-        out, err = capsys.readouterr()
-        return exit_.value.code, out, err
-
-    return command
 
 
 def printed(result):

@@ -1,8 +1,6 @@
 """Bad input on the command line: one sentence that names it, status 2, and nothing is lost."""
 
-import shutil
 import sys
-import warnings
 from pathlib import Path
 
 import pandas as pd
@@ -10,52 +8,8 @@ import pytest
 from sweep_support import STRIDEMAP, Inline, content, ended, start
 
 import stridemap
-from stridemap.cli import main
-from stridemap.solver import library
-from stridemap.solver.model import GENERATED, load
 from stridemap.sweeps.config import load_config
 from stridemap.sweeps.run import sweep
-
-SMALL = 'model = "compass"\n[grid]\nomega = [2.5, 3.0]\n[search]\nstarts = 16\n'
-
-
-@pytest.fixture
-def refused(monkeypatch, capsys):
-    """Run the command line in this process; it must refuse in one sentence that contains `words`."""
-
-    def command(line, *words):
-        line = line.split() if isinstance(line, str) else list(map(str, line))
-        monkeypatch.setattr(sys, "argv", ["stridemap", *line])
-        monkeypatch.setattr(warnings, "showwarning", warnings.showwarning)  # main() sets its own
-        with pytest.raises(SystemExit) as exit_:
-            main()
-        out, err = capsys.readouterr()
-        assert (exit_.value.code, out) == (2, "")
-        assert err.startswith("error: ")
-        assert err.count("\n") == 1
-        assert err.endswith("\n")
-        assert "Traceback" not in err
-        assert [word for word in map(str, words) if word not in err] == []
-        return err
-
-    return command
-
-
-@pytest.fixture(scope="module")
-def finished(tmp_path_factory):
-    """A configuration and a finished sweep of it, to be copied."""
-    folder = tmp_path_factory.mktemp("finished")
-    (folder / "small.toml").write_text(SMALL)
-    sweep(folder / "small.toml", folder / "out", executor=Inline())
-    return folder
-
-
-@pytest.fixture
-def done(finished, tmp_path):
-    """A copy of the finished sweep."""
-    shutil.copytree(finished, tmp_path, dirs_exist_ok=True)
-    return tmp_path
-
 
 # -- parameters and options ----------------------------------------------------------------------------------
 
@@ -140,12 +94,8 @@ def test_a_state_is_finite_numbers(refused, value, shown):
 
 
 @pytest.mark.parametrize("name", ["k", "omega", "Kp", "Kd", "beta", "gamma", "S"])
-def test_an_enormous_value_is_no_crash(monkeypatch, capsys, name):
-    monkeypatch.setattr(sys, "argv", ["stridemap", "orbit", f"--{name}=1e308", "--starts=4"])
-    with pytest.raises(SystemExit) as exit_:
-        main()
-    assert exit_.value.code == 1
-    assert capsys.readouterr() == ("", "no limit cycle found\n")
+def test_an_enormous_value_is_no_crash(run, name):
+    assert run("orbit", f"--{name}=1e308", "--starts=4") == (1, "", "no limit cycle found\n")
 
 
 # -- configurations ------------------------------------------------------------------------------------------
@@ -267,110 +217,6 @@ def test_out_is_unfinished_and_resume_was_not_asked_for(refused, done):
     assert before
     refused(["sweep", done / "small.toml", "--out", out], out, "unfinished", "--resume")
     assert content(out) == before
-
-
-# -- generated files -----------------------------------------------------------------------------------------
-
-
-@pytest.fixture
-def copy(tmp_path, monkeypatch):
-    """A copy of the generated folder in place of the package's own."""
-    folder = tmp_path / "generated"
-    shutil.copytree(GENERATED, folder, ignore=shutil.ignore_patterns("__pycache__"))
-    monkeypatch.setattr("stridemap.solver.model.GENERATED", folder)
-    load.cache_clear()
-    yield folder
-    load.cache_clear()
-
-
-@pytest.mark.parametrize("name", ["compass_kernels.c", "compass.py"])
-def test_an_edited_generated_file(refused, done, copy, name):
-    path = copy / "compass" / name
-    path.write_text(path.read_text() + "\n")
-    before = content(done)
-    for line in (["orbit", "--model", "compass"], ["sweep", done / "small.toml", "--out", done / "out"]):
-        refused(line, path, "not the file that manifest.json names", "stridemap derive")
-    assert content(done) == before
-
-
-def test_a_missing_generated_file(refused, copy):
-    (copy / "compass" / "compass_kernels.c").unlink()
-    refused("orbit --model compass", "compass_kernels.c", "stridemap derive")
-
-
-@pytest.mark.parametrize("text", ["{", '{"model": "compass"}', "[]", "\xff"])
-def test_a_damaged_manifest(refused, copy, text):
-    path = copy / "compass" / "manifest.json"
-    path.write_bytes(text.encode("latin-1"))
-    refused("orbit --model compass", path.parent, "manifest.json", "stridemap derive")
-
-
-def test_derive_cannot_write(refused, tmp_path, monkeypatch):
-    (tmp_path / "file").write_text("mine")
-    monkeypatch.setattr("stridemap.build.generated_folder", lambda: tmp_path / "file")
-    monkeypatch.setattr("stridemap.build.emit", lambda walker, by: ({}, {}))
-    refused("derive", tmp_path / "file", "cannot write")
-    assert (tmp_path / "file").read_text() == "mine"
-
-
-# -- compilers -----------------------------------------------------------------------------------------------
-
-SCRIPTS = {
-    "fails": ("#!/bin/sh\necho 'out of ideas' >&2\nexit 1\n", ["failed", "out of ideas"]),
-    "says-nothing": ("#!/bin/sh\nexit 3\n", ["failed", "said nothing"]),
-    "writes-nothing": ("#!/bin/sh\nexit 0\n", ["writes-nothing"]),
-    "writes-junk": ('#!/bin/sh\nfor word; do case "$word" in *.so) echo junk > "$word";; esac; done\n', []),
-    "is-no-program": ("just text\n", ["is-no-program"]),
-}
-
-
-@pytest.fixture
-def no_kernels(tmp_path, monkeypatch):
-    """An empty cache of compiled kernels, on disk and in memory."""
-    monkeypatch.setenv("STRIDEMAP_CACHE", str(tmp_path / "cache"))
-    library.load_kernels.cache_clear()
-    yield tmp_path / "cache"
-    library.load_kernels.cache_clear()
-
-
-@pytest.mark.skipif(sys.platform == "win32", reason="shell scripts")
-@pytest.mark.parametrize("kind", SCRIPTS)
-def test_a_compiler_that_fails(refused, done, no_kernels, monkeypatch, kind):
-    text, words = SCRIPTS[kind]
-    script = done / kind
-    script.write_text(text)
-    script.chmod(0o755)
-    monkeypatch.setenv("CC", str(script))
-    before = content(done / "out")
-    refused("orbit --model compass", script, "CC", *words)
-    refused(["sweep", done / "small.toml", "--out", done / "out"], script)
-    refused(["sweep", done / "small.toml", "--out", done / "new"], script)
-    assert content(done / "out") == before
-    assert not (done / "new").exists()
-    assert [path for path in no_kernels.rglob("*") if path.is_file()] == []
-
-
-@pytest.mark.parametrize("name", ["no-such-compiler -O2", "/nowhere/gcc", "'gcc"])
-def test_cc_names_nothing(refused, no_kernels, monkeypatch, name):
-    monkeypatch.setenv("CC", name)
-    refused("orbit --model compass", "CC", name)
-
-
-def test_the_cache_cannot_be_written(refused, no_kernels):
-    no_kernels.write_text("mine")
-    refused("orbit --model compass", no_kernels, "STRIDEMAP_CACHE")
-    assert no_kernels.read_text() == "mine"
-
-
-@pytest.mark.parametrize("size", [0, 1000, -1000])
-def test_a_damaged_cache_is_made_anew(no_kernels, size):
-    """Half a library would end the process without a word: hence another process."""
-    words = ["orbit", "--model", "compass", "--starts", "16", "--json"]
-    status, whole, err = ended(start([*STRIDEMAP, *words]))
-    assert (status, err) == (0, "")
-    (compiled,) = no_kernels.glob("*.so")
-    compiled.write_bytes(compiled.read_bytes()[:size])
-    assert ended(start([*STRIDEMAP, *words])) == (0, whole, "")
 
 
 # -- as others see it ----------------------------------------------------------------------------------------

@@ -5,7 +5,6 @@ import os
 import shutil
 import subprocess
 import sys
-import sysconfig
 import tomllib
 import zipfile
 from pathlib import Path
@@ -74,8 +73,8 @@ def installed(wheel, tmp_path_factory):
     )
     site = Path(run(python, "-c", "import sysconfig; print(sysconfig.get_path('purelib'))").strip())
     # A path in a .pth file comes last, and .pth files found there (our editable install) are not read.
-    requirements = {sysconfig.get_path("purelib"), sysconfig.get_path("platlib")}
-    (site / "requirements.pth").write_text("\n".join(sorted(requirements)) + "\n")
+    requirements = [path for path in sys.path if Path(path).name in ("site-packages", "dist-packages")]
+    (site / "requirements.pth").write_text("\n".join(requirements) + "\n")
     return scripts, site
 
 
