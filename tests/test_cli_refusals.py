@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pandas as pd
 import pytest
-from sweep_support import STRIDEMAP, Inline, content, ended, start
+from sweep_support import SMALL, STRIDEMAP, Inline, content, ended, start
 
 import stridemap
 from stridemap.sweeps.config import load_config
