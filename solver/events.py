@@ -148,17 +148,24 @@ def brackets(trace: Trace, name: str, derivative: bool = False) -> Brackets:
         h = trace.h[orbit]
         tau = _turning_point(left[turn], right[turn], s_left[turn], s_right[turn], h)
         parts.append(_split(trace, row, derivative, orbit, node, np.stack([0 * h, tau, h], axis=1)))
-    # A function that crosses zero three times leaves and arrives in the direction of its change.
-    straight = change & (left * s_left < 0) & (right * s_right > 0)
-    orbit, node = np.nonzero(straight)
-    h = trace.h[orbit]
-    tau = _turning_points(left[straight], right[straight], s_left[straight], s_right[straight], h)
-    twice = np.isfinite(tau).all(axis=1)
-    if twice.any():
-        orbit, node, h, tau = orbit[twice], node[twice], h[twice], tau[twice]
-        change[orbit, node] = False
-        times = np.concatenate([0 * h[:, None], tau, h[:, None]], axis=1)
-        parts.append(_split(trace, row, derivative, orbit, node, times))
+    if not derivative:
+        # There and back again: the interpolant rises, falls and rises, or falls, rises and falls.
+        h = trace.h[:, None]
+        rise = right - left
+        small = (rise * s_left < 0) | (3 * np.abs(rise) < h * np.maximum(np.abs(s_left), np.abs(s_right)))
+        orbit, node = np.nonzero((s_left * s_right > 0) & small)
+        f0, f1, s0, s1 = (x[orbit, node] for x in (left, right, s_left, s_right))
+        tau = _turning_points(f0, f1, s0, s1, trace.h[orbit])
+        column = (slice(None), None)
+        value = _interpolated(f0[column], f1[column], s0[column], s1[column], trace.h[orbit][column], tau)
+        with np.errstate(invalid="ignore"):
+            crosses = ((value < 0) != (np.stack([f0, f1], axis=1) < 0)).any(axis=1)
+        chosen = np.isfinite(tau).all(axis=1) & crosses
+        if chosen.any():
+            orbit, node, h = orbit[chosen], node[chosen], trace.h[orbit[chosen], None]
+            change[orbit, node] = False
+            times = np.concatenate([0 * h, tau[chosen], h], axis=1)
+            parts.append(_split(trace, row, derivative, orbit, node, times))
 
     o, i = np.nonzero(change)
     simple = Brackets(
@@ -176,8 +183,8 @@ def _split(trace: Trace, row: int, derivative: bool, orbit: Index, node: Index, 
         _, seen, slope = trace.advance(orbit, node, times[:, j])
         g[:, j], dg[:, j] = seen[:, row], slope[:, row]
     f = dg if derivative else g
-    k, j = np.nonzero((f[:, :-1] < 0) != (f[:, 1:] < 0))
-    columns = (a[k, at] for a in (times, g, dg) for at in (j, j + 1))
+    k, part = np.nonzero((f[:, :-1] < 0) != (f[:, 1:] < 0))
+    columns = (a[k, at] for a in (times, g, dg) for at in (part, part + 1))
     return Brackets(orbit[k], node[k], row, derivative, *columns)
 
 
@@ -188,8 +195,16 @@ def _turning_points(left: Array, right: Array, s_left: Array, s_right: Array, h:
     with np.errstate(divide="ignore", invalid="ignore"):
         q = -0.5 * (b + np.copysign(np.sqrt(b * b - 4 * a * h * s_left), b))
         fractions = np.sort(np.stack([q / a, h * s_left / q], axis=1), axis=1)
-    inside = (fractions > 0).all(axis=1) & (fractions < 1).all(axis=1)
-    return np.where(inside[:, None], fractions * h[:, None], np.nan)
+    inside = ((fractions > 0) & (fractions < 1)).all(axis=1, keepdims=True)
+    return np.where(inside, fractions * h[:, None], np.nan)
+
+
+def _interpolated(left: Array, right: Array, s_left: Array, s_right: Array, h: Array, tau: Array) -> Array:
+    """The cubic Hermite interpolant at a time `tau` after the left end."""
+    x = tau / h
+    a = h * (s_left + s_right) + 2 * (left - right)
+    b = 3 * (right - left) - h * (2 * s_left + s_right)
+    return ((a * x + b) * x + h * s_left) * x + left
 
 
 def _turning_point(left: Array, right: Array, s_left: Array, s_right: Array, h: Array) -> Array:

@@ -17,7 +17,7 @@ peaks of the rate); touchdown condition; position of the wobbling mass (zero whe
 """
 
 
-OBSERVE_EVERY = 2
+OBSERVE_EVERY = 1
 """Runge-Kutta steps between two nodes of a trace; it runs at twice the resolution that the cycle needs."""
 
 

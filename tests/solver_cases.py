@@ -16,6 +16,14 @@ TYPICAL = ({"k": 0.5}, {"k": 6.0}, {"k": 22.5})
 TWO_CYCLES = {"k": 6.0, "alpha": 0.25, "omega": 3.0}
 
 
+LIFTING = {
+    "k": 12.921495112008396, "alpha": 0.18465529025031124, "omega": 1.9989408378885059,
+    "beta": 0.2023208441403671, "Kp": 17.218894431102633, "Kd": 0.29700535368512676,
+    "S": 0.1819095385428478, "gamma": 0.17008990423493633,
+}  # fmt: skip
+"""A point with a cycle that needs a ground that pulls."""
+
+
 def reference_name(entry):
     p = entry["params"]
     return "-".join([entry["model"], *(f"{p[n]:g}" for n in ("k", "alpha", "omega") if n in p)])
@@ -41,7 +49,14 @@ def _points():
     compass = [
         {"omega": 2 + 1.5 * a, "S": 0.1 + 0.15 * b, "gamma": 0.1 + 0.15 * b} for a, b, _, _ in unit[:6]
     ]
-    return [("wobbling", p) for p in (*TYPICAL, *wobbling)] + [("compass", p) for p in compass]
+    # Right after touchdown the power of the hip crosses zero three times between two nodes of a trace.
+    trembling = [
+        {"k": 0.7805, "alpha": 0.2948, "omega": 3.231},
+        {"k": 2.3484, "alpha": 0.099, "omega": 3.9803},
+    ]
+    return [("wobbling", p) for p in (*TYPICAL, *wobbling, *trembling, LIFTING)] + [
+        ("compass", p) for p in compass
+    ]
 
 
 POINTS = _points()

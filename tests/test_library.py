@@ -112,7 +112,7 @@ def test_inputs_of_a_wrong_shape_are_refused():
 def test_no_points_are_mapped_to_no_points():
     model = load("compass")
     w, *_, residual = load_kernels(model)("trace_48", np.zeros((0, 4)), np.zeros((0, 6)))
-    assert (w.shape, residual.shape) == ((0, 25, 5), (0, 4))
+    assert (w.shape, residual.shape) == ((0, 49, 5), (0, 4))
 
 
 # -- without a compiler ----------------------------------------------------------------------------------

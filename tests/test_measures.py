@@ -65,12 +65,13 @@ def motions(request):
 def test_extremes_agree_with_brute_force(motions):
     for m in motions:
         assert m.swing.duration == pytest.approx(m.orbit.period, abs=1e-10)
-        assert m.orbit.d_max == pytest.approx(m.largest(m.d), abs=1e-8)
         lowest = -m.largest(m.vertical_force, sign=-1)
         assert m.orbit.min_vertical_force == pytest.approx(lowest, abs=1e-8)
         if lowest > 0:
+            assert m.orbit.d_max == pytest.approx(m.largest(m.d), abs=1e-8)
             assert m.orbit.friction == pytest.approx(m.largest(m.friction), abs=1e-8)
         else:
+            assert np.isnan(m.orbit.d_max)
             assert np.isnan(m.orbit.friction)
         assert m.orbit.clearance == pytest.approx(-m.largest(m.foot_height, sign=-1), abs=1e-8)
 
@@ -120,7 +121,8 @@ def test_energy_balances(motions):
         ]
         potential = [m.model.evaluate("potential_energy", q=y[:n], p=m.p)["potential"] for y in (start, end)]
         # On the cycle the energy just after the impact is the energy at the start.
-        assert m.orbit.work_net == pytest.approx(kinetic[1] - kinetic[0], abs=1e-10)
+        limit = 1e-10 * max(1.0, m.orbit.spectral_radius)
+        assert m.orbit.work_net == pytest.approx(kinetic[1] - kinetic[0], abs=limit)
         assert kinetic[1] > kinetic[0]
         assert potential[1] == pytest.approx(potential[0], abs=1e-10)
 
@@ -146,3 +148,4 @@ def test_the_orbits_checked_are_many_and_differ():
     assert {o.stable for o in orbits} == {True, False}
     assert {"A", "B", "C"} <= {o.group for o in orbits}
     assert len({o.peaks for o in orbits}) >= 4
+    assert min(o.min_vertical_force for o in orbits) < 0

@@ -65,6 +65,11 @@ def installed(wheel, tmp_path_factory):
     """The scripts folder of a fresh environment with the wheel, which sees our requirements but not us."""
     folder = tmp_path_factory.mktemp("environment")
     run(sys.executable, "-m", "venv", "--without-pip", folder / "venv")
+    # Somebody else's checkout around it, whose commit is not ours.
+    author = ["-c", "user.name=somebody", "-c", "user.email=somebody@example.org"]
+    if shutil.which("git"):
+        run("git", "init", "--quiet", folder)
+        run("git", "-C", folder, *author, "commit", "--quiet", "--allow-empty", "--message", "theirs")
     scripts = folder / "venv" / ("Scripts" if os.name == "nt" else "bin")
     python = scripts / Path(sys.executable).name
     run(

@@ -6,7 +6,7 @@ import pickle
 
 import numpy as np
 import pytest
-from solver_cases import REFERENCE, reference_name, section_point
+from solver_cases import LIFTING, REFERENCE, reference_name, section_point
 
 from stridemap.errors import InputError
 from stridemap.solver import simulate
@@ -126,11 +126,7 @@ def test_time_limit_ends_a_swing_phase():
 def test_lost_contact_is_reported_and_the_walk_goes_on():
     """A cycle whose ground force is negative for a while: the formulas hold, the foot would lift."""
     model = load("wobbling")
-    p = model.point({
-        "k": 12.921495112008396, "alpha": 0.18465529025031124, "omega": 1.9989408378885059,
-        "beta": 0.2023208441403671, "Kp": 17.218894431102633, "Kd": 0.29700535368512676,
-        "S": 0.1819095385428478, "gamma": 0.17008990423493633,
-    })  # fmt: skip
+    p = model.point(LIFTING)
     z = np.array([0.02300591213819, -1.4194402302642, -0.00150227485472, 0.0774067689146, -7.4529883499897])
     walked = walk(model, p, z, 1)
     assert walked.outcome is Outcome.WALKED

@@ -151,7 +151,7 @@ def test_jacobian_agrees_with_complex_steps(entry, scale):
 
 # -- multipliers -----------------------------------------------------------------------------------------
 
-CYCLES_AT = (0, 1, 8, 9, 19)
+CYCLES_AT = (0, 1, 8, 9, 22)
 """Points with stable and unstable cycles of both models."""
 
 

@@ -4,6 +4,7 @@ import os
 import shutil
 import signal
 import sys
+import time
 from concurrent.futures import BrokenExecutor, Future
 from concurrent.futures.process import BrokenProcessPool
 from pathlib import Path
@@ -28,6 +29,7 @@ from stridemap.sweeps import run
 from stridemap.sweeps.run import sweep
 from stridemap.sweeps.store import ORBITS
 
+PROC = Path("/proc/self/task").exists()
 posix = pytest.mark.skipif(os.name != "posix", reason="signals are POSIX")
 
 
@@ -175,6 +177,12 @@ def started(config, out, *more, rest=0.1):
     return start([sys.executable, "-c", IN_PIECES, *words], REST=str(rest))
 
 
+def workers_of(process):
+    """Process numbers of the workers."""
+    children = Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text().split()
+    return [int(c) for c in children if b"spawn_main" in Path(f"/proc/{c}/cmdline").read_bytes()]
+
+
 def whole_parts(out):
     """Bytes and times of the part files."""
     return {path.name: (path.read_bytes(), path.stat().st_mtime_ns) for path in parts(out)}
@@ -236,7 +244,9 @@ def test_ctrl_c(larger, tmp_path, when):
     out = tmp_path / "out"
     process = started(config, out)
     enough = 0 if when == "workers start" else 2
-    wait_for(lambda: (out / "parts").is_dir() and len(parts(out)) >= enough, process)
+    wait_for(lambda: len(parts(out)) >= enough and (workers_of(process) if PROC else out.is_dir()), process)
+    if when == "workers start":
+        time.sleep(0.4)  # into the imports of a worker, which by itself would print a traceback
     os.killpg(process.pid, signal.SIGINT)  # the terminal sends it to all of them
     status, said, shown = ended(process)
     lines = [line for line in shown.splitlines() if not line.startswith("round ")]
@@ -261,13 +271,7 @@ def test_being_told_to_end_is_like_ctrl_c(larger, tmp_path):
     resumed(config, out, wanted, unfinished(out))
 
 
-def workers_of(process):
-    """Process numbers of the workers."""
-    children = Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text().split()
-    return [int(c) for c in children if b"spawn_main" in Path(f"/proc/{c}/cmdline").read_bytes()]
-
-
-@pytest.mark.skipif(not Path("/proc/self/task").exists(), reason="no /proc")
+@pytest.mark.skipif(not PROC, reason="no /proc")
 def test_a_worker_that_dies(larger, tmp_path):
     config, wanted = larger
     out = tmp_path / "out"

@@ -145,6 +145,18 @@ def test_few_starts_and_neighbours_find_the_same(reference, thorough):
     assert len(few) >= 0.8 * len(many)
 
 
+def test_neighbours_hand_cycles_on_across_tiles(tmp_path, monkeypatch):
+    """Starts at both ends only, a tile a cell, and no offers to cells further off."""
+    monkeypatch.setattr(run, "TILE_CELLS", 1)
+    monkeypatch.setattr(run, "REACHES", ())
+    grid = {"k": [22.0, 22.2, 22.4, 22.6, 22.8, 23.0]}
+    search = {"starts": 32, "subgrid": 5}
+    executor = Inline()
+    sweep(parse_config({"model": "wobbling", "grid": grid, "search": search}), tmp_path, executor=executor)
+    assert {task.tile for task in executor.tasks if len(task.seeds)} == {0, 5}
+    assert (read_cells(tmp_path)["orbits"] >= 1).all()
+
+
 def test_rows_are_ordered_and_distinct(thorough):
     rows = read_orbits(thorough)
     assert rows[["cell", "period"]].equals(rows[["cell", "period"]].sort_values(["cell", "period"]))

@@ -458,24 +458,24 @@ static const casadi_int casadi_s3[4] = {0, 1, 2, 3};
 static const casadi_int casadi_s4[3] = {4, 1, 1};
 static const casadi_int casadi_s5[3] = {6, 1, 1};
 static const casadi_int casadi_s6[3] = {4, 4, 1};
-static const casadi_int casadi_s7[3] = {5, 25, 1};
-static const casadi_int casadi_s8[3] = {8, 25, 1};
-static const casadi_int casadi_s9[3] = {5, 37, 1};
-static const casadi_int casadi_s10[3] = {8, 37, 1};
-static const casadi_int casadi_s11[3] = {5, 49, 1};
-static const casadi_int casadi_s12[3] = {8, 49, 1};
-static const casadi_int casadi_s13[3] = {5, 73, 1};
-static const casadi_int casadi_s14[3] = {8, 73, 1};
-static const casadi_int casadi_s15[3] = {5, 97, 1};
-static const casadi_int casadi_s16[3] = {8, 97, 1};
-static const casadi_int casadi_s17[3] = {5, 145, 1};
-static const casadi_int casadi_s18[3] = {8, 145, 1};
-static const casadi_int casadi_s19[3] = {5, 193, 1};
-static const casadi_int casadi_s20[3] = {8, 193, 1};
-static const casadi_int casadi_s21[3] = {5, 289, 1};
-static const casadi_int casadi_s22[3] = {8, 289, 1};
-static const casadi_int casadi_s23[3] = {5, 385, 1};
-static const casadi_int casadi_s24[3] = {8, 385, 1};
+static const casadi_int casadi_s7[3] = {5, 49, 1};
+static const casadi_int casadi_s8[3] = {8, 49, 1};
+static const casadi_int casadi_s9[3] = {5, 73, 1};
+static const casadi_int casadi_s10[3] = {8, 73, 1};
+static const casadi_int casadi_s11[3] = {5, 97, 1};
+static const casadi_int casadi_s12[3] = {8, 97, 1};
+static const casadi_int casadi_s13[3] = {5, 145, 1};
+static const casadi_int casadi_s14[3] = {8, 145, 1};
+static const casadi_int casadi_s15[3] = {5, 193, 1};
+static const casadi_int casadi_s16[3] = {8, 193, 1};
+static const casadi_int casadi_s17[3] = {5, 289, 1};
+static const casadi_int casadi_s18[3] = {8, 289, 1};
+static const casadi_int casadi_s19[3] = {5, 385, 1};
+static const casadi_int casadi_s20[3] = {8, 385, 1};
+static const casadi_int casadi_s21[3] = {5, 577, 1};
+static const casadi_int casadi_s22[3] = {8, 577, 1};
+static const casadi_int casadi_s23[3] = {5, 769, 1};
+static const casadi_int casadi_s24[3] = {8, 769, 1};
 static const casadi_int casadi_s25[3] = {1, 1, 1};
 static const casadi_int casadi_s26[3] = {5, 1, 1};
 static const casadi_int casadi_s27[3] = {8, 1, 1};
@@ -14697,10 +14697,11 @@ static int casadi_f78(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* working_steps:(t,turns[2x12],w[5],h,p[6])->(w_end[5],nodes[5x6],g[8x6],dg[8x6]) */
+/* working_steps:(t,turns[2x12],w[5],h,p[6])->(w_end[5],nodes[5x12],g[8x12],dg[8x12]) */
 static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+4, *rr, *w00=w+81, w01, *w02=w+86, *w03=w+92, w05, *w06=w+94, w07, *w08=w+99, *w09=w+104, *w10=w+109;
-  casadi_real *w11=w+114, *w12=w+119, *w13=w+124, *w14=w+129, *w15=w+133, *w16=w+141, *w17=w+149, *w18=w+157, *w19=w+165, *w20=w+173, *w21=w+181;
+  casadi_real *w11=w+114, *w12=w+119, *w13=w+124, *w14=w+129, *w15=w+134, *w16=w+139, *w17=w+144, *w18=w+149, *w19=w+154, *w20=w+158, *w21=w+166, *w22=w+174;
+  casadi_real *w23=w+182, *w24=w+190, *w25=w+198, *w26=w+206, *w27=w+214, *w28=w+222, *w29=w+230, *w30=w+238, *w31=w+246, *w32=w+254;
   const casadi_real **arg1=arg+5, *cs, *wr04;
   /* #0: @0 = input[2][0] */
   casadi_copy(arg[2], 5, w00);
@@ -14749,13 +14750,13 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w02;
   res1[0]=w03;
   if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
-  /* #13: @6 = working_step(@8, @3, @4, @5, @2) */
+  /* #13: @9 = working_step(@8, @3, @4, @5, @2) */
   arg1[0]=w08;
   arg1[1]=w03;
   arg1[2]=wr04;
   arg1[3]=(&w05);
   arg1[4]=w02;
-  res1[0]=w06;
+  res1[0]=w09;
   if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
   /* #14: @7 = 3 */
   w07 = 3.;
@@ -14768,13 +14769,13 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w02;
   res1[0]=w03;
   if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
-  /* #18: @9 = working_step(@6, @3, @4, @5, @2) */
-  arg1[0]=w06;
+  /* #18: @10 = working_step(@9, @3, @4, @5, @2) */
+  arg1[0]=w09;
   arg1[1]=w03;
   arg1[2]=wr04;
   arg1[3]=(&w05);
   arg1[4]=w02;
-  res1[0]=w09;
+  res1[0]=w10;
   if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
   /* #19: @7 = 4 */
   w07 = 4.;
@@ -14787,13 +14788,13 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w02;
   res1[0]=w03;
   if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
-  /* #23: @6 = working_step(@9, @3, @4, @5, @2) */
-  arg1[0]=w09;
+  /* #23: @11 = working_step(@10, @3, @4, @5, @2) */
+  arg1[0]=w10;
   arg1[1]=w03;
   arg1[2]=wr04;
   arg1[3]=(&w05);
   arg1[4]=w02;
-  res1[0]=w06;
+  res1[0]=w11;
   if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
   /* #24: @7 = 5 */
   w07 = 5.;
@@ -14806,13 +14807,13 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w02;
   res1[0]=w03;
   if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
-  /* #28: @10 = working_step(@6, @3, @4, @5, @2) */
-  arg1[0]=w06;
+  /* #28: @12 = working_step(@11, @3, @4, @5, @2) */
+  arg1[0]=w11;
   arg1[1]=w03;
   arg1[2]=wr04;
   arg1[3]=(&w05);
   arg1[4]=w02;
-  res1[0]=w10;
+  res1[0]=w12;
   if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
   /* #29: @7 = 6 */
   w07 = 6.;
@@ -14825,13 +14826,13 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w02;
   res1[0]=w03;
   if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
-  /* #33: @6 = working_step(@10, @3, @4, @5, @2) */
-  arg1[0]=w10;
+  /* #33: @13 = working_step(@12, @3, @4, @5, @2) */
+  arg1[0]=w12;
   arg1[1]=w03;
   arg1[2]=wr04;
   arg1[3]=(&w05);
   arg1[4]=w02;
-  res1[0]=w06;
+  res1[0]=w13;
   if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
   /* #34: @7 = 7 */
   w07 = 7.;
@@ -14844,13 +14845,13 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w02;
   res1[0]=w03;
   if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
-  /* #38: @11 = working_step(@6, @3, @4, @5, @2) */
-  arg1[0]=w06;
+  /* #38: @14 = working_step(@13, @3, @4, @5, @2) */
+  arg1[0]=w13;
   arg1[1]=w03;
   arg1[2]=wr04;
   arg1[3]=(&w05);
   arg1[4]=w02;
-  res1[0]=w11;
+  res1[0]=w14;
   if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
   /* #39: @7 = 8 */
   w07 = 8.;
@@ -14863,13 +14864,13 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w02;
   res1[0]=w03;
   if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
-  /* #43: @6 = working_step(@11, @3, @4, @5, @2) */
-  arg1[0]=w11;
+  /* #43: @15 = working_step(@14, @3, @4, @5, @2) */
+  arg1[0]=w14;
   arg1[1]=w03;
   arg1[2]=wr04;
   arg1[3]=(&w05);
   arg1[4]=w02;
-  res1[0]=w06;
+  res1[0]=w15;
   if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
   /* #44: @7 = 9 */
   w07 = 9.;
@@ -14882,13 +14883,13 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w02;
   res1[0]=w03;
   if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
-  /* #48: @12 = working_step(@6, @3, @4, @5, @2) */
-  arg1[0]=w06;
+  /* #48: @16 = working_step(@15, @3, @4, @5, @2) */
+  arg1[0]=w15;
   arg1[1]=w03;
   arg1[2]=wr04;
   arg1[3]=(&w05);
   arg1[4]=w02;
-  res1[0]=w12;
+  res1[0]=w16;
   if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
   /* #49: @7 = 10 */
   w07 = 10.;
@@ -14901,13 +14902,13 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w02;
   res1[0]=w03;
   if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
-  /* #53: @6 = working_step(@12, @3, @4, @5, @2) */
-  arg1[0]=w12;
+  /* #53: @17 = working_step(@16, @3, @4, @5, @2) */
+  arg1[0]=w16;
   arg1[1]=w03;
   arg1[2]=wr04;
   arg1[3]=(&w05);
   arg1[4]=w02;
-  res1[0]=w06;
+  res1[0]=w17;
   if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
   /* #54: @7 = 11 */
   w07 = 11.;
@@ -14920,142 +14921,264 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w02;
   res1[0]=w03;
   if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
-  /* #58: @13 = working_step(@6, @3, @4, @5, @2) */
-  arg1[0]=w06;
+  /* #58: @18 = working_step(@17, @3, @4, @5, @2) */
+  arg1[0]=w17;
   arg1[1]=w03;
   arg1[2]=wr04;
   arg1[3]=(&w05);
   arg1[4]=w02;
-  res1[0]=w13;
+  res1[0]=w18;
   if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
-  /* #59: output[0][0] = @13 */
-  casadi_copy(w13, 5, res[0]);
+  /* #59: output[0][0] = @18 */
+  casadi_copy(w18, 5, res[0]);
   /* #60: output[1][0] = @0 */
   casadi_copy(w00, 5, res[1]);
-  /* #61: output[1][1] = @8 */
-  if (res[1]) casadi_copy(w08, 5, res[1]+5);
-  /* #62: output[1][2] = @9 */
-  if (res[1]) casadi_copy(w09, 5, res[1]+10);
-  /* #63: output[1][3] = @10 */
-  if (res[1]) casadi_copy(w10, 5, res[1]+15);
-  /* #64: output[1][4] = @11 */
-  if (res[1]) casadi_copy(w11, 5, res[1]+20);
-  /* #65: output[1][5] = @12 */
-  if (res[1]) casadi_copy(w12, 5, res[1]+25);
-  /* #66: @14 = @0[:4] */
-  for (rr=w14, cs=w00+0; cs!=w00+4; cs+=1) *rr++ = *cs;
-  /* #67: {@15, @16} = observe(@1, @14, @2) */
+  /* #61: output[1][1] = @6 */
+  if (res[1]) casadi_copy(w06, 5, res[1]+5);
+  /* #62: output[1][2] = @8 */
+  if (res[1]) casadi_copy(w08, 5, res[1]+10);
+  /* #63: output[1][3] = @9 */
+  if (res[1]) casadi_copy(w09, 5, res[1]+15);
+  /* #64: output[1][4] = @10 */
+  if (res[1]) casadi_copy(w10, 5, res[1]+20);
+  /* #65: output[1][5] = @11 */
+  if (res[1]) casadi_copy(w11, 5, res[1]+25);
+  /* #66: output[1][6] = @12 */
+  if (res[1]) casadi_copy(w12, 5, res[1]+30);
+  /* #67: output[1][7] = @13 */
+  if (res[1]) casadi_copy(w13, 5, res[1]+35);
+  /* #68: output[1][8] = @14 */
+  if (res[1]) casadi_copy(w14, 5, res[1]+40);
+  /* #69: output[1][9] = @15 */
+  if (res[1]) casadi_copy(w15, 5, res[1]+45);
+  /* #70: output[1][10] = @16 */
+  if (res[1]) casadi_copy(w16, 5, res[1]+50);
+  /* #71: output[1][11] = @17 */
+  if (res[1]) casadi_copy(w17, 5, res[1]+55);
+  /* #72: @19 = @0[:4] */
+  for (rr=w19, cs=w00+0; cs!=w00+4; cs+=1) *rr++ = *cs;
+  /* #73: {@20, @21} = observe(@1, @19, @2) */
   arg1[0]=(&w01);
-  arg1[1]=w14;
+  arg1[1]=w19;
   arg1[2]=w02;
-  res1[0]=w15;
-  res1[1]=w16;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
-  /* #68: output[2][0] = @15 */
-  casadi_copy(w15, 8, res[2]);
-  /* #69: @7 = (2.*@5) */
-  w07 = (2.* w05 );
-  /* #70: @7 = (@1+@7) */
-  w07  = (w01+w07);
-  /* #71: @14 = @8[:4] */
-  for (rr=w14, cs=w08+0; cs!=w08+4; cs+=1) *rr++ = *cs;
-  /* #72: {@15, @17} = observe(@7, @14, @2) */
-  arg1[0]=(&w07);
-  arg1[1]=w14;
-  arg1[2]=w02;
-  res1[0]=w15;
-  res1[1]=w17;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
-  /* #73: output[2][1] = @15 */
-  if (res[2]) casadi_copy(w15, 8, res[2]+8);
-  /* #74: @7 = 4 */
-  w07 = 4.;
-  /* #75: @7 = (@7*@5) */
-  w07 *= w05;
-  /* #76: @7 = (@1+@7) */
-  w07  = (w01+w07);
-  /* #77: @14 = @9[:4] */
-  for (rr=w14, cs=w09+0; cs!=w09+4; cs+=1) *rr++ = *cs;
-  /* #78: {@15, @18} = observe(@7, @14, @2) */
-  arg1[0]=(&w07);
-  arg1[1]=w14;
-  arg1[2]=w02;
-  res1[0]=w15;
-  res1[1]=w18;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
-  /* #79: output[2][2] = @15 */
-  if (res[2]) casadi_copy(w15, 8, res[2]+16);
-  /* #80: @7 = 6 */
-  w07 = 6.;
-  /* #81: @7 = (@7*@5) */
-  w07 *= w05;
-  /* #82: @7 = (@1+@7) */
-  w07  = (w01+w07);
-  /* #83: @14 = @10[:4] */
-  for (rr=w14, cs=w10+0; cs!=w10+4; cs+=1) *rr++ = *cs;
-  /* #84: {@15, @19} = observe(@7, @14, @2) */
-  arg1[0]=(&w07);
-  arg1[1]=w14;
-  arg1[2]=w02;
-  res1[0]=w15;
-  res1[1]=w19;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
-  /* #85: output[2][3] = @15 */
-  if (res[2]) casadi_copy(w15, 8, res[2]+24);
-  /* #86: @7 = 8 */
-  w07 = 8.;
-  /* #87: @7 = (@7*@5) */
-  w07 *= w05;
-  /* #88: @7 = (@1+@7) */
-  w07  = (w01+w07);
-  /* #89: @14 = @11[:4] */
-  for (rr=w14, cs=w11+0; cs!=w11+4; cs+=1) *rr++ = *cs;
-  /* #90: {@15, @20} = observe(@7, @14, @2) */
-  arg1[0]=(&w07);
-  arg1[1]=w14;
-  arg1[2]=w02;
-  res1[0]=w15;
-  res1[1]=w20;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
-  /* #91: output[2][4] = @15 */
-  if (res[2]) casadi_copy(w15, 8, res[2]+32);
-  /* #92: @7 = 10 */
-  w07 = 10.;
-  /* #93: @7 = (@7*@5) */
-  w07 *= w05;
-  /* #94: @1 = (@1+@7) */
-  w01 += w07;
-  /* #95: @14 = @12[:4] */
-  for (rr=w14, cs=w12+0; cs!=w12+4; cs+=1) *rr++ = *cs;
-  /* #96: {@15, @21} = observe(@1, @14, @2) */
-  arg1[0]=(&w01);
-  arg1[1]=w14;
-  arg1[2]=w02;
-  res1[0]=w15;
+  res1[0]=w20;
   res1[1]=w21;
   if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
-  /* #97: output[2][5] = @15 */
-  if (res[2]) casadi_copy(w15, 8, res[2]+40);
-  /* #98: output[3][0] = @16 */
-  casadi_copy(w16, 8, res[3]);
-  /* #99: output[3][1] = @17 */
-  if (res[3]) casadi_copy(w17, 8, res[3]+8);
-  /* #100: output[3][2] = @18 */
-  if (res[3]) casadi_copy(w18, 8, res[3]+16);
-  /* #101: output[3][3] = @19 */
-  if (res[3]) casadi_copy(w19, 8, res[3]+24);
-  /* #102: output[3][4] = @20 */
-  if (res[3]) casadi_copy(w20, 8, res[3]+32);
-  /* #103: output[3][5] = @21 */
-  if (res[3]) casadi_copy(w21, 8, res[3]+40);
+  /* #74: output[2][0] = @20 */
+  casadi_copy(w20, 8, res[2]);
+  /* #75: @7 = (@1+@5) */
+  w07  = (w01+w05);
+  /* #76: @19 = @6[:4] */
+  for (rr=w19, cs=w06+0; cs!=w06+4; cs+=1) *rr++ = *cs;
+  /* #77: {@20, @22} = observe(@7, @19, @2) */
+  arg1[0]=(&w07);
+  arg1[1]=w19;
+  arg1[2]=w02;
+  res1[0]=w20;
+  res1[1]=w22;
+  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  /* #78: output[2][1] = @20 */
+  if (res[2]) casadi_copy(w20, 8, res[2]+8);
+  /* #79: @7 = (2.*@5) */
+  w07 = (2.* w05 );
+  /* #80: @7 = (@1+@7) */
+  w07  = (w01+w07);
+  /* #81: @19 = @8[:4] */
+  for (rr=w19, cs=w08+0; cs!=w08+4; cs+=1) *rr++ = *cs;
+  /* #82: {@20, @23} = observe(@7, @19, @2) */
+  arg1[0]=(&w07);
+  arg1[1]=w19;
+  arg1[2]=w02;
+  res1[0]=w20;
+  res1[1]=w23;
+  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  /* #83: output[2][2] = @20 */
+  if (res[2]) casadi_copy(w20, 8, res[2]+16);
+  /* #84: @7 = 3 */
+  w07 = 3.;
+  /* #85: @7 = (@7*@5) */
+  w07 *= w05;
+  /* #86: @7 = (@1+@7) */
+  w07  = (w01+w07);
+  /* #87: @19 = @9[:4] */
+  for (rr=w19, cs=w09+0; cs!=w09+4; cs+=1) *rr++ = *cs;
+  /* #88: {@20, @24} = observe(@7, @19, @2) */
+  arg1[0]=(&w07);
+  arg1[1]=w19;
+  arg1[2]=w02;
+  res1[0]=w20;
+  res1[1]=w24;
+  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  /* #89: output[2][3] = @20 */
+  if (res[2]) casadi_copy(w20, 8, res[2]+24);
+  /* #90: @7 = 4 */
+  w07 = 4.;
+  /* #91: @7 = (@7*@5) */
+  w07 *= w05;
+  /* #92: @7 = (@1+@7) */
+  w07  = (w01+w07);
+  /* #93: @19 = @10[:4] */
+  for (rr=w19, cs=w10+0; cs!=w10+4; cs+=1) *rr++ = *cs;
+  /* #94: {@20, @25} = observe(@7, @19, @2) */
+  arg1[0]=(&w07);
+  arg1[1]=w19;
+  arg1[2]=w02;
+  res1[0]=w20;
+  res1[1]=w25;
+  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  /* #95: output[2][4] = @20 */
+  if (res[2]) casadi_copy(w20, 8, res[2]+32);
+  /* #96: @7 = 5 */
+  w07 = 5.;
+  /* #97: @7 = (@7*@5) */
+  w07 *= w05;
+  /* #98: @7 = (@1+@7) */
+  w07  = (w01+w07);
+  /* #99: @19 = @11[:4] */
+  for (rr=w19, cs=w11+0; cs!=w11+4; cs+=1) *rr++ = *cs;
+  /* #100: {@20, @26} = observe(@7, @19, @2) */
+  arg1[0]=(&w07);
+  arg1[1]=w19;
+  arg1[2]=w02;
+  res1[0]=w20;
+  res1[1]=w26;
+  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  /* #101: output[2][5] = @20 */
+  if (res[2]) casadi_copy(w20, 8, res[2]+40);
+  /* #102: @7 = 6 */
+  w07 = 6.;
+  /* #103: @7 = (@7*@5) */
+  w07 *= w05;
+  /* #104: @7 = (@1+@7) */
+  w07  = (w01+w07);
+  /* #105: @19 = @12[:4] */
+  for (rr=w19, cs=w12+0; cs!=w12+4; cs+=1) *rr++ = *cs;
+  /* #106: {@20, @27} = observe(@7, @19, @2) */
+  arg1[0]=(&w07);
+  arg1[1]=w19;
+  arg1[2]=w02;
+  res1[0]=w20;
+  res1[1]=w27;
+  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  /* #107: output[2][6] = @20 */
+  if (res[2]) casadi_copy(w20, 8, res[2]+48);
+  /* #108: @7 = 7 */
+  w07 = 7.;
+  /* #109: @7 = (@7*@5) */
+  w07 *= w05;
+  /* #110: @7 = (@1+@7) */
+  w07  = (w01+w07);
+  /* #111: @19 = @13[:4] */
+  for (rr=w19, cs=w13+0; cs!=w13+4; cs+=1) *rr++ = *cs;
+  /* #112: {@20, @28} = observe(@7, @19, @2) */
+  arg1[0]=(&w07);
+  arg1[1]=w19;
+  arg1[2]=w02;
+  res1[0]=w20;
+  res1[1]=w28;
+  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  /* #113: output[2][7] = @20 */
+  if (res[2]) casadi_copy(w20, 8, res[2]+56);
+  /* #114: @7 = 8 */
+  w07 = 8.;
+  /* #115: @7 = (@7*@5) */
+  w07 *= w05;
+  /* #116: @7 = (@1+@7) */
+  w07  = (w01+w07);
+  /* #117: @19 = @14[:4] */
+  for (rr=w19, cs=w14+0; cs!=w14+4; cs+=1) *rr++ = *cs;
+  /* #118: {@20, @29} = observe(@7, @19, @2) */
+  arg1[0]=(&w07);
+  arg1[1]=w19;
+  arg1[2]=w02;
+  res1[0]=w20;
+  res1[1]=w29;
+  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  /* #119: output[2][8] = @20 */
+  if (res[2]) casadi_copy(w20, 8, res[2]+64);
+  /* #120: @7 = 9 */
+  w07 = 9.;
+  /* #121: @7 = (@7*@5) */
+  w07 *= w05;
+  /* #122: @7 = (@1+@7) */
+  w07  = (w01+w07);
+  /* #123: @19 = @15[:4] */
+  for (rr=w19, cs=w15+0; cs!=w15+4; cs+=1) *rr++ = *cs;
+  /* #124: {@20, @30} = observe(@7, @19, @2) */
+  arg1[0]=(&w07);
+  arg1[1]=w19;
+  arg1[2]=w02;
+  res1[0]=w20;
+  res1[1]=w30;
+  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  /* #125: output[2][9] = @20 */
+  if (res[2]) casadi_copy(w20, 8, res[2]+72);
+  /* #126: @7 = 10 */
+  w07 = 10.;
+  /* #127: @7 = (@7*@5) */
+  w07 *= w05;
+  /* #128: @7 = (@1+@7) */
+  w07  = (w01+w07);
+  /* #129: @19 = @16[:4] */
+  for (rr=w19, cs=w16+0; cs!=w16+4; cs+=1) *rr++ = *cs;
+  /* #130: {@20, @31} = observe(@7, @19, @2) */
+  arg1[0]=(&w07);
+  arg1[1]=w19;
+  arg1[2]=w02;
+  res1[0]=w20;
+  res1[1]=w31;
+  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  /* #131: output[2][10] = @20 */
+  if (res[2]) casadi_copy(w20, 8, res[2]+80);
+  /* #132: @7 = 11 */
+  w07 = 11.;
+  /* #133: @7 = (@7*@5) */
+  w07 *= w05;
+  /* #134: @1 = (@1+@7) */
+  w01 += w07;
+  /* #135: @19 = @17[:4] */
+  for (rr=w19, cs=w17+0; cs!=w17+4; cs+=1) *rr++ = *cs;
+  /* #136: {@20, @32} = observe(@1, @19, @2) */
+  arg1[0]=(&w01);
+  arg1[1]=w19;
+  arg1[2]=w02;
+  res1[0]=w20;
+  res1[1]=w32;
+  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  /* #137: output[2][11] = @20 */
+  if (res[2]) casadi_copy(w20, 8, res[2]+88);
+  /* #138: output[3][0] = @21 */
+  casadi_copy(w21, 8, res[3]);
+  /* #139: output[3][1] = @22 */
+  if (res[3]) casadi_copy(w22, 8, res[3]+8);
+  /* #140: output[3][2] = @23 */
+  if (res[3]) casadi_copy(w23, 8, res[3]+16);
+  /* #141: output[3][3] = @24 */
+  if (res[3]) casadi_copy(w24, 8, res[3]+24);
+  /* #142: output[3][4] = @25 */
+  if (res[3]) casadi_copy(w25, 8, res[3]+32);
+  /* #143: output[3][5] = @26 */
+  if (res[3]) casadi_copy(w26, 8, res[3]+40);
+  /* #144: output[3][6] = @27 */
+  if (res[3]) casadi_copy(w27, 8, res[3]+48);
+  /* #145: output[3][7] = @28 */
+  if (res[3]) casadi_copy(w28, 8, res[3]+56);
+  /* #146: output[3][8] = @29 */
+  if (res[3]) casadi_copy(w29, 8, res[3]+64);
+  /* #147: output[3][9] = @30 */
+  if (res[3]) casadi_copy(w30, 8, res[3]+72);
+  /* #148: output[3][10] = @31 */
+  if (res[3]) casadi_copy(w31, 8, res[3]+80);
+  /* #149: output[3][11] = @32 */
+  if (res[3]) casadi_copy(w32, 8, res[3]+88);
   return 0;
 }
 
-/* compass_trace_48:(u[4],p[6])->(w[5x25],g[8x25],dg[8x25],R[4]) */
+/* compass_trace_48:(u[4],p[6])->(w[5x49],g[8x49],dg[8x49],R[4]) */
 static int casadi_f75(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+4, *rr, w00, *w01=w+216, w02, w03, *w04=w+220, *w05=w+226, *w06=w+250, w07, *w08=w+253, *w09=w+258;
-  casadi_real *w10=w+263, *w11=w+293, *w12=w+341, *w13=w+389, *w14=w+437, *w15=w+485, *w16=w+533, *w17=w+581, *w18=w+629, *w19=w+677, *w20=w+685, *w21=w+693;
+  casadi_real **res1=res+4, *rr, w00, *w01=w+289, w02, w03, *w04=w+293, *w05=w+299, *w06=w+323, w07, *w08=w+326, *w09=w+331;
+  casadi_real *w10=w+336, *w11=w+396, *w12=w+492, *w13=w+588, *w14=w+684, *w15=w+780, *w16=w+876, *w17=w+972, *w18=w+1068, *w19=w+1164, *w20=w+1172, *w21=w+1180;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = 0 */
   w00 = 0.;
@@ -15099,7 +15222,7 @@ static int casadi_f75(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w12;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
-  casadi_copy(w10, 30, res[0]);
+  casadi_copy(w10, 60, res[0]);
   /* #13: @0 = 0.25 */
   w00 = 2.5000000000000000e-01;
   /* #14: @0 = (@0*@2) */
@@ -15116,7 +15239,7 @@ static int casadi_f75(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w14;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+30);
+  if (res[0]) casadi_copy(w10, 60, res[0]+60);
   /* #17: @0 = 0.5 */
   w00 = 5.0000000000000000e-01;
   /* #18: @0 = (@0*@2) */
@@ -15133,7 +15256,7 @@ static int casadi_f75(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w16;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+60);
+  if (res[0]) casadi_copy(w10, 60, res[0]+120);
   /* #21: @0 = 0.75 */
   w00 = 7.5000000000000000e-01;
   /* #22: @0 = (@0*@2) */
@@ -15150,17 +15273,17 @@ static int casadi_f75(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w18;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+90);
+  if (res[0]) casadi_copy(w10, 60, res[0]+180);
   /* #25: output[0][4] = @8 */
-  if (res[0]) casadi_copy(w08, 5, res[0]+120);
+  if (res[0]) casadi_copy(w08, 5, res[0]+240);
   /* #26: output[1][0] = @11 */
-  casadi_copy(w11, 48, res[1]);
+  casadi_copy(w11, 96, res[1]);
   /* #27: output[1][1] = @13 */
-  if (res[1]) casadi_copy(w13, 48, res[1]+48);
+  if (res[1]) casadi_copy(w13, 96, res[1]+96);
   /* #28: output[1][2] = @15 */
-  if (res[1]) casadi_copy(w15, 48, res[1]+96);
+  if (res[1]) casadi_copy(w15, 96, res[1]+192);
   /* #29: output[1][3] = @17 */
-  if (res[1]) casadi_copy(w17, 48, res[1]+144);
+  if (res[1]) casadi_copy(w17, 96, res[1]+288);
   /* #30: @1 = @8[:4] */
   for (rr=w01, cs=w08+0; cs!=w08+4; cs+=1) *rr++ = *cs;
   /* #31: {@19, @20} = observe(@2, @1, @4) */
@@ -15171,17 +15294,17 @@ static int casadi_f75(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w20;
   if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[1][4] = @19 */
-  if (res[1]) casadi_copy(w19, 8, res[1]+192);
+  if (res[1]) casadi_copy(w19, 8, res[1]+384);
   /* #33: output[2][0] = @12 */
-  casadi_copy(w12, 48, res[2]);
+  casadi_copy(w12, 96, res[2]);
   /* #34: output[2][1] = @14 */
-  if (res[2]) casadi_copy(w14, 48, res[2]+48);
+  if (res[2]) casadi_copy(w14, 96, res[2]+96);
   /* #35: output[2][2] = @16 */
-  if (res[2]) casadi_copy(w16, 48, res[2]+96);
+  if (res[2]) casadi_copy(w16, 96, res[2]+192);
   /* #36: output[2][3] = @18 */
-  if (res[2]) casadi_copy(w18, 48, res[2]+144);
+  if (res[2]) casadi_copy(w18, 96, res[2]+288);
   /* #37: output[2][4] = @20 */
-  if (res[2]) casadi_copy(w20, 8, res[2]+192);
+  if (res[2]) casadi_copy(w20, 8, res[2]+384);
   /* #38: @1 = @8[:4] */
   for (rr=w01, cs=w08+0; cs!=w08+4; cs+=1) *rr++ = *cs;
   /* #39: @21 = landing(@1, @6, @4) */
@@ -15262,7 +15385,7 @@ CASADI_SYMBOL_EXPORT int compass_trace_48_work(casadi_int *sz_arg, casadi_int* s
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 697;
+  if (sz_w) *sz_w = 1184;
   return 0;
 }
 
@@ -15270,16 +15393,16 @@ CASADI_SYMBOL_EXPORT int compass_trace_48_work_bytes(casadi_int *sz_arg, casadi_
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 697*sizeof(casadi_real);
+  if (sz_w) *sz_w = 1184*sizeof(casadi_real);
   return 0;
 }
 
-/* compass_trace_72:(u[4],p[6])->(w[5x37],g[8x37],dg[8x37],R[4]) */
+/* compass_trace_72:(u[4],p[6])->(w[5x73],g[8x73],dg[8x73],R[4]) */
 static int casadi_f79(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+4, *rr, w00, *w01=w+216, w02, w03, *w04=w+220, *w05=w+226, *w06=w+250, w07, *w08=w+253, *w09=w+258;
-  casadi_real *w10=w+263, *w11=w+293, *w12=w+341, *w13=w+389, *w14=w+437, *w15=w+485, *w16=w+533, *w17=w+581, *w18=w+629, *w19=w+677, *w20=w+725, *w21=w+773;
-  casadi_real *w22=w+821, *w23=w+869, *w24=w+877, *w25=w+885;
+  casadi_real **res1=res+4, *rr, w00, *w01=w+289, w02, w03, *w04=w+293, *w05=w+299, *w06=w+323, w07, *w08=w+326, *w09=w+331;
+  casadi_real *w10=w+336, *w11=w+396, *w12=w+492, *w13=w+588, *w14=w+684, *w15=w+780, *w16=w+876, *w17=w+972, *w18=w+1068, *w19=w+1164, *w20=w+1260, *w21=w+1356;
+  casadi_real *w22=w+1452, *w23=w+1548, *w24=w+1556, *w25=w+1564;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = 0 */
   w00 = 0.;
@@ -15323,7 +15446,7 @@ static int casadi_f79(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w12;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
-  casadi_copy(w10, 30, res[0]);
+  casadi_copy(w10, 60, res[0]);
   /* #13: @0 = 0.166667 */
   w00 = 1.6666666666666666e-01;
   /* #14: @0 = (@0*@2) */
@@ -15340,7 +15463,7 @@ static int casadi_f79(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w14;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+30);
+  if (res[0]) casadi_copy(w10, 60, res[0]+60);
   /* #17: @0 = 0.333333 */
   w00 = 3.3333333333333331e-01;
   /* #18: @0 = (@0*@2) */
@@ -15357,7 +15480,7 @@ static int casadi_f79(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w16;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+60);
+  if (res[0]) casadi_copy(w10, 60, res[0]+120);
   /* #21: @0 = 0.5 */
   w00 = 5.0000000000000000e-01;
   /* #22: @0 = (@0*@2) */
@@ -15374,7 +15497,7 @@ static int casadi_f79(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w18;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+90);
+  if (res[0]) casadi_copy(w10, 60, res[0]+180);
   /* #25: @0 = 0.666667 */
   w00 = 6.6666666666666663e-01;
   /* #26: @0 = (@0*@2) */
@@ -15391,7 +15514,7 @@ static int casadi_f79(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w20;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+120);
+  if (res[0]) casadi_copy(w10, 60, res[0]+240);
   /* #29: @0 = 0.833333 */
   w00 = 8.3333333333333337e-01;
   /* #30: @0 = (@0*@2) */
@@ -15408,21 +15531,21 @@ static int casadi_f79(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w22;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+150);
+  if (res[0]) casadi_copy(w10, 60, res[0]+300);
   /* #33: output[0][6] = @8 */
-  if (res[0]) casadi_copy(w08, 5, res[0]+180);
+  if (res[0]) casadi_copy(w08, 5, res[0]+360);
   /* #34: output[1][0] = @11 */
-  casadi_copy(w11, 48, res[1]);
+  casadi_copy(w11, 96, res[1]);
   /* #35: output[1][1] = @13 */
-  if (res[1]) casadi_copy(w13, 48, res[1]+48);
+  if (res[1]) casadi_copy(w13, 96, res[1]+96);
   /* #36: output[1][2] = @15 */
-  if (res[1]) casadi_copy(w15, 48, res[1]+96);
+  if (res[1]) casadi_copy(w15, 96, res[1]+192);
   /* #37: output[1][3] = @17 */
-  if (res[1]) casadi_copy(w17, 48, res[1]+144);
+  if (res[1]) casadi_copy(w17, 96, res[1]+288);
   /* #38: output[1][4] = @19 */
-  if (res[1]) casadi_copy(w19, 48, res[1]+192);
+  if (res[1]) casadi_copy(w19, 96, res[1]+384);
   /* #39: output[1][5] = @21 */
-  if (res[1]) casadi_copy(w21, 48, res[1]+240);
+  if (res[1]) casadi_copy(w21, 96, res[1]+480);
   /* #40: @1 = @8[:4] */
   for (rr=w01, cs=w08+0; cs!=w08+4; cs+=1) *rr++ = *cs;
   /* #41: {@23, @24} = observe(@2, @1, @4) */
@@ -15433,21 +15556,21 @@ static int casadi_f79(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w24;
   if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
   /* #42: output[1][6] = @23 */
-  if (res[1]) casadi_copy(w23, 8, res[1]+288);
+  if (res[1]) casadi_copy(w23, 8, res[1]+576);
   /* #43: output[2][0] = @12 */
-  casadi_copy(w12, 48, res[2]);
+  casadi_copy(w12, 96, res[2]);
   /* #44: output[2][1] = @14 */
-  if (res[2]) casadi_copy(w14, 48, res[2]+48);
+  if (res[2]) casadi_copy(w14, 96, res[2]+96);
   /* #45: output[2][2] = @16 */
-  if (res[2]) casadi_copy(w16, 48, res[2]+96);
+  if (res[2]) casadi_copy(w16, 96, res[2]+192);
   /* #46: output[2][3] = @18 */
-  if (res[2]) casadi_copy(w18, 48, res[2]+144);
+  if (res[2]) casadi_copy(w18, 96, res[2]+288);
   /* #47: output[2][4] = @20 */
-  if (res[2]) casadi_copy(w20, 48, res[2]+192);
+  if (res[2]) casadi_copy(w20, 96, res[2]+384);
   /* #48: output[2][5] = @22 */
-  if (res[2]) casadi_copy(w22, 48, res[2]+240);
+  if (res[2]) casadi_copy(w22, 96, res[2]+480);
   /* #49: output[2][6] = @24 */
-  if (res[2]) casadi_copy(w24, 8, res[2]+288);
+  if (res[2]) casadi_copy(w24, 8, res[2]+576);
   /* #50: @1 = @8[:4] */
   for (rr=w01, cs=w08+0; cs!=w08+4; cs+=1) *rr++ = *cs;
   /* #51: @25 = landing(@1, @6, @4) */
@@ -15528,7 +15651,7 @@ CASADI_SYMBOL_EXPORT int compass_trace_72_work(casadi_int *sz_arg, casadi_int* s
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 889;
+  if (sz_w) *sz_w = 1568;
   return 0;
 }
 
@@ -15536,16 +15659,16 @@ CASADI_SYMBOL_EXPORT int compass_trace_72_work_bytes(casadi_int *sz_arg, casadi_
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 889*sizeof(casadi_real);
+  if (sz_w) *sz_w = 1568*sizeof(casadi_real);
   return 0;
 }
 
-/* compass_trace_96:(u[4],p[6])->(w[5x49],g[8x49],dg[8x49],R[4]) */
+/* compass_trace_96:(u[4],p[6])->(w[5x97],g[8x97],dg[8x97],R[4]) */
 static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+4, *rr, w00, *w01=w+216, w02, w03, *w04=w+220, *w05=w+226, *w06=w+250, w07, *w08=w+253, *w09=w+258;
-  casadi_real *w10=w+263, *w11=w+293, *w12=w+341, *w13=w+389, *w14=w+437, *w15=w+485, *w16=w+533, *w17=w+581, *w18=w+629, *w19=w+677, *w20=w+725, *w21=w+773;
-  casadi_real *w22=w+821, *w23=w+869, *w24=w+917, *w25=w+965, *w26=w+1013, *w27=w+1061, *w28=w+1069, *w29=w+1077;
+  casadi_real **res1=res+4, *rr, w00, *w01=w+289, w02, w03, *w04=w+293, *w05=w+299, *w06=w+323, w07, *w08=w+326, *w09=w+331;
+  casadi_real *w10=w+336, *w11=w+396, *w12=w+492, *w13=w+588, *w14=w+684, *w15=w+780, *w16=w+876, *w17=w+972, *w18=w+1068, *w19=w+1164, *w20=w+1260, *w21=w+1356;
+  casadi_real *w22=w+1452, *w23=w+1548, *w24=w+1644, *w25=w+1740, *w26=w+1836, *w27=w+1932, *w28=w+1940, *w29=w+1948;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = 0 */
   w00 = 0.;
@@ -15589,7 +15712,7 @@ static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w12;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
-  casadi_copy(w10, 30, res[0]);
+  casadi_copy(w10, 60, res[0]);
   /* #13: @0 = 0.125 */
   w00 = 1.2500000000000000e-01;
   /* #14: @0 = (@0*@2) */
@@ -15606,7 +15729,7 @@ static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w14;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+30);
+  if (res[0]) casadi_copy(w10, 60, res[0]+60);
   /* #17: @0 = 0.25 */
   w00 = 2.5000000000000000e-01;
   /* #18: @0 = (@0*@2) */
@@ -15623,7 +15746,7 @@ static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w16;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+60);
+  if (res[0]) casadi_copy(w10, 60, res[0]+120);
   /* #21: @0 = 0.375 */
   w00 = 3.7500000000000000e-01;
   /* #22: @0 = (@0*@2) */
@@ -15640,7 +15763,7 @@ static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w18;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+90);
+  if (res[0]) casadi_copy(w10, 60, res[0]+180);
   /* #25: @0 = 0.5 */
   w00 = 5.0000000000000000e-01;
   /* #26: @0 = (@0*@2) */
@@ -15657,7 +15780,7 @@ static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w20;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+120);
+  if (res[0]) casadi_copy(w10, 60, res[0]+240);
   /* #29: @0 = 0.625 */
   w00 = 6.2500000000000000e-01;
   /* #30: @0 = (@0*@2) */
@@ -15674,7 +15797,7 @@ static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w22;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+150);
+  if (res[0]) casadi_copy(w10, 60, res[0]+300);
   /* #33: @0 = 0.75 */
   w00 = 7.5000000000000000e-01;
   /* #34: @0 = (@0*@2) */
@@ -15691,7 +15814,7 @@ static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w24;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[0][6] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+180);
+  if (res[0]) casadi_copy(w10, 60, res[0]+360);
   /* #37: @0 = 0.875 */
   w00 = 8.7500000000000000e-01;
   /* #38: @0 = (@0*@2) */
@@ -15708,25 +15831,25 @@ static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w26;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[0][7] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+210);
+  if (res[0]) casadi_copy(w10, 60, res[0]+420);
   /* #41: output[0][8] = @8 */
-  if (res[0]) casadi_copy(w08, 5, res[0]+240);
+  if (res[0]) casadi_copy(w08, 5, res[0]+480);
   /* #42: output[1][0] = @11 */
-  casadi_copy(w11, 48, res[1]);
+  casadi_copy(w11, 96, res[1]);
   /* #43: output[1][1] = @13 */
-  if (res[1]) casadi_copy(w13, 48, res[1]+48);
+  if (res[1]) casadi_copy(w13, 96, res[1]+96);
   /* #44: output[1][2] = @15 */
-  if (res[1]) casadi_copy(w15, 48, res[1]+96);
+  if (res[1]) casadi_copy(w15, 96, res[1]+192);
   /* #45: output[1][3] = @17 */
-  if (res[1]) casadi_copy(w17, 48, res[1]+144);
+  if (res[1]) casadi_copy(w17, 96, res[1]+288);
   /* #46: output[1][4] = @19 */
-  if (res[1]) casadi_copy(w19, 48, res[1]+192);
+  if (res[1]) casadi_copy(w19, 96, res[1]+384);
   /* #47: output[1][5] = @21 */
-  if (res[1]) casadi_copy(w21, 48, res[1]+240);
+  if (res[1]) casadi_copy(w21, 96, res[1]+480);
   /* #48: output[1][6] = @23 */
-  if (res[1]) casadi_copy(w23, 48, res[1]+288);
+  if (res[1]) casadi_copy(w23, 96, res[1]+576);
   /* #49: output[1][7] = @25 */
-  if (res[1]) casadi_copy(w25, 48, res[1]+336);
+  if (res[1]) casadi_copy(w25, 96, res[1]+672);
   /* #50: @1 = @8[:4] */
   for (rr=w01, cs=w08+0; cs!=w08+4; cs+=1) *rr++ = *cs;
   /* #51: {@27, @28} = observe(@2, @1, @4) */
@@ -15737,25 +15860,25 @@ static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w28;
   if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[1][8] = @27 */
-  if (res[1]) casadi_copy(w27, 8, res[1]+384);
+  if (res[1]) casadi_copy(w27, 8, res[1]+768);
   /* #53: output[2][0] = @12 */
-  casadi_copy(w12, 48, res[2]);
+  casadi_copy(w12, 96, res[2]);
   /* #54: output[2][1] = @14 */
-  if (res[2]) casadi_copy(w14, 48, res[2]+48);
+  if (res[2]) casadi_copy(w14, 96, res[2]+96);
   /* #55: output[2][2] = @16 */
-  if (res[2]) casadi_copy(w16, 48, res[2]+96);
+  if (res[2]) casadi_copy(w16, 96, res[2]+192);
   /* #56: output[2][3] = @18 */
-  if (res[2]) casadi_copy(w18, 48, res[2]+144);
+  if (res[2]) casadi_copy(w18, 96, res[2]+288);
   /* #57: output[2][4] = @20 */
-  if (res[2]) casadi_copy(w20, 48, res[2]+192);
+  if (res[2]) casadi_copy(w20, 96, res[2]+384);
   /* #58: output[2][5] = @22 */
-  if (res[2]) casadi_copy(w22, 48, res[2]+240);
+  if (res[2]) casadi_copy(w22, 96, res[2]+480);
   /* #59: output[2][6] = @24 */
-  if (res[2]) casadi_copy(w24, 48, res[2]+288);
+  if (res[2]) casadi_copy(w24, 96, res[2]+576);
   /* #60: output[2][7] = @26 */
-  if (res[2]) casadi_copy(w26, 48, res[2]+336);
+  if (res[2]) casadi_copy(w26, 96, res[2]+672);
   /* #61: output[2][8] = @28 */
-  if (res[2]) casadi_copy(w28, 8, res[2]+384);
+  if (res[2]) casadi_copy(w28, 8, res[2]+768);
   /* #62: @1 = @8[:4] */
   for (rr=w01, cs=w08+0; cs!=w08+4; cs+=1) *rr++ = *cs;
   /* #63: @29 = landing(@1, @6, @4) */
@@ -15836,7 +15959,7 @@ CASADI_SYMBOL_EXPORT int compass_trace_96_work(casadi_int *sz_arg, casadi_int* s
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 1081;
+  if (sz_w) *sz_w = 1952;
   return 0;
 }
 
@@ -15844,17 +15967,17 @@ CASADI_SYMBOL_EXPORT int compass_trace_96_work_bytes(casadi_int *sz_arg, casadi_
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 1081*sizeof(casadi_real);
+  if (sz_w) *sz_w = 1952*sizeof(casadi_real);
   return 0;
 }
 
-/* compass_trace_144:(u[4],p[6])->(w[5x73],g[8x73],dg[8x73],R[4]) */
+/* compass_trace_144:(u[4],p[6])->(w[5x145],g[8x145],dg[8x145],R[4]) */
 static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+4, *rr, w00, *w01=w+216, w02, w03, *w04=w+220, *w05=w+226, *w06=w+250, w07, *w08=w+253, *w09=w+258;
-  casadi_real *w10=w+263, *w11=w+293, *w12=w+341, *w13=w+389, *w14=w+437, *w15=w+485, *w16=w+533, *w17=w+581, *w18=w+629, *w19=w+677, *w20=w+725, *w21=w+773;
-  casadi_real *w22=w+821, *w23=w+869, *w24=w+917, *w25=w+965, *w26=w+1013, *w27=w+1061, *w28=w+1109, *w29=w+1157, *w30=w+1205, *w31=w+1253, *w32=w+1301, *w33=w+1349;
-  casadi_real *w34=w+1397, *w35=w+1445, *w36=w+1453, *w37=w+1461;
+  casadi_real **res1=res+4, *rr, w00, *w01=w+289, w02, w03, *w04=w+293, *w05=w+299, *w06=w+323, w07, *w08=w+326, *w09=w+331;
+  casadi_real *w10=w+336, *w11=w+396, *w12=w+492, *w13=w+588, *w14=w+684, *w15=w+780, *w16=w+876, *w17=w+972, *w18=w+1068, *w19=w+1164, *w20=w+1260, *w21=w+1356;
+  casadi_real *w22=w+1452, *w23=w+1548, *w24=w+1644, *w25=w+1740, *w26=w+1836, *w27=w+1932, *w28=w+2028, *w29=w+2124, *w30=w+2220, *w31=w+2316, *w32=w+2412, *w33=w+2508;
+  casadi_real *w34=w+2604, *w35=w+2700, *w36=w+2708, *w37=w+2716;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = 0 */
   w00 = 0.;
@@ -15898,7 +16021,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w12;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
-  casadi_copy(w10, 30, res[0]);
+  casadi_copy(w10, 60, res[0]);
   /* #13: @0 = 0.0833333 */
   w00 = 8.3333333333333329e-02;
   /* #14: @0 = (@0*@2) */
@@ -15915,7 +16038,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w14;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+30);
+  if (res[0]) casadi_copy(w10, 60, res[0]+60);
   /* #17: @0 = 0.166667 */
   w00 = 1.6666666666666666e-01;
   /* #18: @0 = (@0*@2) */
@@ -15932,7 +16055,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w16;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+60);
+  if (res[0]) casadi_copy(w10, 60, res[0]+120);
   /* #21: @0 = 0.25 */
   w00 = 2.5000000000000000e-01;
   /* #22: @0 = (@0*@2) */
@@ -15949,7 +16072,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w18;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+90);
+  if (res[0]) casadi_copy(w10, 60, res[0]+180);
   /* #25: @0 = 0.333333 */
   w00 = 3.3333333333333331e-01;
   /* #26: @0 = (@0*@2) */
@@ -15966,7 +16089,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w20;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+120);
+  if (res[0]) casadi_copy(w10, 60, res[0]+240);
   /* #29: @0 = 0.416667 */
   w00 = 4.1666666666666669e-01;
   /* #30: @0 = (@0*@2) */
@@ -15983,7 +16106,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w22;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+150);
+  if (res[0]) casadi_copy(w10, 60, res[0]+300);
   /* #33: @0 = 0.5 */
   w00 = 5.0000000000000000e-01;
   /* #34: @0 = (@0*@2) */
@@ -16000,7 +16123,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w24;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[0][6] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+180);
+  if (res[0]) casadi_copy(w10, 60, res[0]+360);
   /* #37: @0 = 0.583333 */
   w00 = 5.8333333333333337e-01;
   /* #38: @0 = (@0*@2) */
@@ -16017,7 +16140,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w26;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[0][7] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+210);
+  if (res[0]) casadi_copy(w10, 60, res[0]+420);
   /* #41: @0 = 0.666667 */
   w00 = 6.6666666666666663e-01;
   /* #42: @0 = (@0*@2) */
@@ -16034,7 +16157,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w28;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #44: output[0][8] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+240);
+  if (res[0]) casadi_copy(w10, 60, res[0]+480);
   /* #45: @0 = 0.75 */
   w00 = 7.5000000000000000e-01;
   /* #46: @0 = (@0*@2) */
@@ -16051,7 +16174,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w30;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #48: output[0][9] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+270);
+  if (res[0]) casadi_copy(w10, 60, res[0]+540);
   /* #49: @0 = 0.833333 */
   w00 = 8.3333333333333337e-01;
   /* #50: @0 = (@0*@2) */
@@ -16068,7 +16191,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w32;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[0][10] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+300);
+  if (res[0]) casadi_copy(w10, 60, res[0]+600);
   /* #53: @0 = 0.916667 */
   w00 = 9.1666666666666663e-01;
   /* #54: @0 = (@0*@2) */
@@ -16085,33 +16208,33 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w34;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #56: output[0][11] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+330);
+  if (res[0]) casadi_copy(w10, 60, res[0]+660);
   /* #57: output[0][12] = @8 */
-  if (res[0]) casadi_copy(w08, 5, res[0]+360);
+  if (res[0]) casadi_copy(w08, 5, res[0]+720);
   /* #58: output[1][0] = @11 */
-  casadi_copy(w11, 48, res[1]);
+  casadi_copy(w11, 96, res[1]);
   /* #59: output[1][1] = @13 */
-  if (res[1]) casadi_copy(w13, 48, res[1]+48);
+  if (res[1]) casadi_copy(w13, 96, res[1]+96);
   /* #60: output[1][2] = @15 */
-  if (res[1]) casadi_copy(w15, 48, res[1]+96);
+  if (res[1]) casadi_copy(w15, 96, res[1]+192);
   /* #61: output[1][3] = @17 */
-  if (res[1]) casadi_copy(w17, 48, res[1]+144);
+  if (res[1]) casadi_copy(w17, 96, res[1]+288);
   /* #62: output[1][4] = @19 */
-  if (res[1]) casadi_copy(w19, 48, res[1]+192);
+  if (res[1]) casadi_copy(w19, 96, res[1]+384);
   /* #63: output[1][5] = @21 */
-  if (res[1]) casadi_copy(w21, 48, res[1]+240);
+  if (res[1]) casadi_copy(w21, 96, res[1]+480);
   /* #64: output[1][6] = @23 */
-  if (res[1]) casadi_copy(w23, 48, res[1]+288);
+  if (res[1]) casadi_copy(w23, 96, res[1]+576);
   /* #65: output[1][7] = @25 */
-  if (res[1]) casadi_copy(w25, 48, res[1]+336);
+  if (res[1]) casadi_copy(w25, 96, res[1]+672);
   /* #66: output[1][8] = @27 */
-  if (res[1]) casadi_copy(w27, 48, res[1]+384);
+  if (res[1]) casadi_copy(w27, 96, res[1]+768);
   /* #67: output[1][9] = @29 */
-  if (res[1]) casadi_copy(w29, 48, res[1]+432);
+  if (res[1]) casadi_copy(w29, 96, res[1]+864);
   /* #68: output[1][10] = @31 */
-  if (res[1]) casadi_copy(w31, 48, res[1]+480);
+  if (res[1]) casadi_copy(w31, 96, res[1]+960);
   /* #69: output[1][11] = @33 */
-  if (res[1]) casadi_copy(w33, 48, res[1]+528);
+  if (res[1]) casadi_copy(w33, 96, res[1]+1056);
   /* #70: @1 = @8[:4] */
   for (rr=w01, cs=w08+0; cs!=w08+4; cs+=1) *rr++ = *cs;
   /* #71: {@35, @36} = observe(@2, @1, @4) */
@@ -16122,33 +16245,33 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w36;
   if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
   /* #72: output[1][12] = @35 */
-  if (res[1]) casadi_copy(w35, 8, res[1]+576);
+  if (res[1]) casadi_copy(w35, 8, res[1]+1152);
   /* #73: output[2][0] = @12 */
-  casadi_copy(w12, 48, res[2]);
+  casadi_copy(w12, 96, res[2]);
   /* #74: output[2][1] = @14 */
-  if (res[2]) casadi_copy(w14, 48, res[2]+48);
+  if (res[2]) casadi_copy(w14, 96, res[2]+96);
   /* #75: output[2][2] = @16 */
-  if (res[2]) casadi_copy(w16, 48, res[2]+96);
+  if (res[2]) casadi_copy(w16, 96, res[2]+192);
   /* #76: output[2][3] = @18 */
-  if (res[2]) casadi_copy(w18, 48, res[2]+144);
+  if (res[2]) casadi_copy(w18, 96, res[2]+288);
   /* #77: output[2][4] = @20 */
-  if (res[2]) casadi_copy(w20, 48, res[2]+192);
+  if (res[2]) casadi_copy(w20, 96, res[2]+384);
   /* #78: output[2][5] = @22 */
-  if (res[2]) casadi_copy(w22, 48, res[2]+240);
+  if (res[2]) casadi_copy(w22, 96, res[2]+480);
   /* #79: output[2][6] = @24 */
-  if (res[2]) casadi_copy(w24, 48, res[2]+288);
+  if (res[2]) casadi_copy(w24, 96, res[2]+576);
   /* #80: output[2][7] = @26 */
-  if (res[2]) casadi_copy(w26, 48, res[2]+336);
+  if (res[2]) casadi_copy(w26, 96, res[2]+672);
   /* #81: output[2][8] = @28 */
-  if (res[2]) casadi_copy(w28, 48, res[2]+384);
+  if (res[2]) casadi_copy(w28, 96, res[2]+768);
   /* #82: output[2][9] = @30 */
-  if (res[2]) casadi_copy(w30, 48, res[2]+432);
+  if (res[2]) casadi_copy(w30, 96, res[2]+864);
   /* #83: output[2][10] = @32 */
-  if (res[2]) casadi_copy(w32, 48, res[2]+480);
+  if (res[2]) casadi_copy(w32, 96, res[2]+960);
   /* #84: output[2][11] = @34 */
-  if (res[2]) casadi_copy(w34, 48, res[2]+528);
+  if (res[2]) casadi_copy(w34, 96, res[2]+1056);
   /* #85: output[2][12] = @36 */
-  if (res[2]) casadi_copy(w36, 8, res[2]+576);
+  if (res[2]) casadi_copy(w36, 8, res[2]+1152);
   /* #86: @1 = @8[:4] */
   for (rr=w01, cs=w08+0; cs!=w08+4; cs+=1) *rr++ = *cs;
   /* #87: @37 = landing(@1, @6, @4) */
@@ -16229,7 +16352,7 @@ CASADI_SYMBOL_EXPORT int compass_trace_144_work(casadi_int *sz_arg, casadi_int* 
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 1465;
+  if (sz_w) *sz_w = 2720;
   return 0;
 }
 
@@ -16237,17 +16360,17 @@ CASADI_SYMBOL_EXPORT int compass_trace_144_work_bytes(casadi_int *sz_arg, casadi
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 1465*sizeof(casadi_real);
+  if (sz_w) *sz_w = 2720*sizeof(casadi_real);
   return 0;
 }
 
-/* compass_trace_192:(u[4],p[6])->(w[5x97],g[8x97],dg[8x97],R[4]) */
+/* compass_trace_192:(u[4],p[6])->(w[5x193],g[8x193],dg[8x193],R[4]) */
 static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+4, *rr, w00, *w01=w+216, w02, w03, *w04=w+220, *w05=w+226, *w06=w+250, w07, *w08=w+253, *w09=w+258;
-  casadi_real *w10=w+263, *w11=w+293, *w12=w+341, *w13=w+389, *w14=w+437, *w15=w+485, *w16=w+533, *w17=w+581, *w18=w+629, *w19=w+677, *w20=w+725, *w21=w+773;
-  casadi_real *w22=w+821, *w23=w+869, *w24=w+917, *w25=w+965, *w26=w+1013, *w27=w+1061, *w28=w+1109, *w29=w+1157, *w30=w+1205, *w31=w+1253, *w32=w+1301, *w33=w+1349;
-  casadi_real *w34=w+1397, *w35=w+1445, *w36=w+1493, *w37=w+1541, *w38=w+1589, *w39=w+1637, *w40=w+1685, *w41=w+1733, *w42=w+1781, *w43=w+1829, *w44=w+1837, *w45=w+1845;
+  casadi_real **res1=res+4, *rr, w00, *w01=w+289, w02, w03, *w04=w+293, *w05=w+299, *w06=w+323, w07, *w08=w+326, *w09=w+331;
+  casadi_real *w10=w+336, *w11=w+396, *w12=w+492, *w13=w+588, *w14=w+684, *w15=w+780, *w16=w+876, *w17=w+972, *w18=w+1068, *w19=w+1164, *w20=w+1260, *w21=w+1356;
+  casadi_real *w22=w+1452, *w23=w+1548, *w24=w+1644, *w25=w+1740, *w26=w+1836, *w27=w+1932, *w28=w+2028, *w29=w+2124, *w30=w+2220, *w31=w+2316, *w32=w+2412, *w33=w+2508;
+  casadi_real *w34=w+2604, *w35=w+2700, *w36=w+2796, *w37=w+2892, *w38=w+2988, *w39=w+3084, *w40=w+3180, *w41=w+3276, *w42=w+3372, *w43=w+3468, *w44=w+3476, *w45=w+3484;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = 0 */
   w00 = 0.;
@@ -16291,7 +16414,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w12;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
-  casadi_copy(w10, 30, res[0]);
+  casadi_copy(w10, 60, res[0]);
   /* #13: @0 = 0.0625 */
   w00 = 6.2500000000000000e-02;
   /* #14: @0 = (@0*@2) */
@@ -16308,7 +16431,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w14;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+30);
+  if (res[0]) casadi_copy(w10, 60, res[0]+60);
   /* #17: @0 = 0.125 */
   w00 = 1.2500000000000000e-01;
   /* #18: @0 = (@0*@2) */
@@ -16325,7 +16448,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w16;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+60);
+  if (res[0]) casadi_copy(w10, 60, res[0]+120);
   /* #21: @0 = 0.1875 */
   w00 = 1.8750000000000000e-01;
   /* #22: @0 = (@0*@2) */
@@ -16342,7 +16465,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w18;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+90);
+  if (res[0]) casadi_copy(w10, 60, res[0]+180);
   /* #25: @0 = 0.25 */
   w00 = 2.5000000000000000e-01;
   /* #26: @0 = (@0*@2) */
@@ -16359,7 +16482,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w20;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+120);
+  if (res[0]) casadi_copy(w10, 60, res[0]+240);
   /* #29: @0 = 0.3125 */
   w00 = 3.1250000000000000e-01;
   /* #30: @0 = (@0*@2) */
@@ -16376,7 +16499,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w22;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+150);
+  if (res[0]) casadi_copy(w10, 60, res[0]+300);
   /* #33: @0 = 0.375 */
   w00 = 3.7500000000000000e-01;
   /* #34: @0 = (@0*@2) */
@@ -16393,7 +16516,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w24;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[0][6] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+180);
+  if (res[0]) casadi_copy(w10, 60, res[0]+360);
   /* #37: @0 = 0.4375 */
   w00 = 4.3750000000000000e-01;
   /* #38: @0 = (@0*@2) */
@@ -16410,7 +16533,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w26;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[0][7] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+210);
+  if (res[0]) casadi_copy(w10, 60, res[0]+420);
   /* #41: @0 = 0.5 */
   w00 = 5.0000000000000000e-01;
   /* #42: @0 = (@0*@2) */
@@ -16427,7 +16550,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w28;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #44: output[0][8] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+240);
+  if (res[0]) casadi_copy(w10, 60, res[0]+480);
   /* #45: @0 = 0.5625 */
   w00 = 5.6250000000000000e-01;
   /* #46: @0 = (@0*@2) */
@@ -16444,7 +16567,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w30;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #48: output[0][9] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+270);
+  if (res[0]) casadi_copy(w10, 60, res[0]+540);
   /* #49: @0 = 0.625 */
   w00 = 6.2500000000000000e-01;
   /* #50: @0 = (@0*@2) */
@@ -16461,7 +16584,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w32;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[0][10] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+300);
+  if (res[0]) casadi_copy(w10, 60, res[0]+600);
   /* #53: @0 = 0.6875 */
   w00 = 6.8750000000000000e-01;
   /* #54: @0 = (@0*@2) */
@@ -16478,7 +16601,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w34;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #56: output[0][11] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+330);
+  if (res[0]) casadi_copy(w10, 60, res[0]+660);
   /* #57: @0 = 0.75 */
   w00 = 7.5000000000000000e-01;
   /* #58: @0 = (@0*@2) */
@@ -16495,7 +16618,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w36;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #60: output[0][12] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+360);
+  if (res[0]) casadi_copy(w10, 60, res[0]+720);
   /* #61: @0 = 0.8125 */
   w00 = 8.1250000000000000e-01;
   /* #62: @0 = (@0*@2) */
@@ -16512,7 +16635,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w38;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #64: output[0][13] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+390);
+  if (res[0]) casadi_copy(w10, 60, res[0]+780);
   /* #65: @0 = 0.875 */
   w00 = 8.7500000000000000e-01;
   /* #66: @0 = (@0*@2) */
@@ -16529,7 +16652,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w40;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #68: output[0][14] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+420);
+  if (res[0]) casadi_copy(w10, 60, res[0]+840);
   /* #69: @0 = 0.9375 */
   w00 = 9.3750000000000000e-01;
   /* #70: @0 = (@0*@2) */
@@ -16546,41 +16669,41 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w42;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #72: output[0][15] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+450);
+  if (res[0]) casadi_copy(w10, 60, res[0]+900);
   /* #73: output[0][16] = @8 */
-  if (res[0]) casadi_copy(w08, 5, res[0]+480);
+  if (res[0]) casadi_copy(w08, 5, res[0]+960);
   /* #74: output[1][0] = @11 */
-  casadi_copy(w11, 48, res[1]);
+  casadi_copy(w11, 96, res[1]);
   /* #75: output[1][1] = @13 */
-  if (res[1]) casadi_copy(w13, 48, res[1]+48);
+  if (res[1]) casadi_copy(w13, 96, res[1]+96);
   /* #76: output[1][2] = @15 */
-  if (res[1]) casadi_copy(w15, 48, res[1]+96);
+  if (res[1]) casadi_copy(w15, 96, res[1]+192);
   /* #77: output[1][3] = @17 */
-  if (res[1]) casadi_copy(w17, 48, res[1]+144);
+  if (res[1]) casadi_copy(w17, 96, res[1]+288);
   /* #78: output[1][4] = @19 */
-  if (res[1]) casadi_copy(w19, 48, res[1]+192);
+  if (res[1]) casadi_copy(w19, 96, res[1]+384);
   /* #79: output[1][5] = @21 */
-  if (res[1]) casadi_copy(w21, 48, res[1]+240);
+  if (res[1]) casadi_copy(w21, 96, res[1]+480);
   /* #80: output[1][6] = @23 */
-  if (res[1]) casadi_copy(w23, 48, res[1]+288);
+  if (res[1]) casadi_copy(w23, 96, res[1]+576);
   /* #81: output[1][7] = @25 */
-  if (res[1]) casadi_copy(w25, 48, res[1]+336);
+  if (res[1]) casadi_copy(w25, 96, res[1]+672);
   /* #82: output[1][8] = @27 */
-  if (res[1]) casadi_copy(w27, 48, res[1]+384);
+  if (res[1]) casadi_copy(w27, 96, res[1]+768);
   /* #83: output[1][9] = @29 */
-  if (res[1]) casadi_copy(w29, 48, res[1]+432);
+  if (res[1]) casadi_copy(w29, 96, res[1]+864);
   /* #84: output[1][10] = @31 */
-  if (res[1]) casadi_copy(w31, 48, res[1]+480);
+  if (res[1]) casadi_copy(w31, 96, res[1]+960);
   /* #85: output[1][11] = @33 */
-  if (res[1]) casadi_copy(w33, 48, res[1]+528);
+  if (res[1]) casadi_copy(w33, 96, res[1]+1056);
   /* #86: output[1][12] = @35 */
-  if (res[1]) casadi_copy(w35, 48, res[1]+576);
+  if (res[1]) casadi_copy(w35, 96, res[1]+1152);
   /* #87: output[1][13] = @37 */
-  if (res[1]) casadi_copy(w37, 48, res[1]+624);
+  if (res[1]) casadi_copy(w37, 96, res[1]+1248);
   /* #88: output[1][14] = @39 */
-  if (res[1]) casadi_copy(w39, 48, res[1]+672);
+  if (res[1]) casadi_copy(w39, 96, res[1]+1344);
   /* #89: output[1][15] = @41 */
-  if (res[1]) casadi_copy(w41, 48, res[1]+720);
+  if (res[1]) casadi_copy(w41, 96, res[1]+1440);
   /* #90: @1 = @8[:4] */
   for (rr=w01, cs=w08+0; cs!=w08+4; cs+=1) *rr++ = *cs;
   /* #91: {@43, @44} = observe(@2, @1, @4) */
@@ -16591,41 +16714,41 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w44;
   if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
   /* #92: output[1][16] = @43 */
-  if (res[1]) casadi_copy(w43, 8, res[1]+768);
+  if (res[1]) casadi_copy(w43, 8, res[1]+1536);
   /* #93: output[2][0] = @12 */
-  casadi_copy(w12, 48, res[2]);
+  casadi_copy(w12, 96, res[2]);
   /* #94: output[2][1] = @14 */
-  if (res[2]) casadi_copy(w14, 48, res[2]+48);
+  if (res[2]) casadi_copy(w14, 96, res[2]+96);
   /* #95: output[2][2] = @16 */
-  if (res[2]) casadi_copy(w16, 48, res[2]+96);
+  if (res[2]) casadi_copy(w16, 96, res[2]+192);
   /* #96: output[2][3] = @18 */
-  if (res[2]) casadi_copy(w18, 48, res[2]+144);
+  if (res[2]) casadi_copy(w18, 96, res[2]+288);
   /* #97: output[2][4] = @20 */
-  if (res[2]) casadi_copy(w20, 48, res[2]+192);
+  if (res[2]) casadi_copy(w20, 96, res[2]+384);
   /* #98: output[2][5] = @22 */
-  if (res[2]) casadi_copy(w22, 48, res[2]+240);
+  if (res[2]) casadi_copy(w22, 96, res[2]+480);
   /* #99: output[2][6] = @24 */
-  if (res[2]) casadi_copy(w24, 48, res[2]+288);
+  if (res[2]) casadi_copy(w24, 96, res[2]+576);
   /* #100: output[2][7] = @26 */
-  if (res[2]) casadi_copy(w26, 48, res[2]+336);
+  if (res[2]) casadi_copy(w26, 96, res[2]+672);
   /* #101: output[2][8] = @28 */
-  if (res[2]) casadi_copy(w28, 48, res[2]+384);
+  if (res[2]) casadi_copy(w28, 96, res[2]+768);
   /* #102: output[2][9] = @30 */
-  if (res[2]) casadi_copy(w30, 48, res[2]+432);
+  if (res[2]) casadi_copy(w30, 96, res[2]+864);
   /* #103: output[2][10] = @32 */
-  if (res[2]) casadi_copy(w32, 48, res[2]+480);
+  if (res[2]) casadi_copy(w32, 96, res[2]+960);
   /* #104: output[2][11] = @34 */
-  if (res[2]) casadi_copy(w34, 48, res[2]+528);
+  if (res[2]) casadi_copy(w34, 96, res[2]+1056);
   /* #105: output[2][12] = @36 */
-  if (res[2]) casadi_copy(w36, 48, res[2]+576);
+  if (res[2]) casadi_copy(w36, 96, res[2]+1152);
   /* #106: output[2][13] = @38 */
-  if (res[2]) casadi_copy(w38, 48, res[2]+624);
+  if (res[2]) casadi_copy(w38, 96, res[2]+1248);
   /* #107: output[2][14] = @40 */
-  if (res[2]) casadi_copy(w40, 48, res[2]+672);
+  if (res[2]) casadi_copy(w40, 96, res[2]+1344);
   /* #108: output[2][15] = @42 */
-  if (res[2]) casadi_copy(w42, 48, res[2]+720);
+  if (res[2]) casadi_copy(w42, 96, res[2]+1440);
   /* #109: output[2][16] = @44 */
-  if (res[2]) casadi_copy(w44, 8, res[2]+768);
+  if (res[2]) casadi_copy(w44, 8, res[2]+1536);
   /* #110: @1 = @8[:4] */
   for (rr=w01, cs=w08+0; cs!=w08+4; cs+=1) *rr++ = *cs;
   /* #111: @45 = landing(@1, @6, @4) */
@@ -16706,7 +16829,7 @@ CASADI_SYMBOL_EXPORT int compass_trace_192_work(casadi_int *sz_arg, casadi_int* 
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 1849;
+  if (sz_w) *sz_w = 3488;
   return 0;
 }
 
@@ -16714,19 +16837,19 @@ CASADI_SYMBOL_EXPORT int compass_trace_192_work_bytes(casadi_int *sz_arg, casadi
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 1849*sizeof(casadi_real);
+  if (sz_w) *sz_w = 3488*sizeof(casadi_real);
   return 0;
 }
 
-/* compass_trace_288:(u[4],p[6])->(w[5x145],g[8x145],dg[8x145],R[4]) */
+/* compass_trace_288:(u[4],p[6])->(w[5x289],g[8x289],dg[8x289],R[4]) */
 static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+4, *rr, w00, *w01=w+216, w02, w03, *w04=w+220, *w05=w+226, *w06=w+250, w07, *w08=w+253, *w09=w+258;
-  casadi_real *w10=w+263, *w11=w+293, *w12=w+341, *w13=w+389, *w14=w+437, *w15=w+485, *w16=w+533, *w17=w+581, *w18=w+629, *w19=w+677, *w20=w+725, *w21=w+773;
-  casadi_real *w22=w+821, *w23=w+869, *w24=w+917, *w25=w+965, *w26=w+1013, *w27=w+1061, *w28=w+1109, *w29=w+1157, *w30=w+1205, *w31=w+1253, *w32=w+1301, *w33=w+1349;
-  casadi_real *w34=w+1397, *w35=w+1445, *w36=w+1493, *w37=w+1541, *w38=w+1589, *w39=w+1637, *w40=w+1685, *w41=w+1733, *w42=w+1781, *w43=w+1829, *w44=w+1877, *w45=w+1925;
-  casadi_real *w46=w+1973, *w47=w+2021, *w48=w+2069, *w49=w+2117, *w50=w+2165, *w51=w+2213, *w52=w+2261, *w53=w+2309, *w54=w+2357, *w55=w+2405, *w56=w+2453, *w57=w+2501;
-  casadi_real *w58=w+2549, *w59=w+2597, *w60=w+2605, *w61=w+2613;
+  casadi_real **res1=res+4, *rr, w00, *w01=w+289, w02, w03, *w04=w+293, *w05=w+299, *w06=w+323, w07, *w08=w+326, *w09=w+331;
+  casadi_real *w10=w+336, *w11=w+396, *w12=w+492, *w13=w+588, *w14=w+684, *w15=w+780, *w16=w+876, *w17=w+972, *w18=w+1068, *w19=w+1164, *w20=w+1260, *w21=w+1356;
+  casadi_real *w22=w+1452, *w23=w+1548, *w24=w+1644, *w25=w+1740, *w26=w+1836, *w27=w+1932, *w28=w+2028, *w29=w+2124, *w30=w+2220, *w31=w+2316, *w32=w+2412, *w33=w+2508;
+  casadi_real *w34=w+2604, *w35=w+2700, *w36=w+2796, *w37=w+2892, *w38=w+2988, *w39=w+3084, *w40=w+3180, *w41=w+3276, *w42=w+3372, *w43=w+3468, *w44=w+3564, *w45=w+3660;
+  casadi_real *w46=w+3756, *w47=w+3852, *w48=w+3948, *w49=w+4044, *w50=w+4140, *w51=w+4236, *w52=w+4332, *w53=w+4428, *w54=w+4524, *w55=w+4620, *w56=w+4716, *w57=w+4812;
+  casadi_real *w58=w+4908, *w59=w+5004, *w60=w+5012, *w61=w+5020;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = 0 */
   w00 = 0.;
@@ -16770,7 +16893,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w12;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
-  casadi_copy(w10, 30, res[0]);
+  casadi_copy(w10, 60, res[0]);
   /* #13: @0 = 0.0416667 */
   w00 = 4.1666666666666664e-02;
   /* #14: @0 = (@0*@2) */
@@ -16787,7 +16910,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w14;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+30);
+  if (res[0]) casadi_copy(w10, 60, res[0]+60);
   /* #17: @0 = 0.0833333 */
   w00 = 8.3333333333333329e-02;
   /* #18: @0 = (@0*@2) */
@@ -16804,7 +16927,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w16;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+60);
+  if (res[0]) casadi_copy(w10, 60, res[0]+120);
   /* #21: @0 = 0.125 */
   w00 = 1.2500000000000000e-01;
   /* #22: @0 = (@0*@2) */
@@ -16821,7 +16944,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w18;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+90);
+  if (res[0]) casadi_copy(w10, 60, res[0]+180);
   /* #25: @0 = 0.166667 */
   w00 = 1.6666666666666666e-01;
   /* #26: @0 = (@0*@2) */
@@ -16838,7 +16961,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w20;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+120);
+  if (res[0]) casadi_copy(w10, 60, res[0]+240);
   /* #29: @0 = 0.208333 */
   w00 = 2.0833333333333334e-01;
   /* #30: @0 = (@0*@2) */
@@ -16855,7 +16978,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w22;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+150);
+  if (res[0]) casadi_copy(w10, 60, res[0]+300);
   /* #33: @0 = 0.25 */
   w00 = 2.5000000000000000e-01;
   /* #34: @0 = (@0*@2) */
@@ -16872,7 +16995,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w24;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[0][6] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+180);
+  if (res[0]) casadi_copy(w10, 60, res[0]+360);
   /* #37: @0 = 0.291667 */
   w00 = 2.9166666666666669e-01;
   /* #38: @0 = (@0*@2) */
@@ -16889,7 +17012,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w26;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[0][7] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+210);
+  if (res[0]) casadi_copy(w10, 60, res[0]+420);
   /* #41: @0 = 0.333333 */
   w00 = 3.3333333333333331e-01;
   /* #42: @0 = (@0*@2) */
@@ -16906,7 +17029,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w28;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #44: output[0][8] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+240);
+  if (res[0]) casadi_copy(w10, 60, res[0]+480);
   /* #45: @0 = 0.375 */
   w00 = 3.7500000000000000e-01;
   /* #46: @0 = (@0*@2) */
@@ -16923,7 +17046,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w30;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #48: output[0][9] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+270);
+  if (res[0]) casadi_copy(w10, 60, res[0]+540);
   /* #49: @0 = 0.416667 */
   w00 = 4.1666666666666669e-01;
   /* #50: @0 = (@0*@2) */
@@ -16940,7 +17063,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w32;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[0][10] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+300);
+  if (res[0]) casadi_copy(w10, 60, res[0]+600);
   /* #53: @0 = 0.458333 */
   w00 = 4.5833333333333331e-01;
   /* #54: @0 = (@0*@2) */
@@ -16957,7 +17080,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w34;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #56: output[0][11] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+330);
+  if (res[0]) casadi_copy(w10, 60, res[0]+660);
   /* #57: @0 = 0.5 */
   w00 = 5.0000000000000000e-01;
   /* #58: @0 = (@0*@2) */
@@ -16974,7 +17097,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w36;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #60: output[0][12] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+360);
+  if (res[0]) casadi_copy(w10, 60, res[0]+720);
   /* #61: @0 = 0.541667 */
   w00 = 5.4166666666666663e-01;
   /* #62: @0 = (@0*@2) */
@@ -16991,7 +17114,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w38;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #64: output[0][13] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+390);
+  if (res[0]) casadi_copy(w10, 60, res[0]+780);
   /* #65: @0 = 0.583333 */
   w00 = 5.8333333333333337e-01;
   /* #66: @0 = (@0*@2) */
@@ -17008,7 +17131,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w40;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #68: output[0][14] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+420);
+  if (res[0]) casadi_copy(w10, 60, res[0]+840);
   /* #69: @0 = 0.625 */
   w00 = 6.2500000000000000e-01;
   /* #70: @0 = (@0*@2) */
@@ -17025,7 +17148,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w42;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #72: output[0][15] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+450);
+  if (res[0]) casadi_copy(w10, 60, res[0]+900);
   /* #73: @0 = 0.666667 */
   w00 = 6.6666666666666663e-01;
   /* #74: @0 = (@0*@2) */
@@ -17042,7 +17165,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w44;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #76: output[0][16] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+480);
+  if (res[0]) casadi_copy(w10, 60, res[0]+960);
   /* #77: @0 = 0.708333 */
   w00 = 7.0833333333333337e-01;
   /* #78: @0 = (@0*@2) */
@@ -17059,7 +17182,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w46;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #80: output[0][17] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+510);
+  if (res[0]) casadi_copy(w10, 60, res[0]+1020);
   /* #81: @0 = 0.75 */
   w00 = 7.5000000000000000e-01;
   /* #82: @0 = (@0*@2) */
@@ -17076,7 +17199,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w48;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #84: output[0][18] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+540);
+  if (res[0]) casadi_copy(w10, 60, res[0]+1080);
   /* #85: @0 = 0.791667 */
   w00 = 7.9166666666666663e-01;
   /* #86: @0 = (@0*@2) */
@@ -17093,7 +17216,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w50;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #88: output[0][19] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+570);
+  if (res[0]) casadi_copy(w10, 60, res[0]+1140);
   /* #89: @0 = 0.833333 */
   w00 = 8.3333333333333337e-01;
   /* #90: @0 = (@0*@2) */
@@ -17110,7 +17233,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w52;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #92: output[0][20] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+600);
+  if (res[0]) casadi_copy(w10, 60, res[0]+1200);
   /* #93: @0 = 0.875 */
   w00 = 8.7500000000000000e-01;
   /* #94: @0 = (@0*@2) */
@@ -17127,7 +17250,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w54;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #96: output[0][21] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+630);
+  if (res[0]) casadi_copy(w10, 60, res[0]+1260);
   /* #97: @0 = 0.916667 */
   w00 = 9.1666666666666663e-01;
   /* #98: @0 = (@0*@2) */
@@ -17144,7 +17267,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w56;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #100: output[0][22] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+660);
+  if (res[0]) casadi_copy(w10, 60, res[0]+1320);
   /* #101: @0 = 0.958333 */
   w00 = 9.5833333333333337e-01;
   /* #102: @0 = (@0*@2) */
@@ -17161,57 +17284,57 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w58;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #104: output[0][23] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+690);
+  if (res[0]) casadi_copy(w10, 60, res[0]+1380);
   /* #105: output[0][24] = @8 */
-  if (res[0]) casadi_copy(w08, 5, res[0]+720);
+  if (res[0]) casadi_copy(w08, 5, res[0]+1440);
   /* #106: output[1][0] = @11 */
-  casadi_copy(w11, 48, res[1]);
+  casadi_copy(w11, 96, res[1]);
   /* #107: output[1][1] = @13 */
-  if (res[1]) casadi_copy(w13, 48, res[1]+48);
+  if (res[1]) casadi_copy(w13, 96, res[1]+96);
   /* #108: output[1][2] = @15 */
-  if (res[1]) casadi_copy(w15, 48, res[1]+96);
+  if (res[1]) casadi_copy(w15, 96, res[1]+192);
   /* #109: output[1][3] = @17 */
-  if (res[1]) casadi_copy(w17, 48, res[1]+144);
+  if (res[1]) casadi_copy(w17, 96, res[1]+288);
   /* #110: output[1][4] = @19 */
-  if (res[1]) casadi_copy(w19, 48, res[1]+192);
+  if (res[1]) casadi_copy(w19, 96, res[1]+384);
   /* #111: output[1][5] = @21 */
-  if (res[1]) casadi_copy(w21, 48, res[1]+240);
+  if (res[1]) casadi_copy(w21, 96, res[1]+480);
   /* #112: output[1][6] = @23 */
-  if (res[1]) casadi_copy(w23, 48, res[1]+288);
+  if (res[1]) casadi_copy(w23, 96, res[1]+576);
   /* #113: output[1][7] = @25 */
-  if (res[1]) casadi_copy(w25, 48, res[1]+336);
+  if (res[1]) casadi_copy(w25, 96, res[1]+672);
   /* #114: output[1][8] = @27 */
-  if (res[1]) casadi_copy(w27, 48, res[1]+384);
+  if (res[1]) casadi_copy(w27, 96, res[1]+768);
   /* #115: output[1][9] = @29 */
-  if (res[1]) casadi_copy(w29, 48, res[1]+432);
+  if (res[1]) casadi_copy(w29, 96, res[1]+864);
   /* #116: output[1][10] = @31 */
-  if (res[1]) casadi_copy(w31, 48, res[1]+480);
+  if (res[1]) casadi_copy(w31, 96, res[1]+960);
   /* #117: output[1][11] = @33 */
-  if (res[1]) casadi_copy(w33, 48, res[1]+528);
+  if (res[1]) casadi_copy(w33, 96, res[1]+1056);
   /* #118: output[1][12] = @35 */
-  if (res[1]) casadi_copy(w35, 48, res[1]+576);
+  if (res[1]) casadi_copy(w35, 96, res[1]+1152);
   /* #119: output[1][13] = @37 */
-  if (res[1]) casadi_copy(w37, 48, res[1]+624);
+  if (res[1]) casadi_copy(w37, 96, res[1]+1248);
   /* #120: output[1][14] = @39 */
-  if (res[1]) casadi_copy(w39, 48, res[1]+672);
+  if (res[1]) casadi_copy(w39, 96, res[1]+1344);
   /* #121: output[1][15] = @41 */
-  if (res[1]) casadi_copy(w41, 48, res[1]+720);
+  if (res[1]) casadi_copy(w41, 96, res[1]+1440);
   /* #122: output[1][16] = @43 */
-  if (res[1]) casadi_copy(w43, 48, res[1]+768);
+  if (res[1]) casadi_copy(w43, 96, res[1]+1536);
   /* #123: output[1][17] = @45 */
-  if (res[1]) casadi_copy(w45, 48, res[1]+816);
+  if (res[1]) casadi_copy(w45, 96, res[1]+1632);
   /* #124: output[1][18] = @47 */
-  if (res[1]) casadi_copy(w47, 48, res[1]+864);
+  if (res[1]) casadi_copy(w47, 96, res[1]+1728);
   /* #125: output[1][19] = @49 */
-  if (res[1]) casadi_copy(w49, 48, res[1]+912);
+  if (res[1]) casadi_copy(w49, 96, res[1]+1824);
   /* #126: output[1][20] = @51 */
-  if (res[1]) casadi_copy(w51, 48, res[1]+960);
+  if (res[1]) casadi_copy(w51, 96, res[1]+1920);
   /* #127: output[1][21] = @53 */
-  if (res[1]) casadi_copy(w53, 48, res[1]+1008);
+  if (res[1]) casadi_copy(w53, 96, res[1]+2016);
   /* #128: output[1][22] = @55 */
-  if (res[1]) casadi_copy(w55, 48, res[1]+1056);
+  if (res[1]) casadi_copy(w55, 96, res[1]+2112);
   /* #129: output[1][23] = @57 */
-  if (res[1]) casadi_copy(w57, 48, res[1]+1104);
+  if (res[1]) casadi_copy(w57, 96, res[1]+2208);
   /* #130: @1 = @8[:4] */
   for (rr=w01, cs=w08+0; cs!=w08+4; cs+=1) *rr++ = *cs;
   /* #131: {@59, @60} = observe(@2, @1, @4) */
@@ -17222,57 +17345,57 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w60;
   if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
   /* #132: output[1][24] = @59 */
-  if (res[1]) casadi_copy(w59, 8, res[1]+1152);
+  if (res[1]) casadi_copy(w59, 8, res[1]+2304);
   /* #133: output[2][0] = @12 */
-  casadi_copy(w12, 48, res[2]);
+  casadi_copy(w12, 96, res[2]);
   /* #134: output[2][1] = @14 */
-  if (res[2]) casadi_copy(w14, 48, res[2]+48);
+  if (res[2]) casadi_copy(w14, 96, res[2]+96);
   /* #135: output[2][2] = @16 */
-  if (res[2]) casadi_copy(w16, 48, res[2]+96);
+  if (res[2]) casadi_copy(w16, 96, res[2]+192);
   /* #136: output[2][3] = @18 */
-  if (res[2]) casadi_copy(w18, 48, res[2]+144);
+  if (res[2]) casadi_copy(w18, 96, res[2]+288);
   /* #137: output[2][4] = @20 */
-  if (res[2]) casadi_copy(w20, 48, res[2]+192);
+  if (res[2]) casadi_copy(w20, 96, res[2]+384);
   /* #138: output[2][5] = @22 */
-  if (res[2]) casadi_copy(w22, 48, res[2]+240);
+  if (res[2]) casadi_copy(w22, 96, res[2]+480);
   /* #139: output[2][6] = @24 */
-  if (res[2]) casadi_copy(w24, 48, res[2]+288);
+  if (res[2]) casadi_copy(w24, 96, res[2]+576);
   /* #140: output[2][7] = @26 */
-  if (res[2]) casadi_copy(w26, 48, res[2]+336);
+  if (res[2]) casadi_copy(w26, 96, res[2]+672);
   /* #141: output[2][8] = @28 */
-  if (res[2]) casadi_copy(w28, 48, res[2]+384);
+  if (res[2]) casadi_copy(w28, 96, res[2]+768);
   /* #142: output[2][9] = @30 */
-  if (res[2]) casadi_copy(w30, 48, res[2]+432);
+  if (res[2]) casadi_copy(w30, 96, res[2]+864);
   /* #143: output[2][10] = @32 */
-  if (res[2]) casadi_copy(w32, 48, res[2]+480);
+  if (res[2]) casadi_copy(w32, 96, res[2]+960);
   /* #144: output[2][11] = @34 */
-  if (res[2]) casadi_copy(w34, 48, res[2]+528);
+  if (res[2]) casadi_copy(w34, 96, res[2]+1056);
   /* #145: output[2][12] = @36 */
-  if (res[2]) casadi_copy(w36, 48, res[2]+576);
+  if (res[2]) casadi_copy(w36, 96, res[2]+1152);
   /* #146: output[2][13] = @38 */
-  if (res[2]) casadi_copy(w38, 48, res[2]+624);
+  if (res[2]) casadi_copy(w38, 96, res[2]+1248);
   /* #147: output[2][14] = @40 */
-  if (res[2]) casadi_copy(w40, 48, res[2]+672);
+  if (res[2]) casadi_copy(w40, 96, res[2]+1344);
   /* #148: output[2][15] = @42 */
-  if (res[2]) casadi_copy(w42, 48, res[2]+720);
+  if (res[2]) casadi_copy(w42, 96, res[2]+1440);
   /* #149: output[2][16] = @44 */
-  if (res[2]) casadi_copy(w44, 48, res[2]+768);
+  if (res[2]) casadi_copy(w44, 96, res[2]+1536);
   /* #150: output[2][17] = @46 */
-  if (res[2]) casadi_copy(w46, 48, res[2]+816);
+  if (res[2]) casadi_copy(w46, 96, res[2]+1632);
   /* #151: output[2][18] = @48 */
-  if (res[2]) casadi_copy(w48, 48, res[2]+864);
+  if (res[2]) casadi_copy(w48, 96, res[2]+1728);
   /* #152: output[2][19] = @50 */
-  if (res[2]) casadi_copy(w50, 48, res[2]+912);
+  if (res[2]) casadi_copy(w50, 96, res[2]+1824);
   /* #153: output[2][20] = @52 */
-  if (res[2]) casadi_copy(w52, 48, res[2]+960);
+  if (res[2]) casadi_copy(w52, 96, res[2]+1920);
   /* #154: output[2][21] = @54 */
-  if (res[2]) casadi_copy(w54, 48, res[2]+1008);
+  if (res[2]) casadi_copy(w54, 96, res[2]+2016);
   /* #155: output[2][22] = @56 */
-  if (res[2]) casadi_copy(w56, 48, res[2]+1056);
+  if (res[2]) casadi_copy(w56, 96, res[2]+2112);
   /* #156: output[2][23] = @58 */
-  if (res[2]) casadi_copy(w58, 48, res[2]+1104);
+  if (res[2]) casadi_copy(w58, 96, res[2]+2208);
   /* #157: output[2][24] = @60 */
-  if (res[2]) casadi_copy(w60, 8, res[2]+1152);
+  if (res[2]) casadi_copy(w60, 8, res[2]+2304);
   /* #158: @1 = @8[:4] */
   for (rr=w01, cs=w08+0; cs!=w08+4; cs+=1) *rr++ = *cs;
   /* #159: @61 = landing(@1, @6, @4) */
@@ -17353,7 +17476,7 @@ CASADI_SYMBOL_EXPORT int compass_trace_288_work(casadi_int *sz_arg, casadi_int* 
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 2617;
+  if (sz_w) *sz_w = 5024;
   return 0;
 }
 
@@ -17361,20 +17484,20 @@ CASADI_SYMBOL_EXPORT int compass_trace_288_work_bytes(casadi_int *sz_arg, casadi
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 2617*sizeof(casadi_real);
+  if (sz_w) *sz_w = 5024*sizeof(casadi_real);
   return 0;
 }
 
-/* compass_trace_384:(u[4],p[6])->(w[5x193],g[8x193],dg[8x193],R[4]) */
+/* compass_trace_384:(u[4],p[6])->(w[5x385],g[8x385],dg[8x385],R[4]) */
 static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+4, *rr, w00, *w01=w+216, w02, w03, *w04=w+220, *w05=w+226, *w06=w+250, w07, *w08=w+253, *w09=w+258;
-  casadi_real *w10=w+263, *w11=w+293, *w12=w+341, *w13=w+389, *w14=w+437, *w15=w+485, *w16=w+533, *w17=w+581, *w18=w+629, *w19=w+677, *w20=w+725, *w21=w+773;
-  casadi_real *w22=w+821, *w23=w+869, *w24=w+917, *w25=w+965, *w26=w+1013, *w27=w+1061, *w28=w+1109, *w29=w+1157, *w30=w+1205, *w31=w+1253, *w32=w+1301, *w33=w+1349;
-  casadi_real *w34=w+1397, *w35=w+1445, *w36=w+1493, *w37=w+1541, *w38=w+1589, *w39=w+1637, *w40=w+1685, *w41=w+1733, *w42=w+1781, *w43=w+1829, *w44=w+1877, *w45=w+1925;
-  casadi_real *w46=w+1973, *w47=w+2021, *w48=w+2069, *w49=w+2117, *w50=w+2165, *w51=w+2213, *w52=w+2261, *w53=w+2309, *w54=w+2357, *w55=w+2405, *w56=w+2453, *w57=w+2501;
-  casadi_real *w58=w+2549, *w59=w+2597, *w60=w+2645, *w61=w+2693, *w62=w+2741, *w63=w+2789, *w64=w+2837, *w65=w+2885, *w66=w+2933, *w67=w+2981, *w68=w+3029, *w69=w+3077;
-  casadi_real *w70=w+3125, *w71=w+3173, *w72=w+3221, *w73=w+3269, *w74=w+3317, *w75=w+3365, *w76=w+3373, *w77=w+3381;
+  casadi_real **res1=res+4, *rr, w00, *w01=w+289, w02, w03, *w04=w+293, *w05=w+299, *w06=w+323, w07, *w08=w+326, *w09=w+331;
+  casadi_real *w10=w+336, *w11=w+396, *w12=w+492, *w13=w+588, *w14=w+684, *w15=w+780, *w16=w+876, *w17=w+972, *w18=w+1068, *w19=w+1164, *w20=w+1260, *w21=w+1356;
+  casadi_real *w22=w+1452, *w23=w+1548, *w24=w+1644, *w25=w+1740, *w26=w+1836, *w27=w+1932, *w28=w+2028, *w29=w+2124, *w30=w+2220, *w31=w+2316, *w32=w+2412, *w33=w+2508;
+  casadi_real *w34=w+2604, *w35=w+2700, *w36=w+2796, *w37=w+2892, *w38=w+2988, *w39=w+3084, *w40=w+3180, *w41=w+3276, *w42=w+3372, *w43=w+3468, *w44=w+3564, *w45=w+3660;
+  casadi_real *w46=w+3756, *w47=w+3852, *w48=w+3948, *w49=w+4044, *w50=w+4140, *w51=w+4236, *w52=w+4332, *w53=w+4428, *w54=w+4524, *w55=w+4620, *w56=w+4716, *w57=w+4812;
+  casadi_real *w58=w+4908, *w59=w+5004, *w60=w+5100, *w61=w+5196, *w62=w+5292, *w63=w+5388, *w64=w+5484, *w65=w+5580, *w66=w+5676, *w67=w+5772, *w68=w+5868, *w69=w+5964;
+  casadi_real *w70=w+6060, *w71=w+6156, *w72=w+6252, *w73=w+6348, *w74=w+6444, *w75=w+6540, *w76=w+6548, *w77=w+6556;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = 0 */
   w00 = 0.;
@@ -17418,7 +17541,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w12;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
-  casadi_copy(w10, 30, res[0]);
+  casadi_copy(w10, 60, res[0]);
   /* #13: @0 = 0.03125 */
   w00 = 3.1250000000000000e-02;
   /* #14: @0 = (@0*@2) */
@@ -17435,7 +17558,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w14;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+30);
+  if (res[0]) casadi_copy(w10, 60, res[0]+60);
   /* #17: @0 = 0.0625 */
   w00 = 6.2500000000000000e-02;
   /* #18: @0 = (@0*@2) */
@@ -17452,7 +17575,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w16;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+60);
+  if (res[0]) casadi_copy(w10, 60, res[0]+120);
   /* #21: @0 = 0.09375 */
   w00 = 9.3750000000000000e-02;
   /* #22: @0 = (@0*@2) */
@@ -17469,7 +17592,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w18;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+90);
+  if (res[0]) casadi_copy(w10, 60, res[0]+180);
   /* #25: @0 = 0.125 */
   w00 = 1.2500000000000000e-01;
   /* #26: @0 = (@0*@2) */
@@ -17486,7 +17609,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w20;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+120);
+  if (res[0]) casadi_copy(w10, 60, res[0]+240);
   /* #29: @0 = 0.15625 */
   w00 = 1.5625000000000000e-01;
   /* #30: @0 = (@0*@2) */
@@ -17503,7 +17626,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w22;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+150);
+  if (res[0]) casadi_copy(w10, 60, res[0]+300);
   /* #33: @0 = 0.1875 */
   w00 = 1.8750000000000000e-01;
   /* #34: @0 = (@0*@2) */
@@ -17520,7 +17643,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w24;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[0][6] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+180);
+  if (res[0]) casadi_copy(w10, 60, res[0]+360);
   /* #37: @0 = 0.21875 */
   w00 = 2.1875000000000000e-01;
   /* #38: @0 = (@0*@2) */
@@ -17537,7 +17660,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w26;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[0][7] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+210);
+  if (res[0]) casadi_copy(w10, 60, res[0]+420);
   /* #41: @0 = 0.25 */
   w00 = 2.5000000000000000e-01;
   /* #42: @0 = (@0*@2) */
@@ -17554,7 +17677,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w28;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #44: output[0][8] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+240);
+  if (res[0]) casadi_copy(w10, 60, res[0]+480);
   /* #45: @0 = 0.28125 */
   w00 = 2.8125000000000000e-01;
   /* #46: @0 = (@0*@2) */
@@ -17571,7 +17694,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w30;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #48: output[0][9] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+270);
+  if (res[0]) casadi_copy(w10, 60, res[0]+540);
   /* #49: @0 = 0.3125 */
   w00 = 3.1250000000000000e-01;
   /* #50: @0 = (@0*@2) */
@@ -17588,7 +17711,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w32;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[0][10] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+300);
+  if (res[0]) casadi_copy(w10, 60, res[0]+600);
   /* #53: @0 = 0.34375 */
   w00 = 3.4375000000000000e-01;
   /* #54: @0 = (@0*@2) */
@@ -17605,7 +17728,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w34;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #56: output[0][11] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+330);
+  if (res[0]) casadi_copy(w10, 60, res[0]+660);
   /* #57: @0 = 0.375 */
   w00 = 3.7500000000000000e-01;
   /* #58: @0 = (@0*@2) */
@@ -17622,7 +17745,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w36;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #60: output[0][12] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+360);
+  if (res[0]) casadi_copy(w10, 60, res[0]+720);
   /* #61: @0 = 0.40625 */
   w00 = 4.0625000000000000e-01;
   /* #62: @0 = (@0*@2) */
@@ -17639,7 +17762,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w38;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #64: output[0][13] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+390);
+  if (res[0]) casadi_copy(w10, 60, res[0]+780);
   /* #65: @0 = 0.4375 */
   w00 = 4.3750000000000000e-01;
   /* #66: @0 = (@0*@2) */
@@ -17656,7 +17779,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w40;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #68: output[0][14] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+420);
+  if (res[0]) casadi_copy(w10, 60, res[0]+840);
   /* #69: @0 = 0.46875 */
   w00 = 4.6875000000000000e-01;
   /* #70: @0 = (@0*@2) */
@@ -17673,7 +17796,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w42;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #72: output[0][15] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+450);
+  if (res[0]) casadi_copy(w10, 60, res[0]+900);
   /* #73: @0 = 0.5 */
   w00 = 5.0000000000000000e-01;
   /* #74: @0 = (@0*@2) */
@@ -17690,7 +17813,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w44;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #76: output[0][16] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+480);
+  if (res[0]) casadi_copy(w10, 60, res[0]+960);
   /* #77: @0 = 0.53125 */
   w00 = 5.3125000000000000e-01;
   /* #78: @0 = (@0*@2) */
@@ -17707,7 +17830,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w46;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #80: output[0][17] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+510);
+  if (res[0]) casadi_copy(w10, 60, res[0]+1020);
   /* #81: @0 = 0.5625 */
   w00 = 5.6250000000000000e-01;
   /* #82: @0 = (@0*@2) */
@@ -17724,7 +17847,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w48;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #84: output[0][18] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+540);
+  if (res[0]) casadi_copy(w10, 60, res[0]+1080);
   /* #85: @0 = 0.59375 */
   w00 = 5.9375000000000000e-01;
   /* #86: @0 = (@0*@2) */
@@ -17741,7 +17864,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w50;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #88: output[0][19] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+570);
+  if (res[0]) casadi_copy(w10, 60, res[0]+1140);
   /* #89: @0 = 0.625 */
   w00 = 6.2500000000000000e-01;
   /* #90: @0 = (@0*@2) */
@@ -17758,7 +17881,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w52;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #92: output[0][20] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+600);
+  if (res[0]) casadi_copy(w10, 60, res[0]+1200);
   /* #93: @0 = 0.65625 */
   w00 = 6.5625000000000000e-01;
   /* #94: @0 = (@0*@2) */
@@ -17775,7 +17898,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w54;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #96: output[0][21] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+630);
+  if (res[0]) casadi_copy(w10, 60, res[0]+1260);
   /* #97: @0 = 0.6875 */
   w00 = 6.8750000000000000e-01;
   /* #98: @0 = (@0*@2) */
@@ -17792,7 +17915,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w56;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #100: output[0][22] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+660);
+  if (res[0]) casadi_copy(w10, 60, res[0]+1320);
   /* #101: @0 = 0.71875 */
   w00 = 7.1875000000000000e-01;
   /* #102: @0 = (@0*@2) */
@@ -17809,7 +17932,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w58;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #104: output[0][23] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+690);
+  if (res[0]) casadi_copy(w10, 60, res[0]+1380);
   /* #105: @0 = 0.75 */
   w00 = 7.5000000000000000e-01;
   /* #106: @0 = (@0*@2) */
@@ -17826,7 +17949,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w60;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #108: output[0][24] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+720);
+  if (res[0]) casadi_copy(w10, 60, res[0]+1440);
   /* #109: @0 = 0.78125 */
   w00 = 7.8125000000000000e-01;
   /* #110: @0 = (@0*@2) */
@@ -17843,7 +17966,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w62;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #112: output[0][25] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+750);
+  if (res[0]) casadi_copy(w10, 60, res[0]+1500);
   /* #113: @0 = 0.8125 */
   w00 = 8.1250000000000000e-01;
   /* #114: @0 = (@0*@2) */
@@ -17860,7 +17983,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w64;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #116: output[0][26] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+780);
+  if (res[0]) casadi_copy(w10, 60, res[0]+1560);
   /* #117: @0 = 0.84375 */
   w00 = 8.4375000000000000e-01;
   /* #118: @0 = (@0*@2) */
@@ -17877,7 +18000,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w66;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #120: output[0][27] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+810);
+  if (res[0]) casadi_copy(w10, 60, res[0]+1620);
   /* #121: @0 = 0.875 */
   w00 = 8.7500000000000000e-01;
   /* #122: @0 = (@0*@2) */
@@ -17894,7 +18017,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w68;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #124: output[0][28] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+840);
+  if (res[0]) casadi_copy(w10, 60, res[0]+1680);
   /* #125: @0 = 0.90625 */
   w00 = 9.0625000000000000e-01;
   /* #126: @0 = (@0*@2) */
@@ -17911,7 +18034,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w70;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #128: output[0][29] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+870);
+  if (res[0]) casadi_copy(w10, 60, res[0]+1740);
   /* #129: @0 = 0.9375 */
   w00 = 9.3750000000000000e-01;
   /* #130: @0 = (@0*@2) */
@@ -17928,7 +18051,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w72;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #132: output[0][30] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+900);
+  if (res[0]) casadi_copy(w10, 60, res[0]+1800);
   /* #133: @0 = 0.96875 */
   w00 = 9.6875000000000000e-01;
   /* #134: @0 = (@0*@2) */
@@ -17945,73 +18068,73 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w74;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #136: output[0][31] = @10 */
-  if (res[0]) casadi_copy(w10, 30, res[0]+930);
+  if (res[0]) casadi_copy(w10, 60, res[0]+1860);
   /* #137: output[0][32] = @8 */
-  if (res[0]) casadi_copy(w08, 5, res[0]+960);
+  if (res[0]) casadi_copy(w08, 5, res[0]+1920);
   /* #138: output[1][0] = @11 */
-  casadi_copy(w11, 48, res[1]);
+  casadi_copy(w11, 96, res[1]);
   /* #139: output[1][1] = @13 */
-  if (res[1]) casadi_copy(w13, 48, res[1]+48);
+  if (res[1]) casadi_copy(w13, 96, res[1]+96);
   /* #140: output[1][2] = @15 */
-  if (res[1]) casadi_copy(w15, 48, res[1]+96);
+  if (res[1]) casadi_copy(w15, 96, res[1]+192);
   /* #141: output[1][3] = @17 */
-  if (res[1]) casadi_copy(w17, 48, res[1]+144);
+  if (res[1]) casadi_copy(w17, 96, res[1]+288);
   /* #142: output[1][4] = @19 */
-  if (res[1]) casadi_copy(w19, 48, res[1]+192);
+  if (res[1]) casadi_copy(w19, 96, res[1]+384);
   /* #143: output[1][5] = @21 */
-  if (res[1]) casadi_copy(w21, 48, res[1]+240);
+  if (res[1]) casadi_copy(w21, 96, res[1]+480);
   /* #144: output[1][6] = @23 */
-  if (res[1]) casadi_copy(w23, 48, res[1]+288);
+  if (res[1]) casadi_copy(w23, 96, res[1]+576);
   /* #145: output[1][7] = @25 */
-  if (res[1]) casadi_copy(w25, 48, res[1]+336);
+  if (res[1]) casadi_copy(w25, 96, res[1]+672);
   /* #146: output[1][8] = @27 */
-  if (res[1]) casadi_copy(w27, 48, res[1]+384);
+  if (res[1]) casadi_copy(w27, 96, res[1]+768);
   /* #147: output[1][9] = @29 */
-  if (res[1]) casadi_copy(w29, 48, res[1]+432);
+  if (res[1]) casadi_copy(w29, 96, res[1]+864);
   /* #148: output[1][10] = @31 */
-  if (res[1]) casadi_copy(w31, 48, res[1]+480);
+  if (res[1]) casadi_copy(w31, 96, res[1]+960);
   /* #149: output[1][11] = @33 */
-  if (res[1]) casadi_copy(w33, 48, res[1]+528);
+  if (res[1]) casadi_copy(w33, 96, res[1]+1056);
   /* #150: output[1][12] = @35 */
-  if (res[1]) casadi_copy(w35, 48, res[1]+576);
+  if (res[1]) casadi_copy(w35, 96, res[1]+1152);
   /* #151: output[1][13] = @37 */
-  if (res[1]) casadi_copy(w37, 48, res[1]+624);
+  if (res[1]) casadi_copy(w37, 96, res[1]+1248);
   /* #152: output[1][14] = @39 */
-  if (res[1]) casadi_copy(w39, 48, res[1]+672);
+  if (res[1]) casadi_copy(w39, 96, res[1]+1344);
   /* #153: output[1][15] = @41 */
-  if (res[1]) casadi_copy(w41, 48, res[1]+720);
+  if (res[1]) casadi_copy(w41, 96, res[1]+1440);
   /* #154: output[1][16] = @43 */
-  if (res[1]) casadi_copy(w43, 48, res[1]+768);
+  if (res[1]) casadi_copy(w43, 96, res[1]+1536);
   /* #155: output[1][17] = @45 */
-  if (res[1]) casadi_copy(w45, 48, res[1]+816);
+  if (res[1]) casadi_copy(w45, 96, res[1]+1632);
   /* #156: output[1][18] = @47 */
-  if (res[1]) casadi_copy(w47, 48, res[1]+864);
+  if (res[1]) casadi_copy(w47, 96, res[1]+1728);
   /* #157: output[1][19] = @49 */
-  if (res[1]) casadi_copy(w49, 48, res[1]+912);
+  if (res[1]) casadi_copy(w49, 96, res[1]+1824);
   /* #158: output[1][20] = @51 */
-  if (res[1]) casadi_copy(w51, 48, res[1]+960);
+  if (res[1]) casadi_copy(w51, 96, res[1]+1920);
   /* #159: output[1][21] = @53 */
-  if (res[1]) casadi_copy(w53, 48, res[1]+1008);
+  if (res[1]) casadi_copy(w53, 96, res[1]+2016);
   /* #160: output[1][22] = @55 */
-  if (res[1]) casadi_copy(w55, 48, res[1]+1056);
+  if (res[1]) casadi_copy(w55, 96, res[1]+2112);
   /* #161: output[1][23] = @57 */
-  if (res[1]) casadi_copy(w57, 48, res[1]+1104);
+  if (res[1]) casadi_copy(w57, 96, res[1]+2208);
   /* #162: output[1][24] = @59 */
-  if (res[1]) casadi_copy(w59, 48, res[1]+1152);
+  if (res[1]) casadi_copy(w59, 96, res[1]+2304);
   /* #163: output[1][25] = @61 */
-  if (res[1]) casadi_copy(w61, 48, res[1]+1200);
+  if (res[1]) casadi_copy(w61, 96, res[1]+2400);
   /* #164: output[1][26] = @63 */
-  if (res[1]) casadi_copy(w63, 48, res[1]+1248);
+  if (res[1]) casadi_copy(w63, 96, res[1]+2496);
   /* #165: output[1][27] = @65 */
-  if (res[1]) casadi_copy(w65, 48, res[1]+1296);
+  if (res[1]) casadi_copy(w65, 96, res[1]+2592);
   /* #166: output[1][28] = @67 */
-  if (res[1]) casadi_copy(w67, 48, res[1]+1344);
+  if (res[1]) casadi_copy(w67, 96, res[1]+2688);
   /* #167: output[1][29] = @69 */
-  if (res[1]) casadi_copy(w69, 48, res[1]+1392);
+  if (res[1]) casadi_copy(w69, 96, res[1]+2784);
   /* #168: output[1][30] = @71 */
-  if (res[1]) casadi_copy(w71, 48, res[1]+1440);
+  if (res[1]) casadi_copy(w71, 96, res[1]+2880);
   /* #169: output[1][31] = @73 */
-  if (res[1]) casadi_copy(w73, 48, res[1]+1488);
+  if (res[1]) casadi_copy(w73, 96, res[1]+2976);
   /* #170: @1 = @8[:4] */
   for (rr=w01, cs=w08+0; cs!=w08+4; cs+=1) *rr++ = *cs;
   /* #171: {@75, @76} = observe(@2, @1, @4) */
@@ -18022,73 +18145,73 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w76;
   if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
   /* #172: output[1][32] = @75 */
-  if (res[1]) casadi_copy(w75, 8, res[1]+1536);
+  if (res[1]) casadi_copy(w75, 8, res[1]+3072);
   /* #173: output[2][0] = @12 */
-  casadi_copy(w12, 48, res[2]);
+  casadi_copy(w12, 96, res[2]);
   /* #174: output[2][1] = @14 */
-  if (res[2]) casadi_copy(w14, 48, res[2]+48);
+  if (res[2]) casadi_copy(w14, 96, res[2]+96);
   /* #175: output[2][2] = @16 */
-  if (res[2]) casadi_copy(w16, 48, res[2]+96);
+  if (res[2]) casadi_copy(w16, 96, res[2]+192);
   /* #176: output[2][3] = @18 */
-  if (res[2]) casadi_copy(w18, 48, res[2]+144);
+  if (res[2]) casadi_copy(w18, 96, res[2]+288);
   /* #177: output[2][4] = @20 */
-  if (res[2]) casadi_copy(w20, 48, res[2]+192);
+  if (res[2]) casadi_copy(w20, 96, res[2]+384);
   /* #178: output[2][5] = @22 */
-  if (res[2]) casadi_copy(w22, 48, res[2]+240);
+  if (res[2]) casadi_copy(w22, 96, res[2]+480);
   /* #179: output[2][6] = @24 */
-  if (res[2]) casadi_copy(w24, 48, res[2]+288);
+  if (res[2]) casadi_copy(w24, 96, res[2]+576);
   /* #180: output[2][7] = @26 */
-  if (res[2]) casadi_copy(w26, 48, res[2]+336);
+  if (res[2]) casadi_copy(w26, 96, res[2]+672);
   /* #181: output[2][8] = @28 */
-  if (res[2]) casadi_copy(w28, 48, res[2]+384);
+  if (res[2]) casadi_copy(w28, 96, res[2]+768);
   /* #182: output[2][9] = @30 */
-  if (res[2]) casadi_copy(w30, 48, res[2]+432);
+  if (res[2]) casadi_copy(w30, 96, res[2]+864);
   /* #183: output[2][10] = @32 */
-  if (res[2]) casadi_copy(w32, 48, res[2]+480);
+  if (res[2]) casadi_copy(w32, 96, res[2]+960);
   /* #184: output[2][11] = @34 */
-  if (res[2]) casadi_copy(w34, 48, res[2]+528);
+  if (res[2]) casadi_copy(w34, 96, res[2]+1056);
   /* #185: output[2][12] = @36 */
-  if (res[2]) casadi_copy(w36, 48, res[2]+576);
+  if (res[2]) casadi_copy(w36, 96, res[2]+1152);
   /* #186: output[2][13] = @38 */
-  if (res[2]) casadi_copy(w38, 48, res[2]+624);
+  if (res[2]) casadi_copy(w38, 96, res[2]+1248);
   /* #187: output[2][14] = @40 */
-  if (res[2]) casadi_copy(w40, 48, res[2]+672);
+  if (res[2]) casadi_copy(w40, 96, res[2]+1344);
   /* #188: output[2][15] = @42 */
-  if (res[2]) casadi_copy(w42, 48, res[2]+720);
+  if (res[2]) casadi_copy(w42, 96, res[2]+1440);
   /* #189: output[2][16] = @44 */
-  if (res[2]) casadi_copy(w44, 48, res[2]+768);
+  if (res[2]) casadi_copy(w44, 96, res[2]+1536);
   /* #190: output[2][17] = @46 */
-  if (res[2]) casadi_copy(w46, 48, res[2]+816);
+  if (res[2]) casadi_copy(w46, 96, res[2]+1632);
   /* #191: output[2][18] = @48 */
-  if (res[2]) casadi_copy(w48, 48, res[2]+864);
+  if (res[2]) casadi_copy(w48, 96, res[2]+1728);
   /* #192: output[2][19] = @50 */
-  if (res[2]) casadi_copy(w50, 48, res[2]+912);
+  if (res[2]) casadi_copy(w50, 96, res[2]+1824);
   /* #193: output[2][20] = @52 */
-  if (res[2]) casadi_copy(w52, 48, res[2]+960);
+  if (res[2]) casadi_copy(w52, 96, res[2]+1920);
   /* #194: output[2][21] = @54 */
-  if (res[2]) casadi_copy(w54, 48, res[2]+1008);
+  if (res[2]) casadi_copy(w54, 96, res[2]+2016);
   /* #195: output[2][22] = @56 */
-  if (res[2]) casadi_copy(w56, 48, res[2]+1056);
+  if (res[2]) casadi_copy(w56, 96, res[2]+2112);
   /* #196: output[2][23] = @58 */
-  if (res[2]) casadi_copy(w58, 48, res[2]+1104);
+  if (res[2]) casadi_copy(w58, 96, res[2]+2208);
   /* #197: output[2][24] = @60 */
-  if (res[2]) casadi_copy(w60, 48, res[2]+1152);
+  if (res[2]) casadi_copy(w60, 96, res[2]+2304);
   /* #198: output[2][25] = @62 */
-  if (res[2]) casadi_copy(w62, 48, res[2]+1200);
+  if (res[2]) casadi_copy(w62, 96, res[2]+2400);
   /* #199: output[2][26] = @64 */
-  if (res[2]) casadi_copy(w64, 48, res[2]+1248);
+  if (res[2]) casadi_copy(w64, 96, res[2]+2496);
   /* #200: output[2][27] = @66 */
-  if (res[2]) casadi_copy(w66, 48, res[2]+1296);
+  if (res[2]) casadi_copy(w66, 96, res[2]+2592);
   /* #201: output[2][28] = @68 */
-  if (res[2]) casadi_copy(w68, 48, res[2]+1344);
+  if (res[2]) casadi_copy(w68, 96, res[2]+2688);
   /* #202: output[2][29] = @70 */
-  if (res[2]) casadi_copy(w70, 48, res[2]+1392);
+  if (res[2]) casadi_copy(w70, 96, res[2]+2784);
   /* #203: output[2][30] = @72 */
-  if (res[2]) casadi_copy(w72, 48, res[2]+1440);
+  if (res[2]) casadi_copy(w72, 96, res[2]+2880);
   /* #204: output[2][31] = @74 */
-  if (res[2]) casadi_copy(w74, 48, res[2]+1488);
+  if (res[2]) casadi_copy(w74, 96, res[2]+2976);
   /* #205: output[2][32] = @76 */
-  if (res[2]) casadi_copy(w76, 8, res[2]+1536);
+  if (res[2]) casadi_copy(w76, 8, res[2]+3072);
   /* #206: @1 = @8[:4] */
   for (rr=w01, cs=w08+0; cs!=w08+4; cs+=1) *rr++ = *cs;
   /* #207: @77 = landing(@1, @6, @4) */
@@ -18169,7 +18292,7 @@ CASADI_SYMBOL_EXPORT int compass_trace_384_work(casadi_int *sz_arg, casadi_int* 
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 3385;
+  if (sz_w) *sz_w = 6560;
   return 0;
 }
 
@@ -18177,23 +18300,23 @@ CASADI_SYMBOL_EXPORT int compass_trace_384_work_bytes(casadi_int *sz_arg, casadi
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 3385*sizeof(casadi_real);
+  if (sz_w) *sz_w = 6560*sizeof(casadi_real);
   return 0;
 }
 
-/* compass_trace_576:(u[4],p[6])->(w[5x289],g[8x289],dg[8x289],R[4]) */
+/* compass_trace_576:(u[4],p[6])->(w[5x577],g[8x577],dg[8x577],R[4]) */
 static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+4, *rr, w000, *w001=w+216, w002, w003, *w004=w+220, *w005=w+226, *w006=w+250, w007, *w008=w+253, *w009=w+258;
-  casadi_real *w010=w+263, *w011=w+293, *w012=w+341, *w013=w+389, *w014=w+437, *w015=w+485, *w016=w+533, *w017=w+581, *w018=w+629, *w019=w+677, *w020=w+725, *w021=w+773;
-  casadi_real *w022=w+821, *w023=w+869, *w024=w+917, *w025=w+965, *w026=w+1013, *w027=w+1061, *w028=w+1109, *w029=w+1157, *w030=w+1205, *w031=w+1253, *w032=w+1301, *w033=w+1349;
-  casadi_real *w034=w+1397, *w035=w+1445, *w036=w+1493, *w037=w+1541, *w038=w+1589, *w039=w+1637, *w040=w+1685, *w041=w+1733, *w042=w+1781, *w043=w+1829, *w044=w+1877, *w045=w+1925;
-  casadi_real *w046=w+1973, *w047=w+2021, *w048=w+2069, *w049=w+2117, *w050=w+2165, *w051=w+2213, *w052=w+2261, *w053=w+2309, *w054=w+2357, *w055=w+2405, *w056=w+2453, *w057=w+2501;
-  casadi_real *w058=w+2549, *w059=w+2597, *w060=w+2645, *w061=w+2693, *w062=w+2741, *w063=w+2789, *w064=w+2837, *w065=w+2885, *w066=w+2933, *w067=w+2981, *w068=w+3029, *w069=w+3077;
-  casadi_real *w070=w+3125, *w071=w+3173, *w072=w+3221, *w073=w+3269, *w074=w+3317, *w075=w+3365, *w076=w+3413, *w077=w+3461, *w078=w+3509, *w079=w+3557, *w080=w+3605, *w081=w+3653;
-  casadi_real *w082=w+3701, *w083=w+3749, *w084=w+3797, *w085=w+3845, *w086=w+3893, *w087=w+3941, *w088=w+3989, *w089=w+4037, *w090=w+4085, *w091=w+4133, *w092=w+4181, *w093=w+4229;
-  casadi_real *w094=w+4277, *w095=w+4325, *w096=w+4373, *w097=w+4421, *w098=w+4469, *w099=w+4517, *w100=w+4565, *w101=w+4613, *w102=w+4661, *w103=w+4709, *w104=w+4757, *w105=w+4805;
-  casadi_real *w106=w+4853, *w107=w+4901, *w108=w+4909, *w109=w+4917;
+  casadi_real **res1=res+4, *rr, w000, *w001=w+289, w002, w003, *w004=w+293, *w005=w+299, *w006=w+323, w007, *w008=w+326, *w009=w+331;
+  casadi_real *w010=w+336, *w011=w+396, *w012=w+492, *w013=w+588, *w014=w+684, *w015=w+780, *w016=w+876, *w017=w+972, *w018=w+1068, *w019=w+1164, *w020=w+1260, *w021=w+1356;
+  casadi_real *w022=w+1452, *w023=w+1548, *w024=w+1644, *w025=w+1740, *w026=w+1836, *w027=w+1932, *w028=w+2028, *w029=w+2124, *w030=w+2220, *w031=w+2316, *w032=w+2412, *w033=w+2508;
+  casadi_real *w034=w+2604, *w035=w+2700, *w036=w+2796, *w037=w+2892, *w038=w+2988, *w039=w+3084, *w040=w+3180, *w041=w+3276, *w042=w+3372, *w043=w+3468, *w044=w+3564, *w045=w+3660;
+  casadi_real *w046=w+3756, *w047=w+3852, *w048=w+3948, *w049=w+4044, *w050=w+4140, *w051=w+4236, *w052=w+4332, *w053=w+4428, *w054=w+4524, *w055=w+4620, *w056=w+4716, *w057=w+4812;
+  casadi_real *w058=w+4908, *w059=w+5004, *w060=w+5100, *w061=w+5196, *w062=w+5292, *w063=w+5388, *w064=w+5484, *w065=w+5580, *w066=w+5676, *w067=w+5772, *w068=w+5868, *w069=w+5964;
+  casadi_real *w070=w+6060, *w071=w+6156, *w072=w+6252, *w073=w+6348, *w074=w+6444, *w075=w+6540, *w076=w+6636, *w077=w+6732, *w078=w+6828, *w079=w+6924, *w080=w+7020, *w081=w+7116;
+  casadi_real *w082=w+7212, *w083=w+7308, *w084=w+7404, *w085=w+7500, *w086=w+7596, *w087=w+7692, *w088=w+7788, *w089=w+7884, *w090=w+7980, *w091=w+8076, *w092=w+8172, *w093=w+8268;
+  casadi_real *w094=w+8364, *w095=w+8460, *w096=w+8556, *w097=w+8652, *w098=w+8748, *w099=w+8844, *w100=w+8940, *w101=w+9036, *w102=w+9132, *w103=w+9228, *w104=w+9324, *w105=w+9420;
+  casadi_real *w106=w+9516, *w107=w+9612, *w108=w+9620, *w109=w+9628;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = 0 */
   w000 = 0.;
@@ -18237,7 +18360,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w012;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
-  casadi_copy(w010, 30, res[0]);
+  casadi_copy(w010, 60, res[0]);
   /* #13: @0 = 0.0208333 */
   w000 = 2.0833333333333332e-02;
   /* #14: @0 = (@0*@2) */
@@ -18254,7 +18377,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w014;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+30);
+  if (res[0]) casadi_copy(w010, 60, res[0]+60);
   /* #17: @0 = 0.0416667 */
   w000 = 4.1666666666666664e-02;
   /* #18: @0 = (@0*@2) */
@@ -18271,7 +18394,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w016;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+60);
+  if (res[0]) casadi_copy(w010, 60, res[0]+120);
   /* #21: @0 = 0.0625 */
   w000 = 6.2500000000000000e-02;
   /* #22: @0 = (@0*@2) */
@@ -18288,7 +18411,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w018;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+90);
+  if (res[0]) casadi_copy(w010, 60, res[0]+180);
   /* #25: @0 = 0.0833333 */
   w000 = 8.3333333333333329e-02;
   /* #26: @0 = (@0*@2) */
@@ -18305,7 +18428,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w020;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+120);
+  if (res[0]) casadi_copy(w010, 60, res[0]+240);
   /* #29: @0 = 0.104167 */
   w000 = 1.0416666666666667e-01;
   /* #30: @0 = (@0*@2) */
@@ -18322,7 +18445,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w022;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+150);
+  if (res[0]) casadi_copy(w010, 60, res[0]+300);
   /* #33: @0 = 0.125 */
   w000 = 1.2500000000000000e-01;
   /* #34: @0 = (@0*@2) */
@@ -18339,7 +18462,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w024;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[0][6] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+180);
+  if (res[0]) casadi_copy(w010, 60, res[0]+360);
   /* #37: @0 = 0.145833 */
   w000 = 1.4583333333333334e-01;
   /* #38: @0 = (@0*@2) */
@@ -18356,7 +18479,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w026;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[0][7] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+210);
+  if (res[0]) casadi_copy(w010, 60, res[0]+420);
   /* #41: @0 = 0.166667 */
   w000 = 1.6666666666666666e-01;
   /* #42: @0 = (@0*@2) */
@@ -18373,7 +18496,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w028;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #44: output[0][8] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+240);
+  if (res[0]) casadi_copy(w010, 60, res[0]+480);
   /* #45: @0 = 0.1875 */
   w000 = 1.8750000000000000e-01;
   /* #46: @0 = (@0*@2) */
@@ -18390,7 +18513,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w030;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #48: output[0][9] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+270);
+  if (res[0]) casadi_copy(w010, 60, res[0]+540);
   /* #49: @0 = 0.208333 */
   w000 = 2.0833333333333334e-01;
   /* #50: @0 = (@0*@2) */
@@ -18407,7 +18530,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w032;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[0][10] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+300);
+  if (res[0]) casadi_copy(w010, 60, res[0]+600);
   /* #53: @0 = 0.229167 */
   w000 = 2.2916666666666666e-01;
   /* #54: @0 = (@0*@2) */
@@ -18424,7 +18547,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w034;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #56: output[0][11] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+330);
+  if (res[0]) casadi_copy(w010, 60, res[0]+660);
   /* #57: @0 = 0.25 */
   w000 = 2.5000000000000000e-01;
   /* #58: @0 = (@0*@2) */
@@ -18441,7 +18564,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w036;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #60: output[0][12] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+360);
+  if (res[0]) casadi_copy(w010, 60, res[0]+720);
   /* #61: @0 = 0.270833 */
   w000 = 2.7083333333333331e-01;
   /* #62: @0 = (@0*@2) */
@@ -18458,7 +18581,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w038;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #64: output[0][13] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+390);
+  if (res[0]) casadi_copy(w010, 60, res[0]+780);
   /* #65: @0 = 0.291667 */
   w000 = 2.9166666666666669e-01;
   /* #66: @0 = (@0*@2) */
@@ -18475,7 +18598,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w040;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #68: output[0][14] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+420);
+  if (res[0]) casadi_copy(w010, 60, res[0]+840);
   /* #69: @0 = 0.3125 */
   w000 = 3.1250000000000000e-01;
   /* #70: @0 = (@0*@2) */
@@ -18492,7 +18615,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w042;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #72: output[0][15] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+450);
+  if (res[0]) casadi_copy(w010, 60, res[0]+900);
   /* #73: @0 = 0.333333 */
   w000 = 3.3333333333333331e-01;
   /* #74: @0 = (@0*@2) */
@@ -18509,7 +18632,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w044;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #76: output[0][16] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+480);
+  if (res[0]) casadi_copy(w010, 60, res[0]+960);
   /* #77: @0 = 0.354167 */
   w000 = 3.5416666666666669e-01;
   /* #78: @0 = (@0*@2) */
@@ -18526,7 +18649,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w046;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #80: output[0][17] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+510);
+  if (res[0]) casadi_copy(w010, 60, res[0]+1020);
   /* #81: @0 = 0.375 */
   w000 = 3.7500000000000000e-01;
   /* #82: @0 = (@0*@2) */
@@ -18543,7 +18666,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w048;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #84: output[0][18] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+540);
+  if (res[0]) casadi_copy(w010, 60, res[0]+1080);
   /* #85: @0 = 0.395833 */
   w000 = 3.9583333333333331e-01;
   /* #86: @0 = (@0*@2) */
@@ -18560,7 +18683,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w050;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #88: output[0][19] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+570);
+  if (res[0]) casadi_copy(w010, 60, res[0]+1140);
   /* #89: @0 = 0.416667 */
   w000 = 4.1666666666666669e-01;
   /* #90: @0 = (@0*@2) */
@@ -18577,7 +18700,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w052;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #92: output[0][20] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+600);
+  if (res[0]) casadi_copy(w010, 60, res[0]+1200);
   /* #93: @0 = 0.4375 */
   w000 = 4.3750000000000000e-01;
   /* #94: @0 = (@0*@2) */
@@ -18594,7 +18717,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w054;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #96: output[0][21] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+630);
+  if (res[0]) casadi_copy(w010, 60, res[0]+1260);
   /* #97: @0 = 0.458333 */
   w000 = 4.5833333333333331e-01;
   /* #98: @0 = (@0*@2) */
@@ -18611,7 +18734,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w056;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #100: output[0][22] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+660);
+  if (res[0]) casadi_copy(w010, 60, res[0]+1320);
   /* #101: @0 = 0.479167 */
   w000 = 4.7916666666666669e-01;
   /* #102: @0 = (@0*@2) */
@@ -18628,7 +18751,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w058;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #104: output[0][23] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+690);
+  if (res[0]) casadi_copy(w010, 60, res[0]+1380);
   /* #105: @0 = 0.5 */
   w000 = 5.0000000000000000e-01;
   /* #106: @0 = (@0*@2) */
@@ -18645,7 +18768,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w060;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #108: output[0][24] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+720);
+  if (res[0]) casadi_copy(w010, 60, res[0]+1440);
   /* #109: @0 = 0.520833 */
   w000 = 5.2083333333333337e-01;
   /* #110: @0 = (@0*@2) */
@@ -18662,7 +18785,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w062;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #112: output[0][25] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+750);
+  if (res[0]) casadi_copy(w010, 60, res[0]+1500);
   /* #113: @0 = 0.541667 */
   w000 = 5.4166666666666663e-01;
   /* #114: @0 = (@0*@2) */
@@ -18679,7 +18802,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w064;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #116: output[0][26] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+780);
+  if (res[0]) casadi_copy(w010, 60, res[0]+1560);
   /* #117: @0 = 0.5625 */
   w000 = 5.6250000000000000e-01;
   /* #118: @0 = (@0*@2) */
@@ -18696,7 +18819,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w066;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #120: output[0][27] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+810);
+  if (res[0]) casadi_copy(w010, 60, res[0]+1620);
   /* #121: @0 = 0.583333 */
   w000 = 5.8333333333333337e-01;
   /* #122: @0 = (@0*@2) */
@@ -18713,7 +18836,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w068;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #124: output[0][28] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+840);
+  if (res[0]) casadi_copy(w010, 60, res[0]+1680);
   /* #125: @0 = 0.604167 */
   w000 = 6.0416666666666663e-01;
   /* #126: @0 = (@0*@2) */
@@ -18730,7 +18853,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w070;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #128: output[0][29] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+870);
+  if (res[0]) casadi_copy(w010, 60, res[0]+1740);
   /* #129: @0 = 0.625 */
   w000 = 6.2500000000000000e-01;
   /* #130: @0 = (@0*@2) */
@@ -18747,7 +18870,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w072;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #132: output[0][30] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+900);
+  if (res[0]) casadi_copy(w010, 60, res[0]+1800);
   /* #133: @0 = 0.645833 */
   w000 = 6.4583333333333337e-01;
   /* #134: @0 = (@0*@2) */
@@ -18764,7 +18887,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w074;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #136: output[0][31] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+930);
+  if (res[0]) casadi_copy(w010, 60, res[0]+1860);
   /* #137: @0 = 0.666667 */
   w000 = 6.6666666666666663e-01;
   /* #138: @0 = (@0*@2) */
@@ -18781,7 +18904,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w076;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #140: output[0][32] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+960);
+  if (res[0]) casadi_copy(w010, 60, res[0]+1920);
   /* #141: @0 = 0.6875 */
   w000 = 6.8750000000000000e-01;
   /* #142: @0 = (@0*@2) */
@@ -18798,7 +18921,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w078;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #144: output[0][33] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+990);
+  if (res[0]) casadi_copy(w010, 60, res[0]+1980);
   /* #145: @0 = 0.708333 */
   w000 = 7.0833333333333337e-01;
   /* #146: @0 = (@0*@2) */
@@ -18815,7 +18938,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w080;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #148: output[0][34] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+1020);
+  if (res[0]) casadi_copy(w010, 60, res[0]+2040);
   /* #149: @0 = 0.729167 */
   w000 = 7.2916666666666663e-01;
   /* #150: @0 = (@0*@2) */
@@ -18832,7 +18955,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w082;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #152: output[0][35] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+1050);
+  if (res[0]) casadi_copy(w010, 60, res[0]+2100);
   /* #153: @0 = 0.75 */
   w000 = 7.5000000000000000e-01;
   /* #154: @0 = (@0*@2) */
@@ -18849,7 +18972,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w084;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #156: output[0][36] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+1080);
+  if (res[0]) casadi_copy(w010, 60, res[0]+2160);
   /* #157: @0 = 0.770833 */
   w000 = 7.7083333333333337e-01;
   /* #158: @0 = (@0*@2) */
@@ -18866,7 +18989,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w086;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #160: output[0][37] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+1110);
+  if (res[0]) casadi_copy(w010, 60, res[0]+2220);
   /* #161: @0 = 0.791667 */
   w000 = 7.9166666666666663e-01;
   /* #162: @0 = (@0*@2) */
@@ -18883,7 +19006,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w088;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #164: output[0][38] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+1140);
+  if (res[0]) casadi_copy(w010, 60, res[0]+2280);
   /* #165: @0 = 0.8125 */
   w000 = 8.1250000000000000e-01;
   /* #166: @0 = (@0*@2) */
@@ -18900,7 +19023,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w090;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #168: output[0][39] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+1170);
+  if (res[0]) casadi_copy(w010, 60, res[0]+2340);
   /* #169: @0 = 0.833333 */
   w000 = 8.3333333333333337e-01;
   /* #170: @0 = (@0*@2) */
@@ -18917,7 +19040,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w092;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #172: output[0][40] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+1200);
+  if (res[0]) casadi_copy(w010, 60, res[0]+2400);
   /* #173: @0 = 0.854167 */
   w000 = 8.5416666666666663e-01;
   /* #174: @0 = (@0*@2) */
@@ -18934,7 +19057,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w094;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #176: output[0][41] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+1230);
+  if (res[0]) casadi_copy(w010, 60, res[0]+2460);
   /* #177: @0 = 0.875 */
   w000 = 8.7500000000000000e-01;
   /* #178: @0 = (@0*@2) */
@@ -18951,7 +19074,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w096;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #180: output[0][42] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+1260);
+  if (res[0]) casadi_copy(w010, 60, res[0]+2520);
   /* #181: @0 = 0.895833 */
   w000 = 8.9583333333333337e-01;
   /* #182: @0 = (@0*@2) */
@@ -18968,7 +19091,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w098;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #184: output[0][43] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+1290);
+  if (res[0]) casadi_copy(w010, 60, res[0]+2580);
   /* #185: @0 = 0.916667 */
   w000 = 9.1666666666666663e-01;
   /* #186: @0 = (@0*@2) */
@@ -18985,7 +19108,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w100;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #188: output[0][44] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+1320);
+  if (res[0]) casadi_copy(w010, 60, res[0]+2640);
   /* #189: @0 = 0.9375 */
   w000 = 9.3750000000000000e-01;
   /* #190: @0 = (@0*@2) */
@@ -19002,7 +19125,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w102;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #192: output[0][45] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+1350);
+  if (res[0]) casadi_copy(w010, 60, res[0]+2700);
   /* #193: @0 = 0.958333 */
   w000 = 9.5833333333333337e-01;
   /* #194: @0 = (@0*@2) */
@@ -19019,7 +19142,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w104;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #196: output[0][46] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+1380);
+  if (res[0]) casadi_copy(w010, 60, res[0]+2760);
   /* #197: @0 = 0.979167 */
   w000 = 9.7916666666666663e-01;
   /* #198: @0 = (@0*@2) */
@@ -19036,105 +19159,105 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w106;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #200: output[0][47] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+1410);
+  if (res[0]) casadi_copy(w010, 60, res[0]+2820);
   /* #201: output[0][48] = @8 */
-  if (res[0]) casadi_copy(w008, 5, res[0]+1440);
+  if (res[0]) casadi_copy(w008, 5, res[0]+2880);
   /* #202: output[1][0] = @11 */
-  casadi_copy(w011, 48, res[1]);
+  casadi_copy(w011, 96, res[1]);
   /* #203: output[1][1] = @13 */
-  if (res[1]) casadi_copy(w013, 48, res[1]+48);
+  if (res[1]) casadi_copy(w013, 96, res[1]+96);
   /* #204: output[1][2] = @15 */
-  if (res[1]) casadi_copy(w015, 48, res[1]+96);
+  if (res[1]) casadi_copy(w015, 96, res[1]+192);
   /* #205: output[1][3] = @17 */
-  if (res[1]) casadi_copy(w017, 48, res[1]+144);
+  if (res[1]) casadi_copy(w017, 96, res[1]+288);
   /* #206: output[1][4] = @19 */
-  if (res[1]) casadi_copy(w019, 48, res[1]+192);
+  if (res[1]) casadi_copy(w019, 96, res[1]+384);
   /* #207: output[1][5] = @21 */
-  if (res[1]) casadi_copy(w021, 48, res[1]+240);
+  if (res[1]) casadi_copy(w021, 96, res[1]+480);
   /* #208: output[1][6] = @23 */
-  if (res[1]) casadi_copy(w023, 48, res[1]+288);
+  if (res[1]) casadi_copy(w023, 96, res[1]+576);
   /* #209: output[1][7] = @25 */
-  if (res[1]) casadi_copy(w025, 48, res[1]+336);
+  if (res[1]) casadi_copy(w025, 96, res[1]+672);
   /* #210: output[1][8] = @27 */
-  if (res[1]) casadi_copy(w027, 48, res[1]+384);
+  if (res[1]) casadi_copy(w027, 96, res[1]+768);
   /* #211: output[1][9] = @29 */
-  if (res[1]) casadi_copy(w029, 48, res[1]+432);
+  if (res[1]) casadi_copy(w029, 96, res[1]+864);
   /* #212: output[1][10] = @31 */
-  if (res[1]) casadi_copy(w031, 48, res[1]+480);
+  if (res[1]) casadi_copy(w031, 96, res[1]+960);
   /* #213: output[1][11] = @33 */
-  if (res[1]) casadi_copy(w033, 48, res[1]+528);
+  if (res[1]) casadi_copy(w033, 96, res[1]+1056);
   /* #214: output[1][12] = @35 */
-  if (res[1]) casadi_copy(w035, 48, res[1]+576);
+  if (res[1]) casadi_copy(w035, 96, res[1]+1152);
   /* #215: output[1][13] = @37 */
-  if (res[1]) casadi_copy(w037, 48, res[1]+624);
+  if (res[1]) casadi_copy(w037, 96, res[1]+1248);
   /* #216: output[1][14] = @39 */
-  if (res[1]) casadi_copy(w039, 48, res[1]+672);
+  if (res[1]) casadi_copy(w039, 96, res[1]+1344);
   /* #217: output[1][15] = @41 */
-  if (res[1]) casadi_copy(w041, 48, res[1]+720);
+  if (res[1]) casadi_copy(w041, 96, res[1]+1440);
   /* #218: output[1][16] = @43 */
-  if (res[1]) casadi_copy(w043, 48, res[1]+768);
+  if (res[1]) casadi_copy(w043, 96, res[1]+1536);
   /* #219: output[1][17] = @45 */
-  if (res[1]) casadi_copy(w045, 48, res[1]+816);
+  if (res[1]) casadi_copy(w045, 96, res[1]+1632);
   /* #220: output[1][18] = @47 */
-  if (res[1]) casadi_copy(w047, 48, res[1]+864);
+  if (res[1]) casadi_copy(w047, 96, res[1]+1728);
   /* #221: output[1][19] = @49 */
-  if (res[1]) casadi_copy(w049, 48, res[1]+912);
+  if (res[1]) casadi_copy(w049, 96, res[1]+1824);
   /* #222: output[1][20] = @51 */
-  if (res[1]) casadi_copy(w051, 48, res[1]+960);
+  if (res[1]) casadi_copy(w051, 96, res[1]+1920);
   /* #223: output[1][21] = @53 */
-  if (res[1]) casadi_copy(w053, 48, res[1]+1008);
+  if (res[1]) casadi_copy(w053, 96, res[1]+2016);
   /* #224: output[1][22] = @55 */
-  if (res[1]) casadi_copy(w055, 48, res[1]+1056);
+  if (res[1]) casadi_copy(w055, 96, res[1]+2112);
   /* #225: output[1][23] = @57 */
-  if (res[1]) casadi_copy(w057, 48, res[1]+1104);
+  if (res[1]) casadi_copy(w057, 96, res[1]+2208);
   /* #226: output[1][24] = @59 */
-  if (res[1]) casadi_copy(w059, 48, res[1]+1152);
+  if (res[1]) casadi_copy(w059, 96, res[1]+2304);
   /* #227: output[1][25] = @61 */
-  if (res[1]) casadi_copy(w061, 48, res[1]+1200);
+  if (res[1]) casadi_copy(w061, 96, res[1]+2400);
   /* #228: output[1][26] = @63 */
-  if (res[1]) casadi_copy(w063, 48, res[1]+1248);
+  if (res[1]) casadi_copy(w063, 96, res[1]+2496);
   /* #229: output[1][27] = @65 */
-  if (res[1]) casadi_copy(w065, 48, res[1]+1296);
+  if (res[1]) casadi_copy(w065, 96, res[1]+2592);
   /* #230: output[1][28] = @67 */
-  if (res[1]) casadi_copy(w067, 48, res[1]+1344);
+  if (res[1]) casadi_copy(w067, 96, res[1]+2688);
   /* #231: output[1][29] = @69 */
-  if (res[1]) casadi_copy(w069, 48, res[1]+1392);
+  if (res[1]) casadi_copy(w069, 96, res[1]+2784);
   /* #232: output[1][30] = @71 */
-  if (res[1]) casadi_copy(w071, 48, res[1]+1440);
+  if (res[1]) casadi_copy(w071, 96, res[1]+2880);
   /* #233: output[1][31] = @73 */
-  if (res[1]) casadi_copy(w073, 48, res[1]+1488);
+  if (res[1]) casadi_copy(w073, 96, res[1]+2976);
   /* #234: output[1][32] = @75 */
-  if (res[1]) casadi_copy(w075, 48, res[1]+1536);
+  if (res[1]) casadi_copy(w075, 96, res[1]+3072);
   /* #235: output[1][33] = @77 */
-  if (res[1]) casadi_copy(w077, 48, res[1]+1584);
+  if (res[1]) casadi_copy(w077, 96, res[1]+3168);
   /* #236: output[1][34] = @79 */
-  if (res[1]) casadi_copy(w079, 48, res[1]+1632);
+  if (res[1]) casadi_copy(w079, 96, res[1]+3264);
   /* #237: output[1][35] = @81 */
-  if (res[1]) casadi_copy(w081, 48, res[1]+1680);
+  if (res[1]) casadi_copy(w081, 96, res[1]+3360);
   /* #238: output[1][36] = @83 */
-  if (res[1]) casadi_copy(w083, 48, res[1]+1728);
+  if (res[1]) casadi_copy(w083, 96, res[1]+3456);
   /* #239: output[1][37] = @85 */
-  if (res[1]) casadi_copy(w085, 48, res[1]+1776);
+  if (res[1]) casadi_copy(w085, 96, res[1]+3552);
   /* #240: output[1][38] = @87 */
-  if (res[1]) casadi_copy(w087, 48, res[1]+1824);
+  if (res[1]) casadi_copy(w087, 96, res[1]+3648);
   /* #241: output[1][39] = @89 */
-  if (res[1]) casadi_copy(w089, 48, res[1]+1872);
+  if (res[1]) casadi_copy(w089, 96, res[1]+3744);
   /* #242: output[1][40] = @91 */
-  if (res[1]) casadi_copy(w091, 48, res[1]+1920);
+  if (res[1]) casadi_copy(w091, 96, res[1]+3840);
   /* #243: output[1][41] = @93 */
-  if (res[1]) casadi_copy(w093, 48, res[1]+1968);
+  if (res[1]) casadi_copy(w093, 96, res[1]+3936);
   /* #244: output[1][42] = @95 */
-  if (res[1]) casadi_copy(w095, 48, res[1]+2016);
+  if (res[1]) casadi_copy(w095, 96, res[1]+4032);
   /* #245: output[1][43] = @97 */
-  if (res[1]) casadi_copy(w097, 48, res[1]+2064);
+  if (res[1]) casadi_copy(w097, 96, res[1]+4128);
   /* #246: output[1][44] = @99 */
-  if (res[1]) casadi_copy(w099, 48, res[1]+2112);
+  if (res[1]) casadi_copy(w099, 96, res[1]+4224);
   /* #247: output[1][45] = @101 */
-  if (res[1]) casadi_copy(w101, 48, res[1]+2160);
+  if (res[1]) casadi_copy(w101, 96, res[1]+4320);
   /* #248: output[1][46] = @103 */
-  if (res[1]) casadi_copy(w103, 48, res[1]+2208);
+  if (res[1]) casadi_copy(w103, 96, res[1]+4416);
   /* #249: output[1][47] = @105 */
-  if (res[1]) casadi_copy(w105, 48, res[1]+2256);
+  if (res[1]) casadi_copy(w105, 96, res[1]+4512);
   /* #250: @1 = @8[:4] */
   for (rr=w001, cs=w008+0; cs!=w008+4; cs+=1) *rr++ = *cs;
   /* #251: {@107, @108} = observe(@2, @1, @4) */
@@ -19145,105 +19268,105 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w108;
   if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
   /* #252: output[1][48] = @107 */
-  if (res[1]) casadi_copy(w107, 8, res[1]+2304);
+  if (res[1]) casadi_copy(w107, 8, res[1]+4608);
   /* #253: output[2][0] = @12 */
-  casadi_copy(w012, 48, res[2]);
+  casadi_copy(w012, 96, res[2]);
   /* #254: output[2][1] = @14 */
-  if (res[2]) casadi_copy(w014, 48, res[2]+48);
+  if (res[2]) casadi_copy(w014, 96, res[2]+96);
   /* #255: output[2][2] = @16 */
-  if (res[2]) casadi_copy(w016, 48, res[2]+96);
+  if (res[2]) casadi_copy(w016, 96, res[2]+192);
   /* #256: output[2][3] = @18 */
-  if (res[2]) casadi_copy(w018, 48, res[2]+144);
+  if (res[2]) casadi_copy(w018, 96, res[2]+288);
   /* #257: output[2][4] = @20 */
-  if (res[2]) casadi_copy(w020, 48, res[2]+192);
+  if (res[2]) casadi_copy(w020, 96, res[2]+384);
   /* #258: output[2][5] = @22 */
-  if (res[2]) casadi_copy(w022, 48, res[2]+240);
+  if (res[2]) casadi_copy(w022, 96, res[2]+480);
   /* #259: output[2][6] = @24 */
-  if (res[2]) casadi_copy(w024, 48, res[2]+288);
+  if (res[2]) casadi_copy(w024, 96, res[2]+576);
   /* #260: output[2][7] = @26 */
-  if (res[2]) casadi_copy(w026, 48, res[2]+336);
+  if (res[2]) casadi_copy(w026, 96, res[2]+672);
   /* #261: output[2][8] = @28 */
-  if (res[2]) casadi_copy(w028, 48, res[2]+384);
+  if (res[2]) casadi_copy(w028, 96, res[2]+768);
   /* #262: output[2][9] = @30 */
-  if (res[2]) casadi_copy(w030, 48, res[2]+432);
+  if (res[2]) casadi_copy(w030, 96, res[2]+864);
   /* #263: output[2][10] = @32 */
-  if (res[2]) casadi_copy(w032, 48, res[2]+480);
+  if (res[2]) casadi_copy(w032, 96, res[2]+960);
   /* #264: output[2][11] = @34 */
-  if (res[2]) casadi_copy(w034, 48, res[2]+528);
+  if (res[2]) casadi_copy(w034, 96, res[2]+1056);
   /* #265: output[2][12] = @36 */
-  if (res[2]) casadi_copy(w036, 48, res[2]+576);
+  if (res[2]) casadi_copy(w036, 96, res[2]+1152);
   /* #266: output[2][13] = @38 */
-  if (res[2]) casadi_copy(w038, 48, res[2]+624);
+  if (res[2]) casadi_copy(w038, 96, res[2]+1248);
   /* #267: output[2][14] = @40 */
-  if (res[2]) casadi_copy(w040, 48, res[2]+672);
+  if (res[2]) casadi_copy(w040, 96, res[2]+1344);
   /* #268: output[2][15] = @42 */
-  if (res[2]) casadi_copy(w042, 48, res[2]+720);
+  if (res[2]) casadi_copy(w042, 96, res[2]+1440);
   /* #269: output[2][16] = @44 */
-  if (res[2]) casadi_copy(w044, 48, res[2]+768);
+  if (res[2]) casadi_copy(w044, 96, res[2]+1536);
   /* #270: output[2][17] = @46 */
-  if (res[2]) casadi_copy(w046, 48, res[2]+816);
+  if (res[2]) casadi_copy(w046, 96, res[2]+1632);
   /* #271: output[2][18] = @48 */
-  if (res[2]) casadi_copy(w048, 48, res[2]+864);
+  if (res[2]) casadi_copy(w048, 96, res[2]+1728);
   /* #272: output[2][19] = @50 */
-  if (res[2]) casadi_copy(w050, 48, res[2]+912);
+  if (res[2]) casadi_copy(w050, 96, res[2]+1824);
   /* #273: output[2][20] = @52 */
-  if (res[2]) casadi_copy(w052, 48, res[2]+960);
+  if (res[2]) casadi_copy(w052, 96, res[2]+1920);
   /* #274: output[2][21] = @54 */
-  if (res[2]) casadi_copy(w054, 48, res[2]+1008);
+  if (res[2]) casadi_copy(w054, 96, res[2]+2016);
   /* #275: output[2][22] = @56 */
-  if (res[2]) casadi_copy(w056, 48, res[2]+1056);
+  if (res[2]) casadi_copy(w056, 96, res[2]+2112);
   /* #276: output[2][23] = @58 */
-  if (res[2]) casadi_copy(w058, 48, res[2]+1104);
+  if (res[2]) casadi_copy(w058, 96, res[2]+2208);
   /* #277: output[2][24] = @60 */
-  if (res[2]) casadi_copy(w060, 48, res[2]+1152);
+  if (res[2]) casadi_copy(w060, 96, res[2]+2304);
   /* #278: output[2][25] = @62 */
-  if (res[2]) casadi_copy(w062, 48, res[2]+1200);
+  if (res[2]) casadi_copy(w062, 96, res[2]+2400);
   /* #279: output[2][26] = @64 */
-  if (res[2]) casadi_copy(w064, 48, res[2]+1248);
+  if (res[2]) casadi_copy(w064, 96, res[2]+2496);
   /* #280: output[2][27] = @66 */
-  if (res[2]) casadi_copy(w066, 48, res[2]+1296);
+  if (res[2]) casadi_copy(w066, 96, res[2]+2592);
   /* #281: output[2][28] = @68 */
-  if (res[2]) casadi_copy(w068, 48, res[2]+1344);
+  if (res[2]) casadi_copy(w068, 96, res[2]+2688);
   /* #282: output[2][29] = @70 */
-  if (res[2]) casadi_copy(w070, 48, res[2]+1392);
+  if (res[2]) casadi_copy(w070, 96, res[2]+2784);
   /* #283: output[2][30] = @72 */
-  if (res[2]) casadi_copy(w072, 48, res[2]+1440);
+  if (res[2]) casadi_copy(w072, 96, res[2]+2880);
   /* #284: output[2][31] = @74 */
-  if (res[2]) casadi_copy(w074, 48, res[2]+1488);
+  if (res[2]) casadi_copy(w074, 96, res[2]+2976);
   /* #285: output[2][32] = @76 */
-  if (res[2]) casadi_copy(w076, 48, res[2]+1536);
+  if (res[2]) casadi_copy(w076, 96, res[2]+3072);
   /* #286: output[2][33] = @78 */
-  if (res[2]) casadi_copy(w078, 48, res[2]+1584);
+  if (res[2]) casadi_copy(w078, 96, res[2]+3168);
   /* #287: output[2][34] = @80 */
-  if (res[2]) casadi_copy(w080, 48, res[2]+1632);
+  if (res[2]) casadi_copy(w080, 96, res[2]+3264);
   /* #288: output[2][35] = @82 */
-  if (res[2]) casadi_copy(w082, 48, res[2]+1680);
+  if (res[2]) casadi_copy(w082, 96, res[2]+3360);
   /* #289: output[2][36] = @84 */
-  if (res[2]) casadi_copy(w084, 48, res[2]+1728);
+  if (res[2]) casadi_copy(w084, 96, res[2]+3456);
   /* #290: output[2][37] = @86 */
-  if (res[2]) casadi_copy(w086, 48, res[2]+1776);
+  if (res[2]) casadi_copy(w086, 96, res[2]+3552);
   /* #291: output[2][38] = @88 */
-  if (res[2]) casadi_copy(w088, 48, res[2]+1824);
+  if (res[2]) casadi_copy(w088, 96, res[2]+3648);
   /* #292: output[2][39] = @90 */
-  if (res[2]) casadi_copy(w090, 48, res[2]+1872);
+  if (res[2]) casadi_copy(w090, 96, res[2]+3744);
   /* #293: output[2][40] = @92 */
-  if (res[2]) casadi_copy(w092, 48, res[2]+1920);
+  if (res[2]) casadi_copy(w092, 96, res[2]+3840);
   /* #294: output[2][41] = @94 */
-  if (res[2]) casadi_copy(w094, 48, res[2]+1968);
+  if (res[2]) casadi_copy(w094, 96, res[2]+3936);
   /* #295: output[2][42] = @96 */
-  if (res[2]) casadi_copy(w096, 48, res[2]+2016);
+  if (res[2]) casadi_copy(w096, 96, res[2]+4032);
   /* #296: output[2][43] = @98 */
-  if (res[2]) casadi_copy(w098, 48, res[2]+2064);
+  if (res[2]) casadi_copy(w098, 96, res[2]+4128);
   /* #297: output[2][44] = @100 */
-  if (res[2]) casadi_copy(w100, 48, res[2]+2112);
+  if (res[2]) casadi_copy(w100, 96, res[2]+4224);
   /* #298: output[2][45] = @102 */
-  if (res[2]) casadi_copy(w102, 48, res[2]+2160);
+  if (res[2]) casadi_copy(w102, 96, res[2]+4320);
   /* #299: output[2][46] = @104 */
-  if (res[2]) casadi_copy(w104, 48, res[2]+2208);
+  if (res[2]) casadi_copy(w104, 96, res[2]+4416);
   /* #300: output[2][47] = @106 */
-  if (res[2]) casadi_copy(w106, 48, res[2]+2256);
+  if (res[2]) casadi_copy(w106, 96, res[2]+4512);
   /* #301: output[2][48] = @108 */
-  if (res[2]) casadi_copy(w108, 8, res[2]+2304);
+  if (res[2]) casadi_copy(w108, 8, res[2]+4608);
   /* #302: @1 = @8[:4] */
   for (rr=w001, cs=w008+0; cs!=w008+4; cs+=1) *rr++ = *cs;
   /* #303: @109 = landing(@1, @6, @4) */
@@ -19324,7 +19447,7 @@ CASADI_SYMBOL_EXPORT int compass_trace_576_work(casadi_int *sz_arg, casadi_int* 
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 4921;
+  if (sz_w) *sz_w = 9632;
   return 0;
 }
 
@@ -19332,25 +19455,25 @@ CASADI_SYMBOL_EXPORT int compass_trace_576_work_bytes(casadi_int *sz_arg, casadi
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 4921*sizeof(casadi_real);
+  if (sz_w) *sz_w = 9632*sizeof(casadi_real);
   return 0;
 }
 
-/* compass_trace_768:(u[4],p[6])->(w[5x385],g[8x385],dg[8x385],R[4]) */
+/* compass_trace_768:(u[4],p[6])->(w[5x769],g[8x769],dg[8x769],R[4]) */
 static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+4, *rr, w000, *w001=w+216, w002, w003, *w004=w+220, *w005=w+226, *w006=w+250, w007, *w008=w+253, *w009=w+258;
-  casadi_real *w010=w+263, *w011=w+293, *w012=w+341, *w013=w+389, *w014=w+437, *w015=w+485, *w016=w+533, *w017=w+581, *w018=w+629, *w019=w+677, *w020=w+725, *w021=w+773;
-  casadi_real *w022=w+821, *w023=w+869, *w024=w+917, *w025=w+965, *w026=w+1013, *w027=w+1061, *w028=w+1109, *w029=w+1157, *w030=w+1205, *w031=w+1253, *w032=w+1301, *w033=w+1349;
-  casadi_real *w034=w+1397, *w035=w+1445, *w036=w+1493, *w037=w+1541, *w038=w+1589, *w039=w+1637, *w040=w+1685, *w041=w+1733, *w042=w+1781, *w043=w+1829, *w044=w+1877, *w045=w+1925;
-  casadi_real *w046=w+1973, *w047=w+2021, *w048=w+2069, *w049=w+2117, *w050=w+2165, *w051=w+2213, *w052=w+2261, *w053=w+2309, *w054=w+2357, *w055=w+2405, *w056=w+2453, *w057=w+2501;
-  casadi_real *w058=w+2549, *w059=w+2597, *w060=w+2645, *w061=w+2693, *w062=w+2741, *w063=w+2789, *w064=w+2837, *w065=w+2885, *w066=w+2933, *w067=w+2981, *w068=w+3029, *w069=w+3077;
-  casadi_real *w070=w+3125, *w071=w+3173, *w072=w+3221, *w073=w+3269, *w074=w+3317, *w075=w+3365, *w076=w+3413, *w077=w+3461, *w078=w+3509, *w079=w+3557, *w080=w+3605, *w081=w+3653;
-  casadi_real *w082=w+3701, *w083=w+3749, *w084=w+3797, *w085=w+3845, *w086=w+3893, *w087=w+3941, *w088=w+3989, *w089=w+4037, *w090=w+4085, *w091=w+4133, *w092=w+4181, *w093=w+4229;
-  casadi_real *w094=w+4277, *w095=w+4325, *w096=w+4373, *w097=w+4421, *w098=w+4469, *w099=w+4517, *w100=w+4565, *w101=w+4613, *w102=w+4661, *w103=w+4709, *w104=w+4757, *w105=w+4805;
-  casadi_real *w106=w+4853, *w107=w+4901, *w108=w+4949, *w109=w+4997, *w110=w+5045, *w111=w+5093, *w112=w+5141, *w113=w+5189, *w114=w+5237, *w115=w+5285, *w116=w+5333, *w117=w+5381;
-  casadi_real *w118=w+5429, *w119=w+5477, *w120=w+5525, *w121=w+5573, *w122=w+5621, *w123=w+5669, *w124=w+5717, *w125=w+5765, *w126=w+5813, *w127=w+5861, *w128=w+5909, *w129=w+5957;
-  casadi_real *w130=w+6005, *w131=w+6053, *w132=w+6101, *w133=w+6149, *w134=w+6197, *w135=w+6245, *w136=w+6293, *w137=w+6341, *w138=w+6389, *w139=w+6437, *w140=w+6445, *w141=w+6453;
+  casadi_real **res1=res+4, *rr, w000, *w001=w+289, w002, w003, *w004=w+293, *w005=w+299, *w006=w+323, w007, *w008=w+326, *w009=w+331;
+  casadi_real *w010=w+336, *w011=w+396, *w012=w+492, *w013=w+588, *w014=w+684, *w015=w+780, *w016=w+876, *w017=w+972, *w018=w+1068, *w019=w+1164, *w020=w+1260, *w021=w+1356;
+  casadi_real *w022=w+1452, *w023=w+1548, *w024=w+1644, *w025=w+1740, *w026=w+1836, *w027=w+1932, *w028=w+2028, *w029=w+2124, *w030=w+2220, *w031=w+2316, *w032=w+2412, *w033=w+2508;
+  casadi_real *w034=w+2604, *w035=w+2700, *w036=w+2796, *w037=w+2892, *w038=w+2988, *w039=w+3084, *w040=w+3180, *w041=w+3276, *w042=w+3372, *w043=w+3468, *w044=w+3564, *w045=w+3660;
+  casadi_real *w046=w+3756, *w047=w+3852, *w048=w+3948, *w049=w+4044, *w050=w+4140, *w051=w+4236, *w052=w+4332, *w053=w+4428, *w054=w+4524, *w055=w+4620, *w056=w+4716, *w057=w+4812;
+  casadi_real *w058=w+4908, *w059=w+5004, *w060=w+5100, *w061=w+5196, *w062=w+5292, *w063=w+5388, *w064=w+5484, *w065=w+5580, *w066=w+5676, *w067=w+5772, *w068=w+5868, *w069=w+5964;
+  casadi_real *w070=w+6060, *w071=w+6156, *w072=w+6252, *w073=w+6348, *w074=w+6444, *w075=w+6540, *w076=w+6636, *w077=w+6732, *w078=w+6828, *w079=w+6924, *w080=w+7020, *w081=w+7116;
+  casadi_real *w082=w+7212, *w083=w+7308, *w084=w+7404, *w085=w+7500, *w086=w+7596, *w087=w+7692, *w088=w+7788, *w089=w+7884, *w090=w+7980, *w091=w+8076, *w092=w+8172, *w093=w+8268;
+  casadi_real *w094=w+8364, *w095=w+8460, *w096=w+8556, *w097=w+8652, *w098=w+8748, *w099=w+8844, *w100=w+8940, *w101=w+9036, *w102=w+9132, *w103=w+9228, *w104=w+9324, *w105=w+9420;
+  casadi_real *w106=w+9516, *w107=w+9612, *w108=w+9708, *w109=w+9804, *w110=w+9900, *w111=w+9996, *w112=w+10092, *w113=w+10188, *w114=w+10284, *w115=w+10380, *w116=w+10476, *w117=w+10572;
+  casadi_real *w118=w+10668, *w119=w+10764, *w120=w+10860, *w121=w+10956, *w122=w+11052, *w123=w+11148, *w124=w+11244, *w125=w+11340, *w126=w+11436, *w127=w+11532, *w128=w+11628, *w129=w+11724;
+  casadi_real *w130=w+11820, *w131=w+11916, *w132=w+12012, *w133=w+12108, *w134=w+12204, *w135=w+12300, *w136=w+12396, *w137=w+12492, *w138=w+12588, *w139=w+12684, *w140=w+12692, *w141=w+12700;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = 0 */
   w000 = 0.;
@@ -19394,7 +19517,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w012;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
-  casadi_copy(w010, 30, res[0]);
+  casadi_copy(w010, 60, res[0]);
   /* #13: @0 = 0.015625 */
   w000 = 1.5625000000000000e-02;
   /* #14: @0 = (@0*@2) */
@@ -19411,7 +19534,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w014;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+30);
+  if (res[0]) casadi_copy(w010, 60, res[0]+60);
   /* #17: @0 = 0.03125 */
   w000 = 3.1250000000000000e-02;
   /* #18: @0 = (@0*@2) */
@@ -19428,7 +19551,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w016;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+60);
+  if (res[0]) casadi_copy(w010, 60, res[0]+120);
   /* #21: @0 = 0.046875 */
   w000 = 4.6875000000000000e-02;
   /* #22: @0 = (@0*@2) */
@@ -19445,7 +19568,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w018;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+90);
+  if (res[0]) casadi_copy(w010, 60, res[0]+180);
   /* #25: @0 = 0.0625 */
   w000 = 6.2500000000000000e-02;
   /* #26: @0 = (@0*@2) */
@@ -19462,7 +19585,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w020;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+120);
+  if (res[0]) casadi_copy(w010, 60, res[0]+240);
   /* #29: @0 = 0.078125 */
   w000 = 7.8125000000000000e-02;
   /* #30: @0 = (@0*@2) */
@@ -19479,7 +19602,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w022;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+150);
+  if (res[0]) casadi_copy(w010, 60, res[0]+300);
   /* #33: @0 = 0.09375 */
   w000 = 9.3750000000000000e-02;
   /* #34: @0 = (@0*@2) */
@@ -19496,7 +19619,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w024;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[0][6] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+180);
+  if (res[0]) casadi_copy(w010, 60, res[0]+360);
   /* #37: @0 = 0.109375 */
   w000 = 1.0937500000000000e-01;
   /* #38: @0 = (@0*@2) */
@@ -19513,7 +19636,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w026;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[0][7] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+210);
+  if (res[0]) casadi_copy(w010, 60, res[0]+420);
   /* #41: @0 = 0.125 */
   w000 = 1.2500000000000000e-01;
   /* #42: @0 = (@0*@2) */
@@ -19530,7 +19653,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w028;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #44: output[0][8] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+240);
+  if (res[0]) casadi_copy(w010, 60, res[0]+480);
   /* #45: @0 = 0.140625 */
   w000 = 1.4062500000000000e-01;
   /* #46: @0 = (@0*@2) */
@@ -19547,7 +19670,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w030;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #48: output[0][9] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+270);
+  if (res[0]) casadi_copy(w010, 60, res[0]+540);
   /* #49: @0 = 0.15625 */
   w000 = 1.5625000000000000e-01;
   /* #50: @0 = (@0*@2) */
@@ -19564,7 +19687,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w032;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[0][10] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+300);
+  if (res[0]) casadi_copy(w010, 60, res[0]+600);
   /* #53: @0 = 0.171875 */
   w000 = 1.7187500000000000e-01;
   /* #54: @0 = (@0*@2) */
@@ -19581,7 +19704,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w034;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #56: output[0][11] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+330);
+  if (res[0]) casadi_copy(w010, 60, res[0]+660);
   /* #57: @0 = 0.1875 */
   w000 = 1.8750000000000000e-01;
   /* #58: @0 = (@0*@2) */
@@ -19598,7 +19721,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w036;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #60: output[0][12] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+360);
+  if (res[0]) casadi_copy(w010, 60, res[0]+720);
   /* #61: @0 = 0.203125 */
   w000 = 2.0312500000000000e-01;
   /* #62: @0 = (@0*@2) */
@@ -19615,7 +19738,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w038;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #64: output[0][13] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+390);
+  if (res[0]) casadi_copy(w010, 60, res[0]+780);
   /* #65: @0 = 0.21875 */
   w000 = 2.1875000000000000e-01;
   /* #66: @0 = (@0*@2) */
@@ -19632,7 +19755,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w040;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #68: output[0][14] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+420);
+  if (res[0]) casadi_copy(w010, 60, res[0]+840);
   /* #69: @0 = 0.234375 */
   w000 = 2.3437500000000000e-01;
   /* #70: @0 = (@0*@2) */
@@ -19649,7 +19772,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w042;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #72: output[0][15] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+450);
+  if (res[0]) casadi_copy(w010, 60, res[0]+900);
   /* #73: @0 = 0.25 */
   w000 = 2.5000000000000000e-01;
   /* #74: @0 = (@0*@2) */
@@ -19666,7 +19789,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w044;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #76: output[0][16] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+480);
+  if (res[0]) casadi_copy(w010, 60, res[0]+960);
   /* #77: @0 = 0.265625 */
   w000 = 2.6562500000000000e-01;
   /* #78: @0 = (@0*@2) */
@@ -19683,7 +19806,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w046;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #80: output[0][17] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+510);
+  if (res[0]) casadi_copy(w010, 60, res[0]+1020);
   /* #81: @0 = 0.28125 */
   w000 = 2.8125000000000000e-01;
   /* #82: @0 = (@0*@2) */
@@ -19700,7 +19823,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w048;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #84: output[0][18] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+540);
+  if (res[0]) casadi_copy(w010, 60, res[0]+1080);
   /* #85: @0 = 0.296875 */
   w000 = 2.9687500000000000e-01;
   /* #86: @0 = (@0*@2) */
@@ -19717,7 +19840,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w050;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #88: output[0][19] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+570);
+  if (res[0]) casadi_copy(w010, 60, res[0]+1140);
   /* #89: @0 = 0.3125 */
   w000 = 3.1250000000000000e-01;
   /* #90: @0 = (@0*@2) */
@@ -19734,7 +19857,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w052;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #92: output[0][20] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+600);
+  if (res[0]) casadi_copy(w010, 60, res[0]+1200);
   /* #93: @0 = 0.328125 */
   w000 = 3.2812500000000000e-01;
   /* #94: @0 = (@0*@2) */
@@ -19751,7 +19874,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w054;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #96: output[0][21] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+630);
+  if (res[0]) casadi_copy(w010, 60, res[0]+1260);
   /* #97: @0 = 0.34375 */
   w000 = 3.4375000000000000e-01;
   /* #98: @0 = (@0*@2) */
@@ -19768,7 +19891,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w056;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #100: output[0][22] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+660);
+  if (res[0]) casadi_copy(w010, 60, res[0]+1320);
   /* #101: @0 = 0.359375 */
   w000 = 3.5937500000000000e-01;
   /* #102: @0 = (@0*@2) */
@@ -19785,7 +19908,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w058;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #104: output[0][23] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+690);
+  if (res[0]) casadi_copy(w010, 60, res[0]+1380);
   /* #105: @0 = 0.375 */
   w000 = 3.7500000000000000e-01;
   /* #106: @0 = (@0*@2) */
@@ -19802,7 +19925,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w060;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #108: output[0][24] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+720);
+  if (res[0]) casadi_copy(w010, 60, res[0]+1440);
   /* #109: @0 = 0.390625 */
   w000 = 3.9062500000000000e-01;
   /* #110: @0 = (@0*@2) */
@@ -19819,7 +19942,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w062;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #112: output[0][25] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+750);
+  if (res[0]) casadi_copy(w010, 60, res[0]+1500);
   /* #113: @0 = 0.40625 */
   w000 = 4.0625000000000000e-01;
   /* #114: @0 = (@0*@2) */
@@ -19836,7 +19959,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w064;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #116: output[0][26] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+780);
+  if (res[0]) casadi_copy(w010, 60, res[0]+1560);
   /* #117: @0 = 0.421875 */
   w000 = 4.2187500000000000e-01;
   /* #118: @0 = (@0*@2) */
@@ -19853,7 +19976,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w066;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #120: output[0][27] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+810);
+  if (res[0]) casadi_copy(w010, 60, res[0]+1620);
   /* #121: @0 = 0.4375 */
   w000 = 4.3750000000000000e-01;
   /* #122: @0 = (@0*@2) */
@@ -19870,7 +19993,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w068;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #124: output[0][28] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+840);
+  if (res[0]) casadi_copy(w010, 60, res[0]+1680);
   /* #125: @0 = 0.453125 */
   w000 = 4.5312500000000000e-01;
   /* #126: @0 = (@0*@2) */
@@ -19887,7 +20010,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w070;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #128: output[0][29] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+870);
+  if (res[0]) casadi_copy(w010, 60, res[0]+1740);
   /* #129: @0 = 0.46875 */
   w000 = 4.6875000000000000e-01;
   /* #130: @0 = (@0*@2) */
@@ -19904,7 +20027,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w072;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #132: output[0][30] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+900);
+  if (res[0]) casadi_copy(w010, 60, res[0]+1800);
   /* #133: @0 = 0.484375 */
   w000 = 4.8437500000000000e-01;
   /* #134: @0 = (@0*@2) */
@@ -19921,7 +20044,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w074;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #136: output[0][31] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+930);
+  if (res[0]) casadi_copy(w010, 60, res[0]+1860);
   /* #137: @0 = 0.5 */
   w000 = 5.0000000000000000e-01;
   /* #138: @0 = (@0*@2) */
@@ -19938,7 +20061,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w076;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #140: output[0][32] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+960);
+  if (res[0]) casadi_copy(w010, 60, res[0]+1920);
   /* #141: @0 = 0.515625 */
   w000 = 5.1562500000000000e-01;
   /* #142: @0 = (@0*@2) */
@@ -19955,7 +20078,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w078;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #144: output[0][33] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+990);
+  if (res[0]) casadi_copy(w010, 60, res[0]+1980);
   /* #145: @0 = 0.53125 */
   w000 = 5.3125000000000000e-01;
   /* #146: @0 = (@0*@2) */
@@ -19972,7 +20095,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w080;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #148: output[0][34] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+1020);
+  if (res[0]) casadi_copy(w010, 60, res[0]+2040);
   /* #149: @0 = 0.546875 */
   w000 = 5.4687500000000000e-01;
   /* #150: @0 = (@0*@2) */
@@ -19989,7 +20112,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w082;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #152: output[0][35] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+1050);
+  if (res[0]) casadi_copy(w010, 60, res[0]+2100);
   /* #153: @0 = 0.5625 */
   w000 = 5.6250000000000000e-01;
   /* #154: @0 = (@0*@2) */
@@ -20006,7 +20129,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w084;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #156: output[0][36] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+1080);
+  if (res[0]) casadi_copy(w010, 60, res[0]+2160);
   /* #157: @0 = 0.578125 */
   w000 = 5.7812500000000000e-01;
   /* #158: @0 = (@0*@2) */
@@ -20023,7 +20146,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w086;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #160: output[0][37] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+1110);
+  if (res[0]) casadi_copy(w010, 60, res[0]+2220);
   /* #161: @0 = 0.59375 */
   w000 = 5.9375000000000000e-01;
   /* #162: @0 = (@0*@2) */
@@ -20040,7 +20163,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w088;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #164: output[0][38] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+1140);
+  if (res[0]) casadi_copy(w010, 60, res[0]+2280);
   /* #165: @0 = 0.609375 */
   w000 = 6.0937500000000000e-01;
   /* #166: @0 = (@0*@2) */
@@ -20057,7 +20180,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w090;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #168: output[0][39] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+1170);
+  if (res[0]) casadi_copy(w010, 60, res[0]+2340);
   /* #169: @0 = 0.625 */
   w000 = 6.2500000000000000e-01;
   /* #170: @0 = (@0*@2) */
@@ -20074,7 +20197,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w092;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #172: output[0][40] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+1200);
+  if (res[0]) casadi_copy(w010, 60, res[0]+2400);
   /* #173: @0 = 0.640625 */
   w000 = 6.4062500000000000e-01;
   /* #174: @0 = (@0*@2) */
@@ -20091,7 +20214,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w094;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #176: output[0][41] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+1230);
+  if (res[0]) casadi_copy(w010, 60, res[0]+2460);
   /* #177: @0 = 0.65625 */
   w000 = 6.5625000000000000e-01;
   /* #178: @0 = (@0*@2) */
@@ -20108,7 +20231,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w096;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #180: output[0][42] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+1260);
+  if (res[0]) casadi_copy(w010, 60, res[0]+2520);
   /* #181: @0 = 0.671875 */
   w000 = 6.7187500000000000e-01;
   /* #182: @0 = (@0*@2) */
@@ -20125,7 +20248,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w098;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #184: output[0][43] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+1290);
+  if (res[0]) casadi_copy(w010, 60, res[0]+2580);
   /* #185: @0 = 0.6875 */
   w000 = 6.8750000000000000e-01;
   /* #186: @0 = (@0*@2) */
@@ -20142,7 +20265,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w100;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #188: output[0][44] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+1320);
+  if (res[0]) casadi_copy(w010, 60, res[0]+2640);
   /* #189: @0 = 0.703125 */
   w000 = 7.0312500000000000e-01;
   /* #190: @0 = (@0*@2) */
@@ -20159,7 +20282,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w102;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #192: output[0][45] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+1350);
+  if (res[0]) casadi_copy(w010, 60, res[0]+2700);
   /* #193: @0 = 0.71875 */
   w000 = 7.1875000000000000e-01;
   /* #194: @0 = (@0*@2) */
@@ -20176,7 +20299,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w104;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #196: output[0][46] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+1380);
+  if (res[0]) casadi_copy(w010, 60, res[0]+2760);
   /* #197: @0 = 0.734375 */
   w000 = 7.3437500000000000e-01;
   /* #198: @0 = (@0*@2) */
@@ -20193,7 +20316,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w106;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #200: output[0][47] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+1410);
+  if (res[0]) casadi_copy(w010, 60, res[0]+2820);
   /* #201: @0 = 0.75 */
   w000 = 7.5000000000000000e-01;
   /* #202: @0 = (@0*@2) */
@@ -20210,7 +20333,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w108;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #204: output[0][48] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+1440);
+  if (res[0]) casadi_copy(w010, 60, res[0]+2880);
   /* #205: @0 = 0.765625 */
   w000 = 7.6562500000000000e-01;
   /* #206: @0 = (@0*@2) */
@@ -20227,7 +20350,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w110;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #208: output[0][49] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+1470);
+  if (res[0]) casadi_copy(w010, 60, res[0]+2940);
   /* #209: @0 = 0.78125 */
   w000 = 7.8125000000000000e-01;
   /* #210: @0 = (@0*@2) */
@@ -20244,7 +20367,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w112;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #212: output[0][50] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+1500);
+  if (res[0]) casadi_copy(w010, 60, res[0]+3000);
   /* #213: @0 = 0.796875 */
   w000 = 7.9687500000000000e-01;
   /* #214: @0 = (@0*@2) */
@@ -20261,7 +20384,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w114;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #216: output[0][51] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+1530);
+  if (res[0]) casadi_copy(w010, 60, res[0]+3060);
   /* #217: @0 = 0.8125 */
   w000 = 8.1250000000000000e-01;
   /* #218: @0 = (@0*@2) */
@@ -20278,7 +20401,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w116;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #220: output[0][52] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+1560);
+  if (res[0]) casadi_copy(w010, 60, res[0]+3120);
   /* #221: @0 = 0.828125 */
   w000 = 8.2812500000000000e-01;
   /* #222: @0 = (@0*@2) */
@@ -20295,7 +20418,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w118;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #224: output[0][53] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+1590);
+  if (res[0]) casadi_copy(w010, 60, res[0]+3180);
   /* #225: @0 = 0.84375 */
   w000 = 8.4375000000000000e-01;
   /* #226: @0 = (@0*@2) */
@@ -20312,7 +20435,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w120;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #228: output[0][54] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+1620);
+  if (res[0]) casadi_copy(w010, 60, res[0]+3240);
   /* #229: @0 = 0.859375 */
   w000 = 8.5937500000000000e-01;
   /* #230: @0 = (@0*@2) */
@@ -20329,7 +20452,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w122;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #232: output[0][55] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+1650);
+  if (res[0]) casadi_copy(w010, 60, res[0]+3300);
   /* #233: @0 = 0.875 */
   w000 = 8.7500000000000000e-01;
   /* #234: @0 = (@0*@2) */
@@ -20346,7 +20469,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w124;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #236: output[0][56] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+1680);
+  if (res[0]) casadi_copy(w010, 60, res[0]+3360);
   /* #237: @0 = 0.890625 */
   w000 = 8.9062500000000000e-01;
   /* #238: @0 = (@0*@2) */
@@ -20363,7 +20486,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w126;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #240: output[0][57] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+1710);
+  if (res[0]) casadi_copy(w010, 60, res[0]+3420);
   /* #241: @0 = 0.90625 */
   w000 = 9.0625000000000000e-01;
   /* #242: @0 = (@0*@2) */
@@ -20380,7 +20503,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w128;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #244: output[0][58] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+1740);
+  if (res[0]) casadi_copy(w010, 60, res[0]+3480);
   /* #245: @0 = 0.921875 */
   w000 = 9.2187500000000000e-01;
   /* #246: @0 = (@0*@2) */
@@ -20397,7 +20520,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w130;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #248: output[0][59] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+1770);
+  if (res[0]) casadi_copy(w010, 60, res[0]+3540);
   /* #249: @0 = 0.9375 */
   w000 = 9.3750000000000000e-01;
   /* #250: @0 = (@0*@2) */
@@ -20414,7 +20537,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w132;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #252: output[0][60] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+1800);
+  if (res[0]) casadi_copy(w010, 60, res[0]+3600);
   /* #253: @0 = 0.953125 */
   w000 = 9.5312500000000000e-01;
   /* #254: @0 = (@0*@2) */
@@ -20431,7 +20554,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w134;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #256: output[0][61] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+1830);
+  if (res[0]) casadi_copy(w010, 60, res[0]+3660);
   /* #257: @0 = 0.96875 */
   w000 = 9.6875000000000000e-01;
   /* #258: @0 = (@0*@2) */
@@ -20448,7 +20571,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w136;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #260: output[0][62] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+1860);
+  if (res[0]) casadi_copy(w010, 60, res[0]+3720);
   /* #261: @0 = 0.984375 */
   w000 = 9.8437500000000000e-01;
   /* #262: @0 = (@0*@2) */
@@ -20465,137 +20588,137 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w138;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #264: output[0][63] = @10 */
-  if (res[0]) casadi_copy(w010, 30, res[0]+1890);
+  if (res[0]) casadi_copy(w010, 60, res[0]+3780);
   /* #265: output[0][64] = @8 */
-  if (res[0]) casadi_copy(w008, 5, res[0]+1920);
+  if (res[0]) casadi_copy(w008, 5, res[0]+3840);
   /* #266: output[1][0] = @11 */
-  casadi_copy(w011, 48, res[1]);
+  casadi_copy(w011, 96, res[1]);
   /* #267: output[1][1] = @13 */
-  if (res[1]) casadi_copy(w013, 48, res[1]+48);
+  if (res[1]) casadi_copy(w013, 96, res[1]+96);
   /* #268: output[1][2] = @15 */
-  if (res[1]) casadi_copy(w015, 48, res[1]+96);
+  if (res[1]) casadi_copy(w015, 96, res[1]+192);
   /* #269: output[1][3] = @17 */
-  if (res[1]) casadi_copy(w017, 48, res[1]+144);
+  if (res[1]) casadi_copy(w017, 96, res[1]+288);
   /* #270: output[1][4] = @19 */
-  if (res[1]) casadi_copy(w019, 48, res[1]+192);
+  if (res[1]) casadi_copy(w019, 96, res[1]+384);
   /* #271: output[1][5] = @21 */
-  if (res[1]) casadi_copy(w021, 48, res[1]+240);
+  if (res[1]) casadi_copy(w021, 96, res[1]+480);
   /* #272: output[1][6] = @23 */
-  if (res[1]) casadi_copy(w023, 48, res[1]+288);
+  if (res[1]) casadi_copy(w023, 96, res[1]+576);
   /* #273: output[1][7] = @25 */
-  if (res[1]) casadi_copy(w025, 48, res[1]+336);
+  if (res[1]) casadi_copy(w025, 96, res[1]+672);
   /* #274: output[1][8] = @27 */
-  if (res[1]) casadi_copy(w027, 48, res[1]+384);
+  if (res[1]) casadi_copy(w027, 96, res[1]+768);
   /* #275: output[1][9] = @29 */
-  if (res[1]) casadi_copy(w029, 48, res[1]+432);
+  if (res[1]) casadi_copy(w029, 96, res[1]+864);
   /* #276: output[1][10] = @31 */
-  if (res[1]) casadi_copy(w031, 48, res[1]+480);
+  if (res[1]) casadi_copy(w031, 96, res[1]+960);
   /* #277: output[1][11] = @33 */
-  if (res[1]) casadi_copy(w033, 48, res[1]+528);
+  if (res[1]) casadi_copy(w033, 96, res[1]+1056);
   /* #278: output[1][12] = @35 */
-  if (res[1]) casadi_copy(w035, 48, res[1]+576);
+  if (res[1]) casadi_copy(w035, 96, res[1]+1152);
   /* #279: output[1][13] = @37 */
-  if (res[1]) casadi_copy(w037, 48, res[1]+624);
+  if (res[1]) casadi_copy(w037, 96, res[1]+1248);
   /* #280: output[1][14] = @39 */
-  if (res[1]) casadi_copy(w039, 48, res[1]+672);
+  if (res[1]) casadi_copy(w039, 96, res[1]+1344);
   /* #281: output[1][15] = @41 */
-  if (res[1]) casadi_copy(w041, 48, res[1]+720);
+  if (res[1]) casadi_copy(w041, 96, res[1]+1440);
   /* #282: output[1][16] = @43 */
-  if (res[1]) casadi_copy(w043, 48, res[1]+768);
+  if (res[1]) casadi_copy(w043, 96, res[1]+1536);
   /* #283: output[1][17] = @45 */
-  if (res[1]) casadi_copy(w045, 48, res[1]+816);
+  if (res[1]) casadi_copy(w045, 96, res[1]+1632);
   /* #284: output[1][18] = @47 */
-  if (res[1]) casadi_copy(w047, 48, res[1]+864);
+  if (res[1]) casadi_copy(w047, 96, res[1]+1728);
   /* #285: output[1][19] = @49 */
-  if (res[1]) casadi_copy(w049, 48, res[1]+912);
+  if (res[1]) casadi_copy(w049, 96, res[1]+1824);
   /* #286: output[1][20] = @51 */
-  if (res[1]) casadi_copy(w051, 48, res[1]+960);
+  if (res[1]) casadi_copy(w051, 96, res[1]+1920);
   /* #287: output[1][21] = @53 */
-  if (res[1]) casadi_copy(w053, 48, res[1]+1008);
+  if (res[1]) casadi_copy(w053, 96, res[1]+2016);
   /* #288: output[1][22] = @55 */
-  if (res[1]) casadi_copy(w055, 48, res[1]+1056);
+  if (res[1]) casadi_copy(w055, 96, res[1]+2112);
   /* #289: output[1][23] = @57 */
-  if (res[1]) casadi_copy(w057, 48, res[1]+1104);
+  if (res[1]) casadi_copy(w057, 96, res[1]+2208);
   /* #290: output[1][24] = @59 */
-  if (res[1]) casadi_copy(w059, 48, res[1]+1152);
+  if (res[1]) casadi_copy(w059, 96, res[1]+2304);
   /* #291: output[1][25] = @61 */
-  if (res[1]) casadi_copy(w061, 48, res[1]+1200);
+  if (res[1]) casadi_copy(w061, 96, res[1]+2400);
   /* #292: output[1][26] = @63 */
-  if (res[1]) casadi_copy(w063, 48, res[1]+1248);
+  if (res[1]) casadi_copy(w063, 96, res[1]+2496);
   /* #293: output[1][27] = @65 */
-  if (res[1]) casadi_copy(w065, 48, res[1]+1296);
+  if (res[1]) casadi_copy(w065, 96, res[1]+2592);
   /* #294: output[1][28] = @67 */
-  if (res[1]) casadi_copy(w067, 48, res[1]+1344);
+  if (res[1]) casadi_copy(w067, 96, res[1]+2688);
   /* #295: output[1][29] = @69 */
-  if (res[1]) casadi_copy(w069, 48, res[1]+1392);
+  if (res[1]) casadi_copy(w069, 96, res[1]+2784);
   /* #296: output[1][30] = @71 */
-  if (res[1]) casadi_copy(w071, 48, res[1]+1440);
+  if (res[1]) casadi_copy(w071, 96, res[1]+2880);
   /* #297: output[1][31] = @73 */
-  if (res[1]) casadi_copy(w073, 48, res[1]+1488);
+  if (res[1]) casadi_copy(w073, 96, res[1]+2976);
   /* #298: output[1][32] = @75 */
-  if (res[1]) casadi_copy(w075, 48, res[1]+1536);
+  if (res[1]) casadi_copy(w075, 96, res[1]+3072);
   /* #299: output[1][33] = @77 */
-  if (res[1]) casadi_copy(w077, 48, res[1]+1584);
+  if (res[1]) casadi_copy(w077, 96, res[1]+3168);
   /* #300: output[1][34] = @79 */
-  if (res[1]) casadi_copy(w079, 48, res[1]+1632);
+  if (res[1]) casadi_copy(w079, 96, res[1]+3264);
   /* #301: output[1][35] = @81 */
-  if (res[1]) casadi_copy(w081, 48, res[1]+1680);
+  if (res[1]) casadi_copy(w081, 96, res[1]+3360);
   /* #302: output[1][36] = @83 */
-  if (res[1]) casadi_copy(w083, 48, res[1]+1728);
+  if (res[1]) casadi_copy(w083, 96, res[1]+3456);
   /* #303: output[1][37] = @85 */
-  if (res[1]) casadi_copy(w085, 48, res[1]+1776);
+  if (res[1]) casadi_copy(w085, 96, res[1]+3552);
   /* #304: output[1][38] = @87 */
-  if (res[1]) casadi_copy(w087, 48, res[1]+1824);
+  if (res[1]) casadi_copy(w087, 96, res[1]+3648);
   /* #305: output[1][39] = @89 */
-  if (res[1]) casadi_copy(w089, 48, res[1]+1872);
+  if (res[1]) casadi_copy(w089, 96, res[1]+3744);
   /* #306: output[1][40] = @91 */
-  if (res[1]) casadi_copy(w091, 48, res[1]+1920);
+  if (res[1]) casadi_copy(w091, 96, res[1]+3840);
   /* #307: output[1][41] = @93 */
-  if (res[1]) casadi_copy(w093, 48, res[1]+1968);
+  if (res[1]) casadi_copy(w093, 96, res[1]+3936);
   /* #308: output[1][42] = @95 */
-  if (res[1]) casadi_copy(w095, 48, res[1]+2016);
+  if (res[1]) casadi_copy(w095, 96, res[1]+4032);
   /* #309: output[1][43] = @97 */
-  if (res[1]) casadi_copy(w097, 48, res[1]+2064);
+  if (res[1]) casadi_copy(w097, 96, res[1]+4128);
   /* #310: output[1][44] = @99 */
-  if (res[1]) casadi_copy(w099, 48, res[1]+2112);
+  if (res[1]) casadi_copy(w099, 96, res[1]+4224);
   /* #311: output[1][45] = @101 */
-  if (res[1]) casadi_copy(w101, 48, res[1]+2160);
+  if (res[1]) casadi_copy(w101, 96, res[1]+4320);
   /* #312: output[1][46] = @103 */
-  if (res[1]) casadi_copy(w103, 48, res[1]+2208);
+  if (res[1]) casadi_copy(w103, 96, res[1]+4416);
   /* #313: output[1][47] = @105 */
-  if (res[1]) casadi_copy(w105, 48, res[1]+2256);
+  if (res[1]) casadi_copy(w105, 96, res[1]+4512);
   /* #314: output[1][48] = @107 */
-  if (res[1]) casadi_copy(w107, 48, res[1]+2304);
+  if (res[1]) casadi_copy(w107, 96, res[1]+4608);
   /* #315: output[1][49] = @109 */
-  if (res[1]) casadi_copy(w109, 48, res[1]+2352);
+  if (res[1]) casadi_copy(w109, 96, res[1]+4704);
   /* #316: output[1][50] = @111 */
-  if (res[1]) casadi_copy(w111, 48, res[1]+2400);
+  if (res[1]) casadi_copy(w111, 96, res[1]+4800);
   /* #317: output[1][51] = @113 */
-  if (res[1]) casadi_copy(w113, 48, res[1]+2448);
+  if (res[1]) casadi_copy(w113, 96, res[1]+4896);
   /* #318: output[1][52] = @115 */
-  if (res[1]) casadi_copy(w115, 48, res[1]+2496);
+  if (res[1]) casadi_copy(w115, 96, res[1]+4992);
   /* #319: output[1][53] = @117 */
-  if (res[1]) casadi_copy(w117, 48, res[1]+2544);
+  if (res[1]) casadi_copy(w117, 96, res[1]+5088);
   /* #320: output[1][54] = @119 */
-  if (res[1]) casadi_copy(w119, 48, res[1]+2592);
+  if (res[1]) casadi_copy(w119, 96, res[1]+5184);
   /* #321: output[1][55] = @121 */
-  if (res[1]) casadi_copy(w121, 48, res[1]+2640);
+  if (res[1]) casadi_copy(w121, 96, res[1]+5280);
   /* #322: output[1][56] = @123 */
-  if (res[1]) casadi_copy(w123, 48, res[1]+2688);
+  if (res[1]) casadi_copy(w123, 96, res[1]+5376);
   /* #323: output[1][57] = @125 */
-  if (res[1]) casadi_copy(w125, 48, res[1]+2736);
+  if (res[1]) casadi_copy(w125, 96, res[1]+5472);
   /* #324: output[1][58] = @127 */
-  if (res[1]) casadi_copy(w127, 48, res[1]+2784);
+  if (res[1]) casadi_copy(w127, 96, res[1]+5568);
   /* #325: output[1][59] = @129 */
-  if (res[1]) casadi_copy(w129, 48, res[1]+2832);
+  if (res[1]) casadi_copy(w129, 96, res[1]+5664);
   /* #326: output[1][60] = @131 */
-  if (res[1]) casadi_copy(w131, 48, res[1]+2880);
+  if (res[1]) casadi_copy(w131, 96, res[1]+5760);
   /* #327: output[1][61] = @133 */
-  if (res[1]) casadi_copy(w133, 48, res[1]+2928);
+  if (res[1]) casadi_copy(w133, 96, res[1]+5856);
   /* #328: output[1][62] = @135 */
-  if (res[1]) casadi_copy(w135, 48, res[1]+2976);
+  if (res[1]) casadi_copy(w135, 96, res[1]+5952);
   /* #329: output[1][63] = @137 */
-  if (res[1]) casadi_copy(w137, 48, res[1]+3024);
+  if (res[1]) casadi_copy(w137, 96, res[1]+6048);
   /* #330: @1 = @8[:4] */
   for (rr=w001, cs=w008+0; cs!=w008+4; cs+=1) *rr++ = *cs;
   /* #331: {@139, @140} = observe(@2, @1, @4) */
@@ -20606,137 +20729,137 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w140;
   if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
   /* #332: output[1][64] = @139 */
-  if (res[1]) casadi_copy(w139, 8, res[1]+3072);
+  if (res[1]) casadi_copy(w139, 8, res[1]+6144);
   /* #333: output[2][0] = @12 */
-  casadi_copy(w012, 48, res[2]);
+  casadi_copy(w012, 96, res[2]);
   /* #334: output[2][1] = @14 */
-  if (res[2]) casadi_copy(w014, 48, res[2]+48);
+  if (res[2]) casadi_copy(w014, 96, res[2]+96);
   /* #335: output[2][2] = @16 */
-  if (res[2]) casadi_copy(w016, 48, res[2]+96);
+  if (res[2]) casadi_copy(w016, 96, res[2]+192);
   /* #336: output[2][3] = @18 */
-  if (res[2]) casadi_copy(w018, 48, res[2]+144);
+  if (res[2]) casadi_copy(w018, 96, res[2]+288);
   /* #337: output[2][4] = @20 */
-  if (res[2]) casadi_copy(w020, 48, res[2]+192);
+  if (res[2]) casadi_copy(w020, 96, res[2]+384);
   /* #338: output[2][5] = @22 */
-  if (res[2]) casadi_copy(w022, 48, res[2]+240);
+  if (res[2]) casadi_copy(w022, 96, res[2]+480);
   /* #339: output[2][6] = @24 */
-  if (res[2]) casadi_copy(w024, 48, res[2]+288);
+  if (res[2]) casadi_copy(w024, 96, res[2]+576);
   /* #340: output[2][7] = @26 */
-  if (res[2]) casadi_copy(w026, 48, res[2]+336);
+  if (res[2]) casadi_copy(w026, 96, res[2]+672);
   /* #341: output[2][8] = @28 */
-  if (res[2]) casadi_copy(w028, 48, res[2]+384);
+  if (res[2]) casadi_copy(w028, 96, res[2]+768);
   /* #342: output[2][9] = @30 */
-  if (res[2]) casadi_copy(w030, 48, res[2]+432);
+  if (res[2]) casadi_copy(w030, 96, res[2]+864);
   /* #343: output[2][10] = @32 */
-  if (res[2]) casadi_copy(w032, 48, res[2]+480);
+  if (res[2]) casadi_copy(w032, 96, res[2]+960);
   /* #344: output[2][11] = @34 */
-  if (res[2]) casadi_copy(w034, 48, res[2]+528);
+  if (res[2]) casadi_copy(w034, 96, res[2]+1056);
   /* #345: output[2][12] = @36 */
-  if (res[2]) casadi_copy(w036, 48, res[2]+576);
+  if (res[2]) casadi_copy(w036, 96, res[2]+1152);
   /* #346: output[2][13] = @38 */
-  if (res[2]) casadi_copy(w038, 48, res[2]+624);
+  if (res[2]) casadi_copy(w038, 96, res[2]+1248);
   /* #347: output[2][14] = @40 */
-  if (res[2]) casadi_copy(w040, 48, res[2]+672);
+  if (res[2]) casadi_copy(w040, 96, res[2]+1344);
   /* #348: output[2][15] = @42 */
-  if (res[2]) casadi_copy(w042, 48, res[2]+720);
+  if (res[2]) casadi_copy(w042, 96, res[2]+1440);
   /* #349: output[2][16] = @44 */
-  if (res[2]) casadi_copy(w044, 48, res[2]+768);
+  if (res[2]) casadi_copy(w044, 96, res[2]+1536);
   /* #350: output[2][17] = @46 */
-  if (res[2]) casadi_copy(w046, 48, res[2]+816);
+  if (res[2]) casadi_copy(w046, 96, res[2]+1632);
   /* #351: output[2][18] = @48 */
-  if (res[2]) casadi_copy(w048, 48, res[2]+864);
+  if (res[2]) casadi_copy(w048, 96, res[2]+1728);
   /* #352: output[2][19] = @50 */
-  if (res[2]) casadi_copy(w050, 48, res[2]+912);
+  if (res[2]) casadi_copy(w050, 96, res[2]+1824);
   /* #353: output[2][20] = @52 */
-  if (res[2]) casadi_copy(w052, 48, res[2]+960);
+  if (res[2]) casadi_copy(w052, 96, res[2]+1920);
   /* #354: output[2][21] = @54 */
-  if (res[2]) casadi_copy(w054, 48, res[2]+1008);
+  if (res[2]) casadi_copy(w054, 96, res[2]+2016);
   /* #355: output[2][22] = @56 */
-  if (res[2]) casadi_copy(w056, 48, res[2]+1056);
+  if (res[2]) casadi_copy(w056, 96, res[2]+2112);
   /* #356: output[2][23] = @58 */
-  if (res[2]) casadi_copy(w058, 48, res[2]+1104);
+  if (res[2]) casadi_copy(w058, 96, res[2]+2208);
   /* #357: output[2][24] = @60 */
-  if (res[2]) casadi_copy(w060, 48, res[2]+1152);
+  if (res[2]) casadi_copy(w060, 96, res[2]+2304);
   /* #358: output[2][25] = @62 */
-  if (res[2]) casadi_copy(w062, 48, res[2]+1200);
+  if (res[2]) casadi_copy(w062, 96, res[2]+2400);
   /* #359: output[2][26] = @64 */
-  if (res[2]) casadi_copy(w064, 48, res[2]+1248);
+  if (res[2]) casadi_copy(w064, 96, res[2]+2496);
   /* #360: output[2][27] = @66 */
-  if (res[2]) casadi_copy(w066, 48, res[2]+1296);
+  if (res[2]) casadi_copy(w066, 96, res[2]+2592);
   /* #361: output[2][28] = @68 */
-  if (res[2]) casadi_copy(w068, 48, res[2]+1344);
+  if (res[2]) casadi_copy(w068, 96, res[2]+2688);
   /* #362: output[2][29] = @70 */
-  if (res[2]) casadi_copy(w070, 48, res[2]+1392);
+  if (res[2]) casadi_copy(w070, 96, res[2]+2784);
   /* #363: output[2][30] = @72 */
-  if (res[2]) casadi_copy(w072, 48, res[2]+1440);
+  if (res[2]) casadi_copy(w072, 96, res[2]+2880);
   /* #364: output[2][31] = @74 */
-  if (res[2]) casadi_copy(w074, 48, res[2]+1488);
+  if (res[2]) casadi_copy(w074, 96, res[2]+2976);
   /* #365: output[2][32] = @76 */
-  if (res[2]) casadi_copy(w076, 48, res[2]+1536);
+  if (res[2]) casadi_copy(w076, 96, res[2]+3072);
   /* #366: output[2][33] = @78 */
-  if (res[2]) casadi_copy(w078, 48, res[2]+1584);
+  if (res[2]) casadi_copy(w078, 96, res[2]+3168);
   /* #367: output[2][34] = @80 */
-  if (res[2]) casadi_copy(w080, 48, res[2]+1632);
+  if (res[2]) casadi_copy(w080, 96, res[2]+3264);
   /* #368: output[2][35] = @82 */
-  if (res[2]) casadi_copy(w082, 48, res[2]+1680);
+  if (res[2]) casadi_copy(w082, 96, res[2]+3360);
   /* #369: output[2][36] = @84 */
-  if (res[2]) casadi_copy(w084, 48, res[2]+1728);
+  if (res[2]) casadi_copy(w084, 96, res[2]+3456);
   /* #370: output[2][37] = @86 */
-  if (res[2]) casadi_copy(w086, 48, res[2]+1776);
+  if (res[2]) casadi_copy(w086, 96, res[2]+3552);
   /* #371: output[2][38] = @88 */
-  if (res[2]) casadi_copy(w088, 48, res[2]+1824);
+  if (res[2]) casadi_copy(w088, 96, res[2]+3648);
   /* #372: output[2][39] = @90 */
-  if (res[2]) casadi_copy(w090, 48, res[2]+1872);
+  if (res[2]) casadi_copy(w090, 96, res[2]+3744);
   /* #373: output[2][40] = @92 */
-  if (res[2]) casadi_copy(w092, 48, res[2]+1920);
+  if (res[2]) casadi_copy(w092, 96, res[2]+3840);
   /* #374: output[2][41] = @94 */
-  if (res[2]) casadi_copy(w094, 48, res[2]+1968);
+  if (res[2]) casadi_copy(w094, 96, res[2]+3936);
   /* #375: output[2][42] = @96 */
-  if (res[2]) casadi_copy(w096, 48, res[2]+2016);
+  if (res[2]) casadi_copy(w096, 96, res[2]+4032);
   /* #376: output[2][43] = @98 */
-  if (res[2]) casadi_copy(w098, 48, res[2]+2064);
+  if (res[2]) casadi_copy(w098, 96, res[2]+4128);
   /* #377: output[2][44] = @100 */
-  if (res[2]) casadi_copy(w100, 48, res[2]+2112);
+  if (res[2]) casadi_copy(w100, 96, res[2]+4224);
   /* #378: output[2][45] = @102 */
-  if (res[2]) casadi_copy(w102, 48, res[2]+2160);
+  if (res[2]) casadi_copy(w102, 96, res[2]+4320);
   /* #379: output[2][46] = @104 */
-  if (res[2]) casadi_copy(w104, 48, res[2]+2208);
+  if (res[2]) casadi_copy(w104, 96, res[2]+4416);
   /* #380: output[2][47] = @106 */
-  if (res[2]) casadi_copy(w106, 48, res[2]+2256);
+  if (res[2]) casadi_copy(w106, 96, res[2]+4512);
   /* #381: output[2][48] = @108 */
-  if (res[2]) casadi_copy(w108, 48, res[2]+2304);
+  if (res[2]) casadi_copy(w108, 96, res[2]+4608);
   /* #382: output[2][49] = @110 */
-  if (res[2]) casadi_copy(w110, 48, res[2]+2352);
+  if (res[2]) casadi_copy(w110, 96, res[2]+4704);
   /* #383: output[2][50] = @112 */
-  if (res[2]) casadi_copy(w112, 48, res[2]+2400);
+  if (res[2]) casadi_copy(w112, 96, res[2]+4800);
   /* #384: output[2][51] = @114 */
-  if (res[2]) casadi_copy(w114, 48, res[2]+2448);
+  if (res[2]) casadi_copy(w114, 96, res[2]+4896);
   /* #385: output[2][52] = @116 */
-  if (res[2]) casadi_copy(w116, 48, res[2]+2496);
+  if (res[2]) casadi_copy(w116, 96, res[2]+4992);
   /* #386: output[2][53] = @118 */
-  if (res[2]) casadi_copy(w118, 48, res[2]+2544);
+  if (res[2]) casadi_copy(w118, 96, res[2]+5088);
   /* #387: output[2][54] = @120 */
-  if (res[2]) casadi_copy(w120, 48, res[2]+2592);
+  if (res[2]) casadi_copy(w120, 96, res[2]+5184);
   /* #388: output[2][55] = @122 */
-  if (res[2]) casadi_copy(w122, 48, res[2]+2640);
+  if (res[2]) casadi_copy(w122, 96, res[2]+5280);
   /* #389: output[2][56] = @124 */
-  if (res[2]) casadi_copy(w124, 48, res[2]+2688);
+  if (res[2]) casadi_copy(w124, 96, res[2]+5376);
   /* #390: output[2][57] = @126 */
-  if (res[2]) casadi_copy(w126, 48, res[2]+2736);
+  if (res[2]) casadi_copy(w126, 96, res[2]+5472);
   /* #391: output[2][58] = @128 */
-  if (res[2]) casadi_copy(w128, 48, res[2]+2784);
+  if (res[2]) casadi_copy(w128, 96, res[2]+5568);
   /* #392: output[2][59] = @130 */
-  if (res[2]) casadi_copy(w130, 48, res[2]+2832);
+  if (res[2]) casadi_copy(w130, 96, res[2]+5664);
   /* #393: output[2][60] = @132 */
-  if (res[2]) casadi_copy(w132, 48, res[2]+2880);
+  if (res[2]) casadi_copy(w132, 96, res[2]+5760);
   /* #394: output[2][61] = @134 */
-  if (res[2]) casadi_copy(w134, 48, res[2]+2928);
+  if (res[2]) casadi_copy(w134, 96, res[2]+5856);
   /* #395: output[2][62] = @136 */
-  if (res[2]) casadi_copy(w136, 48, res[2]+2976);
+  if (res[2]) casadi_copy(w136, 96, res[2]+5952);
   /* #396: output[2][63] = @138 */
-  if (res[2]) casadi_copy(w138, 48, res[2]+3024);
+  if (res[2]) casadi_copy(w138, 96, res[2]+6048);
   /* #397: output[2][64] = @140 */
-  if (res[2]) casadi_copy(w140, 8, res[2]+3072);
+  if (res[2]) casadi_copy(w140, 8, res[2]+6144);
   /* #398: @1 = @8[:4] */
   for (rr=w001, cs=w008+0; cs!=w008+4; cs+=1) *rr++ = *cs;
   /* #399: @141 = landing(@1, @6, @4) */
@@ -20817,7 +20940,7 @@ CASADI_SYMBOL_EXPORT int compass_trace_768_work(casadi_int *sz_arg, casadi_int* 
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 6457;
+  if (sz_w) *sz_w = 12704;
   return 0;
 }
 
@@ -20825,7 +20948,7 @@ CASADI_SYMBOL_EXPORT int compass_trace_768_work_bytes(casadi_int *sz_arg, casadi
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 6457*sizeof(casadi_real);
+  if (sz_w) *sz_w = 12704*sizeof(casadi_real);
   return 0;
 }
 

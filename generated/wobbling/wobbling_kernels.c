@@ -462,24 +462,24 @@ static const casadi_int casadi_s3[6] = {0, 1, 2, 3, 4, 5};
 static const casadi_int casadi_s4[3] = {6, 1, 1};
 static const casadi_int casadi_s5[3] = {8, 1, 1};
 static const casadi_int casadi_s6[3] = {6, 6, 1};
-static const casadi_int casadi_s7[3] = {7, 25, 1};
-static const casadi_int casadi_s8[3] = {8, 25, 1};
-static const casadi_int casadi_s9[3] = {7, 37, 1};
-static const casadi_int casadi_s10[3] = {8, 37, 1};
-static const casadi_int casadi_s11[3] = {7, 49, 1};
-static const casadi_int casadi_s12[3] = {8, 49, 1};
-static const casadi_int casadi_s13[3] = {7, 73, 1};
-static const casadi_int casadi_s14[3] = {8, 73, 1};
-static const casadi_int casadi_s15[3] = {7, 97, 1};
-static const casadi_int casadi_s16[3] = {8, 97, 1};
-static const casadi_int casadi_s17[3] = {7, 145, 1};
-static const casadi_int casadi_s18[3] = {8, 145, 1};
-static const casadi_int casadi_s19[3] = {7, 193, 1};
-static const casadi_int casadi_s20[3] = {8, 193, 1};
-static const casadi_int casadi_s21[3] = {7, 289, 1};
-static const casadi_int casadi_s22[3] = {8, 289, 1};
-static const casadi_int casadi_s23[3] = {7, 385, 1};
-static const casadi_int casadi_s24[3] = {8, 385, 1};
+static const casadi_int casadi_s7[3] = {7, 49, 1};
+static const casadi_int casadi_s8[3] = {8, 49, 1};
+static const casadi_int casadi_s9[3] = {7, 73, 1};
+static const casadi_int casadi_s10[3] = {8, 73, 1};
+static const casadi_int casadi_s11[3] = {7, 97, 1};
+static const casadi_int casadi_s12[3] = {8, 97, 1};
+static const casadi_int casadi_s13[3] = {7, 145, 1};
+static const casadi_int casadi_s14[3] = {8, 145, 1};
+static const casadi_int casadi_s15[3] = {7, 193, 1};
+static const casadi_int casadi_s16[3] = {8, 193, 1};
+static const casadi_int casadi_s17[3] = {7, 289, 1};
+static const casadi_int casadi_s18[3] = {8, 289, 1};
+static const casadi_int casadi_s19[3] = {7, 385, 1};
+static const casadi_int casadi_s20[3] = {8, 385, 1};
+static const casadi_int casadi_s21[3] = {7, 577, 1};
+static const casadi_int casadi_s22[3] = {8, 577, 1};
+static const casadi_int casadi_s23[3] = {7, 769, 1};
+static const casadi_int casadi_s24[3] = {8, 769, 1};
 static const casadi_int casadi_s25[3] = {1, 1, 1};
 static const casadi_int casadi_s26[3] = {7, 1, 1};
 
@@ -20671,10 +20671,11 @@ static int casadi_f78(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* working_steps:(t,turns[2x12],w[7],h,p[8])->(w_end[7],nodes[7x6],g[8x6],dg[8x6]) */
+/* working_steps:(t,turns[2x12],w[7],h,p[8])->(w_end[7],nodes[7x12],g[8x12],dg[8x12]) */
 static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+4, *rr, *w00=w+115, w01, *w03=w+122, w05, *w06=w+124, w07, *w08=w+131, *w09=w+138, *w10=w+145, *w11=w+152;
-  casadi_real *w12=w+159, *w13=w+166, *w14=w+173, *w15=w+179, *w16=w+187, *w17=w+195, *w18=w+203, *w19=w+211, *w20=w+219, *w21=w+227;
+  casadi_real *w12=w+159, *w13=w+166, *w14=w+173, *w15=w+180, *w16=w+187, *w17=w+194, *w18=w+201, *w19=w+208, *w20=w+214, *w21=w+222, *w22=w+230, *w23=w+238;
+  casadi_real *w24=w+246, *w25=w+254, *w26=w+262, *w27=w+270, *w28=w+278, *w29=w+286, *w30=w+294, *w31=w+302, *w32=w+310;
   const casadi_real **arg1=arg+5, *cs, *wr02, *wr04;
   /* #0: @0 = input[2][0] */
   casadi_copy(arg[2], 7, w00);
@@ -20723,13 +20724,13 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr02;
   res1[0]=w03;
   if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
-  /* #13: @6 = working_step(@8, @3, @4, @5, @2) */
+  /* #13: @9 = working_step(@8, @3, @4, @5, @2) */
   arg1[0]=w08;
   arg1[1]=w03;
   arg1[2]=wr04;
   arg1[3]=(&w05);
   arg1[4]=wr02;
-  res1[0]=w06;
+  res1[0]=w09;
   if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
   /* #14: @7 = 3 */
   w07 = 3.;
@@ -20742,13 +20743,13 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr02;
   res1[0]=w03;
   if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
-  /* #18: @9 = working_step(@6, @3, @4, @5, @2) */
-  arg1[0]=w06;
+  /* #18: @10 = working_step(@9, @3, @4, @5, @2) */
+  arg1[0]=w09;
   arg1[1]=w03;
   arg1[2]=wr04;
   arg1[3]=(&w05);
   arg1[4]=wr02;
-  res1[0]=w09;
+  res1[0]=w10;
   if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
   /* #19: @7 = 4 */
   w07 = 4.;
@@ -20761,13 +20762,13 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr02;
   res1[0]=w03;
   if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
-  /* #23: @6 = working_step(@9, @3, @4, @5, @2) */
-  arg1[0]=w09;
+  /* #23: @11 = working_step(@10, @3, @4, @5, @2) */
+  arg1[0]=w10;
   arg1[1]=w03;
   arg1[2]=wr04;
   arg1[3]=(&w05);
   arg1[4]=wr02;
-  res1[0]=w06;
+  res1[0]=w11;
   if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
   /* #24: @7 = 5 */
   w07 = 5.;
@@ -20780,13 +20781,13 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr02;
   res1[0]=w03;
   if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
-  /* #28: @10 = working_step(@6, @3, @4, @5, @2) */
-  arg1[0]=w06;
+  /* #28: @12 = working_step(@11, @3, @4, @5, @2) */
+  arg1[0]=w11;
   arg1[1]=w03;
   arg1[2]=wr04;
   arg1[3]=(&w05);
   arg1[4]=wr02;
-  res1[0]=w10;
+  res1[0]=w12;
   if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
   /* #29: @7 = 6 */
   w07 = 6.;
@@ -20799,13 +20800,13 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr02;
   res1[0]=w03;
   if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
-  /* #33: @6 = working_step(@10, @3, @4, @5, @2) */
-  arg1[0]=w10;
+  /* #33: @13 = working_step(@12, @3, @4, @5, @2) */
+  arg1[0]=w12;
   arg1[1]=w03;
   arg1[2]=wr04;
   arg1[3]=(&w05);
   arg1[4]=wr02;
-  res1[0]=w06;
+  res1[0]=w13;
   if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
   /* #34: @7 = 7 */
   w07 = 7.;
@@ -20818,13 +20819,13 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr02;
   res1[0]=w03;
   if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
-  /* #38: @11 = working_step(@6, @3, @4, @5, @2) */
-  arg1[0]=w06;
+  /* #38: @14 = working_step(@13, @3, @4, @5, @2) */
+  arg1[0]=w13;
   arg1[1]=w03;
   arg1[2]=wr04;
   arg1[3]=(&w05);
   arg1[4]=wr02;
-  res1[0]=w11;
+  res1[0]=w14;
   if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
   /* #39: @7 = 8 */
   w07 = 8.;
@@ -20837,13 +20838,13 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr02;
   res1[0]=w03;
   if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
-  /* #43: @6 = working_step(@11, @3, @4, @5, @2) */
-  arg1[0]=w11;
+  /* #43: @15 = working_step(@14, @3, @4, @5, @2) */
+  arg1[0]=w14;
   arg1[1]=w03;
   arg1[2]=wr04;
   arg1[3]=(&w05);
   arg1[4]=wr02;
-  res1[0]=w06;
+  res1[0]=w15;
   if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
   /* #44: @7 = 9 */
   w07 = 9.;
@@ -20856,13 +20857,13 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr02;
   res1[0]=w03;
   if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
-  /* #48: @12 = working_step(@6, @3, @4, @5, @2) */
-  arg1[0]=w06;
+  /* #48: @16 = working_step(@15, @3, @4, @5, @2) */
+  arg1[0]=w15;
   arg1[1]=w03;
   arg1[2]=wr04;
   arg1[3]=(&w05);
   arg1[4]=wr02;
-  res1[0]=w12;
+  res1[0]=w16;
   if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
   /* #49: @7 = 10 */
   w07 = 10.;
@@ -20875,13 +20876,13 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr02;
   res1[0]=w03;
   if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
-  /* #53: @6 = working_step(@12, @3, @4, @5, @2) */
-  arg1[0]=w12;
+  /* #53: @17 = working_step(@16, @3, @4, @5, @2) */
+  arg1[0]=w16;
   arg1[1]=w03;
   arg1[2]=wr04;
   arg1[3]=(&w05);
   arg1[4]=wr02;
-  res1[0]=w06;
+  res1[0]=w17;
   if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
   /* #54: @7 = 11 */
   w07 = 11.;
@@ -20894,142 +20895,264 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr02;
   res1[0]=w03;
   if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
-  /* #58: @13 = working_step(@6, @3, @4, @5, @2) */
-  arg1[0]=w06;
+  /* #58: @18 = working_step(@17, @3, @4, @5, @2) */
+  arg1[0]=w17;
   arg1[1]=w03;
   arg1[2]=wr04;
   arg1[3]=(&w05);
   arg1[4]=wr02;
-  res1[0]=w13;
+  res1[0]=w18;
   if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
-  /* #59: output[0][0] = @13 */
-  casadi_copy(w13, 7, res[0]);
+  /* #59: output[0][0] = @18 */
+  casadi_copy(w18, 7, res[0]);
   /* #60: output[1][0] = @0 */
   casadi_copy(w00, 7, res[1]);
-  /* #61: output[1][1] = @8 */
-  if (res[1]) casadi_copy(w08, 7, res[1]+7);
-  /* #62: output[1][2] = @9 */
-  if (res[1]) casadi_copy(w09, 7, res[1]+14);
-  /* #63: output[1][3] = @10 */
-  if (res[1]) casadi_copy(w10, 7, res[1]+21);
-  /* #64: output[1][4] = @11 */
-  if (res[1]) casadi_copy(w11, 7, res[1]+28);
-  /* #65: output[1][5] = @12 */
-  if (res[1]) casadi_copy(w12, 7, res[1]+35);
-  /* #66: @14 = @0[:6] */
-  for (rr=w14, cs=w00+0; cs!=w00+6; cs+=1) *rr++ = *cs;
-  /* #67: {@15, @16} = observe(@1, @14, @2) */
+  /* #61: output[1][1] = @6 */
+  if (res[1]) casadi_copy(w06, 7, res[1]+7);
+  /* #62: output[1][2] = @8 */
+  if (res[1]) casadi_copy(w08, 7, res[1]+14);
+  /* #63: output[1][3] = @9 */
+  if (res[1]) casadi_copy(w09, 7, res[1]+21);
+  /* #64: output[1][4] = @10 */
+  if (res[1]) casadi_copy(w10, 7, res[1]+28);
+  /* #65: output[1][5] = @11 */
+  if (res[1]) casadi_copy(w11, 7, res[1]+35);
+  /* #66: output[1][6] = @12 */
+  if (res[1]) casadi_copy(w12, 7, res[1]+42);
+  /* #67: output[1][7] = @13 */
+  if (res[1]) casadi_copy(w13, 7, res[1]+49);
+  /* #68: output[1][8] = @14 */
+  if (res[1]) casadi_copy(w14, 7, res[1]+56);
+  /* #69: output[1][9] = @15 */
+  if (res[1]) casadi_copy(w15, 7, res[1]+63);
+  /* #70: output[1][10] = @16 */
+  if (res[1]) casadi_copy(w16, 7, res[1]+70);
+  /* #71: output[1][11] = @17 */
+  if (res[1]) casadi_copy(w17, 7, res[1]+77);
+  /* #72: @19 = @0[:6] */
+  for (rr=w19, cs=w00+0; cs!=w00+6; cs+=1) *rr++ = *cs;
+  /* #73: {@20, @21} = observe(@1, @19, @2) */
   arg1[0]=(&w01);
-  arg1[1]=w14;
+  arg1[1]=w19;
   arg1[2]=wr02;
-  res1[0]=w15;
-  res1[1]=w16;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
-  /* #68: output[2][0] = @15 */
-  casadi_copy(w15, 8, res[2]);
-  /* #69: @7 = (2.*@5) */
-  w07 = (2.* w05 );
-  /* #70: @7 = (@1+@7) */
-  w07  = (w01+w07);
-  /* #71: @14 = @8[:6] */
-  for (rr=w14, cs=w08+0; cs!=w08+6; cs+=1) *rr++ = *cs;
-  /* #72: {@15, @17} = observe(@7, @14, @2) */
-  arg1[0]=(&w07);
-  arg1[1]=w14;
-  arg1[2]=wr02;
-  res1[0]=w15;
-  res1[1]=w17;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
-  /* #73: output[2][1] = @15 */
-  if (res[2]) casadi_copy(w15, 8, res[2]+8);
-  /* #74: @7 = 4 */
-  w07 = 4.;
-  /* #75: @7 = (@7*@5) */
-  w07 *= w05;
-  /* #76: @7 = (@1+@7) */
-  w07  = (w01+w07);
-  /* #77: @14 = @9[:6] */
-  for (rr=w14, cs=w09+0; cs!=w09+6; cs+=1) *rr++ = *cs;
-  /* #78: {@15, @18} = observe(@7, @14, @2) */
-  arg1[0]=(&w07);
-  arg1[1]=w14;
-  arg1[2]=wr02;
-  res1[0]=w15;
-  res1[1]=w18;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
-  /* #79: output[2][2] = @15 */
-  if (res[2]) casadi_copy(w15, 8, res[2]+16);
-  /* #80: @7 = 6 */
-  w07 = 6.;
-  /* #81: @7 = (@7*@5) */
-  w07 *= w05;
-  /* #82: @7 = (@1+@7) */
-  w07  = (w01+w07);
-  /* #83: @14 = @10[:6] */
-  for (rr=w14, cs=w10+0; cs!=w10+6; cs+=1) *rr++ = *cs;
-  /* #84: {@15, @19} = observe(@7, @14, @2) */
-  arg1[0]=(&w07);
-  arg1[1]=w14;
-  arg1[2]=wr02;
-  res1[0]=w15;
-  res1[1]=w19;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
-  /* #85: output[2][3] = @15 */
-  if (res[2]) casadi_copy(w15, 8, res[2]+24);
-  /* #86: @7 = 8 */
-  w07 = 8.;
-  /* #87: @7 = (@7*@5) */
-  w07 *= w05;
-  /* #88: @7 = (@1+@7) */
-  w07  = (w01+w07);
-  /* #89: @14 = @11[:6] */
-  for (rr=w14, cs=w11+0; cs!=w11+6; cs+=1) *rr++ = *cs;
-  /* #90: {@15, @20} = observe(@7, @14, @2) */
-  arg1[0]=(&w07);
-  arg1[1]=w14;
-  arg1[2]=wr02;
-  res1[0]=w15;
-  res1[1]=w20;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
-  /* #91: output[2][4] = @15 */
-  if (res[2]) casadi_copy(w15, 8, res[2]+32);
-  /* #92: @7 = 10 */
-  w07 = 10.;
-  /* #93: @7 = (@7*@5) */
-  w07 *= w05;
-  /* #94: @1 = (@1+@7) */
-  w01 += w07;
-  /* #95: @14 = @12[:6] */
-  for (rr=w14, cs=w12+0; cs!=w12+6; cs+=1) *rr++ = *cs;
-  /* #96: {@15, @21} = observe(@1, @14, @2) */
-  arg1[0]=(&w01);
-  arg1[1]=w14;
-  arg1[2]=wr02;
-  res1[0]=w15;
+  res1[0]=w20;
   res1[1]=w21;
   if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
-  /* #97: output[2][5] = @15 */
-  if (res[2]) casadi_copy(w15, 8, res[2]+40);
-  /* #98: output[3][0] = @16 */
-  casadi_copy(w16, 8, res[3]);
-  /* #99: output[3][1] = @17 */
-  if (res[3]) casadi_copy(w17, 8, res[3]+8);
-  /* #100: output[3][2] = @18 */
-  if (res[3]) casadi_copy(w18, 8, res[3]+16);
-  /* #101: output[3][3] = @19 */
-  if (res[3]) casadi_copy(w19, 8, res[3]+24);
-  /* #102: output[3][4] = @20 */
-  if (res[3]) casadi_copy(w20, 8, res[3]+32);
-  /* #103: output[3][5] = @21 */
-  if (res[3]) casadi_copy(w21, 8, res[3]+40);
+  /* #74: output[2][0] = @20 */
+  casadi_copy(w20, 8, res[2]);
+  /* #75: @7 = (@1+@5) */
+  w07  = (w01+w05);
+  /* #76: @19 = @6[:6] */
+  for (rr=w19, cs=w06+0; cs!=w06+6; cs+=1) *rr++ = *cs;
+  /* #77: {@20, @22} = observe(@7, @19, @2) */
+  arg1[0]=(&w07);
+  arg1[1]=w19;
+  arg1[2]=wr02;
+  res1[0]=w20;
+  res1[1]=w22;
+  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  /* #78: output[2][1] = @20 */
+  if (res[2]) casadi_copy(w20, 8, res[2]+8);
+  /* #79: @7 = (2.*@5) */
+  w07 = (2.* w05 );
+  /* #80: @7 = (@1+@7) */
+  w07  = (w01+w07);
+  /* #81: @19 = @8[:6] */
+  for (rr=w19, cs=w08+0; cs!=w08+6; cs+=1) *rr++ = *cs;
+  /* #82: {@20, @23} = observe(@7, @19, @2) */
+  arg1[0]=(&w07);
+  arg1[1]=w19;
+  arg1[2]=wr02;
+  res1[0]=w20;
+  res1[1]=w23;
+  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  /* #83: output[2][2] = @20 */
+  if (res[2]) casadi_copy(w20, 8, res[2]+16);
+  /* #84: @7 = 3 */
+  w07 = 3.;
+  /* #85: @7 = (@7*@5) */
+  w07 *= w05;
+  /* #86: @7 = (@1+@7) */
+  w07  = (w01+w07);
+  /* #87: @19 = @9[:6] */
+  for (rr=w19, cs=w09+0; cs!=w09+6; cs+=1) *rr++ = *cs;
+  /* #88: {@20, @24} = observe(@7, @19, @2) */
+  arg1[0]=(&w07);
+  arg1[1]=w19;
+  arg1[2]=wr02;
+  res1[0]=w20;
+  res1[1]=w24;
+  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  /* #89: output[2][3] = @20 */
+  if (res[2]) casadi_copy(w20, 8, res[2]+24);
+  /* #90: @7 = 4 */
+  w07 = 4.;
+  /* #91: @7 = (@7*@5) */
+  w07 *= w05;
+  /* #92: @7 = (@1+@7) */
+  w07  = (w01+w07);
+  /* #93: @19 = @10[:6] */
+  for (rr=w19, cs=w10+0; cs!=w10+6; cs+=1) *rr++ = *cs;
+  /* #94: {@20, @25} = observe(@7, @19, @2) */
+  arg1[0]=(&w07);
+  arg1[1]=w19;
+  arg1[2]=wr02;
+  res1[0]=w20;
+  res1[1]=w25;
+  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  /* #95: output[2][4] = @20 */
+  if (res[2]) casadi_copy(w20, 8, res[2]+32);
+  /* #96: @7 = 5 */
+  w07 = 5.;
+  /* #97: @7 = (@7*@5) */
+  w07 *= w05;
+  /* #98: @7 = (@1+@7) */
+  w07  = (w01+w07);
+  /* #99: @19 = @11[:6] */
+  for (rr=w19, cs=w11+0; cs!=w11+6; cs+=1) *rr++ = *cs;
+  /* #100: {@20, @26} = observe(@7, @19, @2) */
+  arg1[0]=(&w07);
+  arg1[1]=w19;
+  arg1[2]=wr02;
+  res1[0]=w20;
+  res1[1]=w26;
+  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  /* #101: output[2][5] = @20 */
+  if (res[2]) casadi_copy(w20, 8, res[2]+40);
+  /* #102: @7 = 6 */
+  w07 = 6.;
+  /* #103: @7 = (@7*@5) */
+  w07 *= w05;
+  /* #104: @7 = (@1+@7) */
+  w07  = (w01+w07);
+  /* #105: @19 = @12[:6] */
+  for (rr=w19, cs=w12+0; cs!=w12+6; cs+=1) *rr++ = *cs;
+  /* #106: {@20, @27} = observe(@7, @19, @2) */
+  arg1[0]=(&w07);
+  arg1[1]=w19;
+  arg1[2]=wr02;
+  res1[0]=w20;
+  res1[1]=w27;
+  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  /* #107: output[2][6] = @20 */
+  if (res[2]) casadi_copy(w20, 8, res[2]+48);
+  /* #108: @7 = 7 */
+  w07 = 7.;
+  /* #109: @7 = (@7*@5) */
+  w07 *= w05;
+  /* #110: @7 = (@1+@7) */
+  w07  = (w01+w07);
+  /* #111: @19 = @13[:6] */
+  for (rr=w19, cs=w13+0; cs!=w13+6; cs+=1) *rr++ = *cs;
+  /* #112: {@20, @28} = observe(@7, @19, @2) */
+  arg1[0]=(&w07);
+  arg1[1]=w19;
+  arg1[2]=wr02;
+  res1[0]=w20;
+  res1[1]=w28;
+  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  /* #113: output[2][7] = @20 */
+  if (res[2]) casadi_copy(w20, 8, res[2]+56);
+  /* #114: @7 = 8 */
+  w07 = 8.;
+  /* #115: @7 = (@7*@5) */
+  w07 *= w05;
+  /* #116: @7 = (@1+@7) */
+  w07  = (w01+w07);
+  /* #117: @19 = @14[:6] */
+  for (rr=w19, cs=w14+0; cs!=w14+6; cs+=1) *rr++ = *cs;
+  /* #118: {@20, @29} = observe(@7, @19, @2) */
+  arg1[0]=(&w07);
+  arg1[1]=w19;
+  arg1[2]=wr02;
+  res1[0]=w20;
+  res1[1]=w29;
+  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  /* #119: output[2][8] = @20 */
+  if (res[2]) casadi_copy(w20, 8, res[2]+64);
+  /* #120: @7 = 9 */
+  w07 = 9.;
+  /* #121: @7 = (@7*@5) */
+  w07 *= w05;
+  /* #122: @7 = (@1+@7) */
+  w07  = (w01+w07);
+  /* #123: @19 = @15[:6] */
+  for (rr=w19, cs=w15+0; cs!=w15+6; cs+=1) *rr++ = *cs;
+  /* #124: {@20, @30} = observe(@7, @19, @2) */
+  arg1[0]=(&w07);
+  arg1[1]=w19;
+  arg1[2]=wr02;
+  res1[0]=w20;
+  res1[1]=w30;
+  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  /* #125: output[2][9] = @20 */
+  if (res[2]) casadi_copy(w20, 8, res[2]+72);
+  /* #126: @7 = 10 */
+  w07 = 10.;
+  /* #127: @7 = (@7*@5) */
+  w07 *= w05;
+  /* #128: @7 = (@1+@7) */
+  w07  = (w01+w07);
+  /* #129: @19 = @16[:6] */
+  for (rr=w19, cs=w16+0; cs!=w16+6; cs+=1) *rr++ = *cs;
+  /* #130: {@20, @31} = observe(@7, @19, @2) */
+  arg1[0]=(&w07);
+  arg1[1]=w19;
+  arg1[2]=wr02;
+  res1[0]=w20;
+  res1[1]=w31;
+  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  /* #131: output[2][10] = @20 */
+  if (res[2]) casadi_copy(w20, 8, res[2]+80);
+  /* #132: @7 = 11 */
+  w07 = 11.;
+  /* #133: @7 = (@7*@5) */
+  w07 *= w05;
+  /* #134: @1 = (@1+@7) */
+  w01 += w07;
+  /* #135: @19 = @17[:6] */
+  for (rr=w19, cs=w17+0; cs!=w17+6; cs+=1) *rr++ = *cs;
+  /* #136: {@20, @32} = observe(@1, @19, @2) */
+  arg1[0]=(&w01);
+  arg1[1]=w19;
+  arg1[2]=wr02;
+  res1[0]=w20;
+  res1[1]=w32;
+  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  /* #137: output[2][11] = @20 */
+  if (res[2]) casadi_copy(w20, 8, res[2]+88);
+  /* #138: output[3][0] = @21 */
+  casadi_copy(w21, 8, res[3]);
+  /* #139: output[3][1] = @22 */
+  if (res[3]) casadi_copy(w22, 8, res[3]+8);
+  /* #140: output[3][2] = @23 */
+  if (res[3]) casadi_copy(w23, 8, res[3]+16);
+  /* #141: output[3][3] = @24 */
+  if (res[3]) casadi_copy(w24, 8, res[3]+24);
+  /* #142: output[3][4] = @25 */
+  if (res[3]) casadi_copy(w25, 8, res[3]+32);
+  /* #143: output[3][5] = @26 */
+  if (res[3]) casadi_copy(w26, 8, res[3]+40);
+  /* #144: output[3][6] = @27 */
+  if (res[3]) casadi_copy(w27, 8, res[3]+48);
+  /* #145: output[3][7] = @28 */
+  if (res[3]) casadi_copy(w28, 8, res[3]+56);
+  /* #146: output[3][8] = @29 */
+  if (res[3]) casadi_copy(w29, 8, res[3]+64);
+  /* #147: output[3][9] = @30 */
+  if (res[3]) casadi_copy(w30, 8, res[3]+72);
+  /* #148: output[3][10] = @31 */
+  if (res[3]) casadi_copy(w31, 8, res[3]+80);
+  /* #149: output[3][11] = @32 */
+  if (res[3]) casadi_copy(w32, 8, res[3]+88);
   return 0;
 }
 
-/* wobbling_trace_48:(u[6],p[8])->(w[7x25],g[8x25],dg[8x25],R[6]) */
+/* wobbling_trace_48:(u[6],p[8])->(w[7x49],g[8x49],dg[8x49],R[6]) */
 static int casadi_f75(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+4, *rr, w00, *w01=w+270, w02, w03, *w05=w+276, *w06=w+300, w07, *w08=w+305, *w09=w+312, *w10=w+319;
-  casadi_real *w11=w+361, *w12=w+409, *w13=w+457, *w14=w+505, *w15=w+553, *w16=w+601, *w17=w+649, *w18=w+697, *w19=w+745, *w20=w+753, *w21=w+761;
+  casadi_real **res1=res+4, *rr, w00, *w01=w+353, w02, w03, *w05=w+359, *w06=w+383, w07, *w08=w+388, *w09=w+395, *w10=w+402;
+  casadi_real *w11=w+486, *w12=w+582, *w13=w+678, *w14=w+774, *w15=w+870, *w16=w+966, *w17=w+1062, *w18=w+1158, *w19=w+1254, *w20=w+1262, *w21=w+1270;
   const casadi_real **arg1=arg+2, *cs, *wr04;
   /* #0: @0 = 0 */
   w00 = 0.;
@@ -21073,7 +21196,7 @@ static int casadi_f75(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w12;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
-  casadi_copy(w10, 42, res[0]);
+  casadi_copy(w10, 84, res[0]);
   /* #13: @0 = 0.25 */
   w00 = 2.5000000000000000e-01;
   /* #14: @0 = (@0*@2) */
@@ -21090,7 +21213,7 @@ static int casadi_f75(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w14;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+42);
+  if (res[0]) casadi_copy(w10, 84, res[0]+84);
   /* #17: @0 = 0.5 */
   w00 = 5.0000000000000000e-01;
   /* #18: @0 = (@0*@2) */
@@ -21107,7 +21230,7 @@ static int casadi_f75(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w16;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+84);
+  if (res[0]) casadi_copy(w10, 84, res[0]+168);
   /* #21: @0 = 0.75 */
   w00 = 7.5000000000000000e-01;
   /* #22: @0 = (@0*@2) */
@@ -21124,17 +21247,17 @@ static int casadi_f75(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w18;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+126);
+  if (res[0]) casadi_copy(w10, 84, res[0]+252);
   /* #25: output[0][4] = @8 */
-  if (res[0]) casadi_copy(w08, 7, res[0]+168);
+  if (res[0]) casadi_copy(w08, 7, res[0]+336);
   /* #26: output[1][0] = @11 */
-  casadi_copy(w11, 48, res[1]);
+  casadi_copy(w11, 96, res[1]);
   /* #27: output[1][1] = @13 */
-  if (res[1]) casadi_copy(w13, 48, res[1]+48);
+  if (res[1]) casadi_copy(w13, 96, res[1]+96);
   /* #28: output[1][2] = @15 */
-  if (res[1]) casadi_copy(w15, 48, res[1]+96);
+  if (res[1]) casadi_copy(w15, 96, res[1]+192);
   /* #29: output[1][3] = @17 */
-  if (res[1]) casadi_copy(w17, 48, res[1]+144);
+  if (res[1]) casadi_copy(w17, 96, res[1]+288);
   /* #30: @1 = @8[:6] */
   for (rr=w01, cs=w08+0; cs!=w08+6; cs+=1) *rr++ = *cs;
   /* #31: {@19, @20} = observe(@2, @1, @4) */
@@ -21145,17 +21268,17 @@ static int casadi_f75(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w20;
   if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[1][4] = @19 */
-  if (res[1]) casadi_copy(w19, 8, res[1]+192);
+  if (res[1]) casadi_copy(w19, 8, res[1]+384);
   /* #33: output[2][0] = @12 */
-  casadi_copy(w12, 48, res[2]);
+  casadi_copy(w12, 96, res[2]);
   /* #34: output[2][1] = @14 */
-  if (res[2]) casadi_copy(w14, 48, res[2]+48);
+  if (res[2]) casadi_copy(w14, 96, res[2]+96);
   /* #35: output[2][2] = @16 */
-  if (res[2]) casadi_copy(w16, 48, res[2]+96);
+  if (res[2]) casadi_copy(w16, 96, res[2]+192);
   /* #36: output[2][3] = @18 */
-  if (res[2]) casadi_copy(w18, 48, res[2]+144);
+  if (res[2]) casadi_copy(w18, 96, res[2]+288);
   /* #37: output[2][4] = @20 */
-  if (res[2]) casadi_copy(w20, 8, res[2]+192);
+  if (res[2]) casadi_copy(w20, 8, res[2]+384);
   /* #38: @1 = @8[:6] */
   for (rr=w01, cs=w08+0; cs!=w08+6; cs+=1) *rr++ = *cs;
   /* #39: @21 = landing(@1, @6, @4) */
@@ -21236,7 +21359,7 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_48_work(casadi_int *sz_arg, casadi_int* 
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 767;
+  if (sz_w) *sz_w = 1276;
   return 0;
 }
 
@@ -21244,16 +21367,16 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_48_work_bytes(casadi_int *sz_arg, casadi
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 767*sizeof(casadi_real);
+  if (sz_w) *sz_w = 1276*sizeof(casadi_real);
   return 0;
 }
 
-/* wobbling_trace_72:(u[6],p[8])->(w[7x37],g[8x37],dg[8x37],R[6]) */
+/* wobbling_trace_72:(u[6],p[8])->(w[7x73],g[8x73],dg[8x73],R[6]) */
 static int casadi_f79(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+4, *rr, w00, *w01=w+270, w02, w03, *w05=w+276, *w06=w+300, w07, *w08=w+305, *w09=w+312, *w10=w+319;
-  casadi_real *w11=w+361, *w12=w+409, *w13=w+457, *w14=w+505, *w15=w+553, *w16=w+601, *w17=w+649, *w18=w+697, *w19=w+745, *w20=w+793, *w21=w+841, *w22=w+889;
-  casadi_real *w23=w+937, *w24=w+945, *w25=w+953;
+  casadi_real **res1=res+4, *rr, w00, *w01=w+353, w02, w03, *w05=w+359, *w06=w+383, w07, *w08=w+388, *w09=w+395, *w10=w+402;
+  casadi_real *w11=w+486, *w12=w+582, *w13=w+678, *w14=w+774, *w15=w+870, *w16=w+966, *w17=w+1062, *w18=w+1158, *w19=w+1254, *w20=w+1350, *w21=w+1446, *w22=w+1542;
+  casadi_real *w23=w+1638, *w24=w+1646, *w25=w+1654;
   const casadi_real **arg1=arg+2, *cs, *wr04;
   /* #0: @0 = 0 */
   w00 = 0.;
@@ -21297,7 +21420,7 @@ static int casadi_f79(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w12;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
-  casadi_copy(w10, 42, res[0]);
+  casadi_copy(w10, 84, res[0]);
   /* #13: @0 = 0.166667 */
   w00 = 1.6666666666666666e-01;
   /* #14: @0 = (@0*@2) */
@@ -21314,7 +21437,7 @@ static int casadi_f79(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w14;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+42);
+  if (res[0]) casadi_copy(w10, 84, res[0]+84);
   /* #17: @0 = 0.333333 */
   w00 = 3.3333333333333331e-01;
   /* #18: @0 = (@0*@2) */
@@ -21331,7 +21454,7 @@ static int casadi_f79(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w16;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+84);
+  if (res[0]) casadi_copy(w10, 84, res[0]+168);
   /* #21: @0 = 0.5 */
   w00 = 5.0000000000000000e-01;
   /* #22: @0 = (@0*@2) */
@@ -21348,7 +21471,7 @@ static int casadi_f79(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w18;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+126);
+  if (res[0]) casadi_copy(w10, 84, res[0]+252);
   /* #25: @0 = 0.666667 */
   w00 = 6.6666666666666663e-01;
   /* #26: @0 = (@0*@2) */
@@ -21365,7 +21488,7 @@ static int casadi_f79(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w20;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+168);
+  if (res[0]) casadi_copy(w10, 84, res[0]+336);
   /* #29: @0 = 0.833333 */
   w00 = 8.3333333333333337e-01;
   /* #30: @0 = (@0*@2) */
@@ -21382,21 +21505,21 @@ static int casadi_f79(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w22;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+210);
+  if (res[0]) casadi_copy(w10, 84, res[0]+420);
   /* #33: output[0][6] = @8 */
-  if (res[0]) casadi_copy(w08, 7, res[0]+252);
+  if (res[0]) casadi_copy(w08, 7, res[0]+504);
   /* #34: output[1][0] = @11 */
-  casadi_copy(w11, 48, res[1]);
+  casadi_copy(w11, 96, res[1]);
   /* #35: output[1][1] = @13 */
-  if (res[1]) casadi_copy(w13, 48, res[1]+48);
+  if (res[1]) casadi_copy(w13, 96, res[1]+96);
   /* #36: output[1][2] = @15 */
-  if (res[1]) casadi_copy(w15, 48, res[1]+96);
+  if (res[1]) casadi_copy(w15, 96, res[1]+192);
   /* #37: output[1][3] = @17 */
-  if (res[1]) casadi_copy(w17, 48, res[1]+144);
+  if (res[1]) casadi_copy(w17, 96, res[1]+288);
   /* #38: output[1][4] = @19 */
-  if (res[1]) casadi_copy(w19, 48, res[1]+192);
+  if (res[1]) casadi_copy(w19, 96, res[1]+384);
   /* #39: output[1][5] = @21 */
-  if (res[1]) casadi_copy(w21, 48, res[1]+240);
+  if (res[1]) casadi_copy(w21, 96, res[1]+480);
   /* #40: @1 = @8[:6] */
   for (rr=w01, cs=w08+0; cs!=w08+6; cs+=1) *rr++ = *cs;
   /* #41: {@23, @24} = observe(@2, @1, @4) */
@@ -21407,21 +21530,21 @@ static int casadi_f79(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w24;
   if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
   /* #42: output[1][6] = @23 */
-  if (res[1]) casadi_copy(w23, 8, res[1]+288);
+  if (res[1]) casadi_copy(w23, 8, res[1]+576);
   /* #43: output[2][0] = @12 */
-  casadi_copy(w12, 48, res[2]);
+  casadi_copy(w12, 96, res[2]);
   /* #44: output[2][1] = @14 */
-  if (res[2]) casadi_copy(w14, 48, res[2]+48);
+  if (res[2]) casadi_copy(w14, 96, res[2]+96);
   /* #45: output[2][2] = @16 */
-  if (res[2]) casadi_copy(w16, 48, res[2]+96);
+  if (res[2]) casadi_copy(w16, 96, res[2]+192);
   /* #46: output[2][3] = @18 */
-  if (res[2]) casadi_copy(w18, 48, res[2]+144);
+  if (res[2]) casadi_copy(w18, 96, res[2]+288);
   /* #47: output[2][4] = @20 */
-  if (res[2]) casadi_copy(w20, 48, res[2]+192);
+  if (res[2]) casadi_copy(w20, 96, res[2]+384);
   /* #48: output[2][5] = @22 */
-  if (res[2]) casadi_copy(w22, 48, res[2]+240);
+  if (res[2]) casadi_copy(w22, 96, res[2]+480);
   /* #49: output[2][6] = @24 */
-  if (res[2]) casadi_copy(w24, 8, res[2]+288);
+  if (res[2]) casadi_copy(w24, 8, res[2]+576);
   /* #50: @1 = @8[:6] */
   for (rr=w01, cs=w08+0; cs!=w08+6; cs+=1) *rr++ = *cs;
   /* #51: @25 = landing(@1, @6, @4) */
@@ -21502,7 +21625,7 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_72_work(casadi_int *sz_arg, casadi_int* 
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 959;
+  if (sz_w) *sz_w = 1660;
   return 0;
 }
 
@@ -21510,16 +21633,16 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_72_work_bytes(casadi_int *sz_arg, casadi
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 959*sizeof(casadi_real);
+  if (sz_w) *sz_w = 1660*sizeof(casadi_real);
   return 0;
 }
 
-/* wobbling_trace_96:(u[6],p[8])->(w[7x49],g[8x49],dg[8x49],R[6]) */
+/* wobbling_trace_96:(u[6],p[8])->(w[7x97],g[8x97],dg[8x97],R[6]) */
 static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+4, *rr, w00, *w01=w+270, w02, w03, *w05=w+276, *w06=w+300, w07, *w08=w+305, *w09=w+312, *w10=w+319;
-  casadi_real *w11=w+361, *w12=w+409, *w13=w+457, *w14=w+505, *w15=w+553, *w16=w+601, *w17=w+649, *w18=w+697, *w19=w+745, *w20=w+793, *w21=w+841, *w22=w+889;
-  casadi_real *w23=w+937, *w24=w+985, *w25=w+1033, *w26=w+1081, *w27=w+1129, *w28=w+1137, *w29=w+1145;
+  casadi_real **res1=res+4, *rr, w00, *w01=w+353, w02, w03, *w05=w+359, *w06=w+383, w07, *w08=w+388, *w09=w+395, *w10=w+402;
+  casadi_real *w11=w+486, *w12=w+582, *w13=w+678, *w14=w+774, *w15=w+870, *w16=w+966, *w17=w+1062, *w18=w+1158, *w19=w+1254, *w20=w+1350, *w21=w+1446, *w22=w+1542;
+  casadi_real *w23=w+1638, *w24=w+1734, *w25=w+1830, *w26=w+1926, *w27=w+2022, *w28=w+2030, *w29=w+2038;
   const casadi_real **arg1=arg+2, *cs, *wr04;
   /* #0: @0 = 0 */
   w00 = 0.;
@@ -21563,7 +21686,7 @@ static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w12;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
-  casadi_copy(w10, 42, res[0]);
+  casadi_copy(w10, 84, res[0]);
   /* #13: @0 = 0.125 */
   w00 = 1.2500000000000000e-01;
   /* #14: @0 = (@0*@2) */
@@ -21580,7 +21703,7 @@ static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w14;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+42);
+  if (res[0]) casadi_copy(w10, 84, res[0]+84);
   /* #17: @0 = 0.25 */
   w00 = 2.5000000000000000e-01;
   /* #18: @0 = (@0*@2) */
@@ -21597,7 +21720,7 @@ static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w16;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+84);
+  if (res[0]) casadi_copy(w10, 84, res[0]+168);
   /* #21: @0 = 0.375 */
   w00 = 3.7500000000000000e-01;
   /* #22: @0 = (@0*@2) */
@@ -21614,7 +21737,7 @@ static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w18;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+126);
+  if (res[0]) casadi_copy(w10, 84, res[0]+252);
   /* #25: @0 = 0.5 */
   w00 = 5.0000000000000000e-01;
   /* #26: @0 = (@0*@2) */
@@ -21631,7 +21754,7 @@ static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w20;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+168);
+  if (res[0]) casadi_copy(w10, 84, res[0]+336);
   /* #29: @0 = 0.625 */
   w00 = 6.2500000000000000e-01;
   /* #30: @0 = (@0*@2) */
@@ -21648,7 +21771,7 @@ static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w22;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+210);
+  if (res[0]) casadi_copy(w10, 84, res[0]+420);
   /* #33: @0 = 0.75 */
   w00 = 7.5000000000000000e-01;
   /* #34: @0 = (@0*@2) */
@@ -21665,7 +21788,7 @@ static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w24;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[0][6] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+252);
+  if (res[0]) casadi_copy(w10, 84, res[0]+504);
   /* #37: @0 = 0.875 */
   w00 = 8.7500000000000000e-01;
   /* #38: @0 = (@0*@2) */
@@ -21682,25 +21805,25 @@ static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w26;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[0][7] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+294);
+  if (res[0]) casadi_copy(w10, 84, res[0]+588);
   /* #41: output[0][8] = @8 */
-  if (res[0]) casadi_copy(w08, 7, res[0]+336);
+  if (res[0]) casadi_copy(w08, 7, res[0]+672);
   /* #42: output[1][0] = @11 */
-  casadi_copy(w11, 48, res[1]);
+  casadi_copy(w11, 96, res[1]);
   /* #43: output[1][1] = @13 */
-  if (res[1]) casadi_copy(w13, 48, res[1]+48);
+  if (res[1]) casadi_copy(w13, 96, res[1]+96);
   /* #44: output[1][2] = @15 */
-  if (res[1]) casadi_copy(w15, 48, res[1]+96);
+  if (res[1]) casadi_copy(w15, 96, res[1]+192);
   /* #45: output[1][3] = @17 */
-  if (res[1]) casadi_copy(w17, 48, res[1]+144);
+  if (res[1]) casadi_copy(w17, 96, res[1]+288);
   /* #46: output[1][4] = @19 */
-  if (res[1]) casadi_copy(w19, 48, res[1]+192);
+  if (res[1]) casadi_copy(w19, 96, res[1]+384);
   /* #47: output[1][5] = @21 */
-  if (res[1]) casadi_copy(w21, 48, res[1]+240);
+  if (res[1]) casadi_copy(w21, 96, res[1]+480);
   /* #48: output[1][6] = @23 */
-  if (res[1]) casadi_copy(w23, 48, res[1]+288);
+  if (res[1]) casadi_copy(w23, 96, res[1]+576);
   /* #49: output[1][7] = @25 */
-  if (res[1]) casadi_copy(w25, 48, res[1]+336);
+  if (res[1]) casadi_copy(w25, 96, res[1]+672);
   /* #50: @1 = @8[:6] */
   for (rr=w01, cs=w08+0; cs!=w08+6; cs+=1) *rr++ = *cs;
   /* #51: {@27, @28} = observe(@2, @1, @4) */
@@ -21711,25 +21834,25 @@ static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w28;
   if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[1][8] = @27 */
-  if (res[1]) casadi_copy(w27, 8, res[1]+384);
+  if (res[1]) casadi_copy(w27, 8, res[1]+768);
   /* #53: output[2][0] = @12 */
-  casadi_copy(w12, 48, res[2]);
+  casadi_copy(w12, 96, res[2]);
   /* #54: output[2][1] = @14 */
-  if (res[2]) casadi_copy(w14, 48, res[2]+48);
+  if (res[2]) casadi_copy(w14, 96, res[2]+96);
   /* #55: output[2][2] = @16 */
-  if (res[2]) casadi_copy(w16, 48, res[2]+96);
+  if (res[2]) casadi_copy(w16, 96, res[2]+192);
   /* #56: output[2][3] = @18 */
-  if (res[2]) casadi_copy(w18, 48, res[2]+144);
+  if (res[2]) casadi_copy(w18, 96, res[2]+288);
   /* #57: output[2][4] = @20 */
-  if (res[2]) casadi_copy(w20, 48, res[2]+192);
+  if (res[2]) casadi_copy(w20, 96, res[2]+384);
   /* #58: output[2][5] = @22 */
-  if (res[2]) casadi_copy(w22, 48, res[2]+240);
+  if (res[2]) casadi_copy(w22, 96, res[2]+480);
   /* #59: output[2][6] = @24 */
-  if (res[2]) casadi_copy(w24, 48, res[2]+288);
+  if (res[2]) casadi_copy(w24, 96, res[2]+576);
   /* #60: output[2][7] = @26 */
-  if (res[2]) casadi_copy(w26, 48, res[2]+336);
+  if (res[2]) casadi_copy(w26, 96, res[2]+672);
   /* #61: output[2][8] = @28 */
-  if (res[2]) casadi_copy(w28, 8, res[2]+384);
+  if (res[2]) casadi_copy(w28, 8, res[2]+768);
   /* #62: @1 = @8[:6] */
   for (rr=w01, cs=w08+0; cs!=w08+6; cs+=1) *rr++ = *cs;
   /* #63: @29 = landing(@1, @6, @4) */
@@ -21810,7 +21933,7 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_96_work(casadi_int *sz_arg, casadi_int* 
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 1151;
+  if (sz_w) *sz_w = 2044;
   return 0;
 }
 
@@ -21818,17 +21941,17 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_96_work_bytes(casadi_int *sz_arg, casadi
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 1151*sizeof(casadi_real);
+  if (sz_w) *sz_w = 2044*sizeof(casadi_real);
   return 0;
 }
 
-/* wobbling_trace_144:(u[6],p[8])->(w[7x73],g[8x73],dg[8x73],R[6]) */
+/* wobbling_trace_144:(u[6],p[8])->(w[7x145],g[8x145],dg[8x145],R[6]) */
 static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+4, *rr, w00, *w01=w+270, w02, w03, *w05=w+276, *w06=w+300, w07, *w08=w+305, *w09=w+312, *w10=w+319;
-  casadi_real *w11=w+361, *w12=w+409, *w13=w+457, *w14=w+505, *w15=w+553, *w16=w+601, *w17=w+649, *w18=w+697, *w19=w+745, *w20=w+793, *w21=w+841, *w22=w+889;
-  casadi_real *w23=w+937, *w24=w+985, *w25=w+1033, *w26=w+1081, *w27=w+1129, *w28=w+1177, *w29=w+1225, *w30=w+1273, *w31=w+1321, *w32=w+1369, *w33=w+1417, *w34=w+1465;
-  casadi_real *w35=w+1513, *w36=w+1521, *w37=w+1529;
+  casadi_real **res1=res+4, *rr, w00, *w01=w+353, w02, w03, *w05=w+359, *w06=w+383, w07, *w08=w+388, *w09=w+395, *w10=w+402;
+  casadi_real *w11=w+486, *w12=w+582, *w13=w+678, *w14=w+774, *w15=w+870, *w16=w+966, *w17=w+1062, *w18=w+1158, *w19=w+1254, *w20=w+1350, *w21=w+1446, *w22=w+1542;
+  casadi_real *w23=w+1638, *w24=w+1734, *w25=w+1830, *w26=w+1926, *w27=w+2022, *w28=w+2118, *w29=w+2214, *w30=w+2310, *w31=w+2406, *w32=w+2502, *w33=w+2598, *w34=w+2694;
+  casadi_real *w35=w+2790, *w36=w+2798, *w37=w+2806;
   const casadi_real **arg1=arg+2, *cs, *wr04;
   /* #0: @0 = 0 */
   w00 = 0.;
@@ -21872,7 +21995,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w12;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
-  casadi_copy(w10, 42, res[0]);
+  casadi_copy(w10, 84, res[0]);
   /* #13: @0 = 0.0833333 */
   w00 = 8.3333333333333329e-02;
   /* #14: @0 = (@0*@2) */
@@ -21889,7 +22012,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w14;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+42);
+  if (res[0]) casadi_copy(w10, 84, res[0]+84);
   /* #17: @0 = 0.166667 */
   w00 = 1.6666666666666666e-01;
   /* #18: @0 = (@0*@2) */
@@ -21906,7 +22029,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w16;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+84);
+  if (res[0]) casadi_copy(w10, 84, res[0]+168);
   /* #21: @0 = 0.25 */
   w00 = 2.5000000000000000e-01;
   /* #22: @0 = (@0*@2) */
@@ -21923,7 +22046,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w18;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+126);
+  if (res[0]) casadi_copy(w10, 84, res[0]+252);
   /* #25: @0 = 0.333333 */
   w00 = 3.3333333333333331e-01;
   /* #26: @0 = (@0*@2) */
@@ -21940,7 +22063,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w20;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+168);
+  if (res[0]) casadi_copy(w10, 84, res[0]+336);
   /* #29: @0 = 0.416667 */
   w00 = 4.1666666666666669e-01;
   /* #30: @0 = (@0*@2) */
@@ -21957,7 +22080,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w22;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+210);
+  if (res[0]) casadi_copy(w10, 84, res[0]+420);
   /* #33: @0 = 0.5 */
   w00 = 5.0000000000000000e-01;
   /* #34: @0 = (@0*@2) */
@@ -21974,7 +22097,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w24;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[0][6] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+252);
+  if (res[0]) casadi_copy(w10, 84, res[0]+504);
   /* #37: @0 = 0.583333 */
   w00 = 5.8333333333333337e-01;
   /* #38: @0 = (@0*@2) */
@@ -21991,7 +22114,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w26;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[0][7] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+294);
+  if (res[0]) casadi_copy(w10, 84, res[0]+588);
   /* #41: @0 = 0.666667 */
   w00 = 6.6666666666666663e-01;
   /* #42: @0 = (@0*@2) */
@@ -22008,7 +22131,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w28;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #44: output[0][8] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+336);
+  if (res[0]) casadi_copy(w10, 84, res[0]+672);
   /* #45: @0 = 0.75 */
   w00 = 7.5000000000000000e-01;
   /* #46: @0 = (@0*@2) */
@@ -22025,7 +22148,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w30;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #48: output[0][9] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+378);
+  if (res[0]) casadi_copy(w10, 84, res[0]+756);
   /* #49: @0 = 0.833333 */
   w00 = 8.3333333333333337e-01;
   /* #50: @0 = (@0*@2) */
@@ -22042,7 +22165,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w32;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[0][10] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+420);
+  if (res[0]) casadi_copy(w10, 84, res[0]+840);
   /* #53: @0 = 0.916667 */
   w00 = 9.1666666666666663e-01;
   /* #54: @0 = (@0*@2) */
@@ -22059,33 +22182,33 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w34;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #56: output[0][11] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+462);
+  if (res[0]) casadi_copy(w10, 84, res[0]+924);
   /* #57: output[0][12] = @8 */
-  if (res[0]) casadi_copy(w08, 7, res[0]+504);
+  if (res[0]) casadi_copy(w08, 7, res[0]+1008);
   /* #58: output[1][0] = @11 */
-  casadi_copy(w11, 48, res[1]);
+  casadi_copy(w11, 96, res[1]);
   /* #59: output[1][1] = @13 */
-  if (res[1]) casadi_copy(w13, 48, res[1]+48);
+  if (res[1]) casadi_copy(w13, 96, res[1]+96);
   /* #60: output[1][2] = @15 */
-  if (res[1]) casadi_copy(w15, 48, res[1]+96);
+  if (res[1]) casadi_copy(w15, 96, res[1]+192);
   /* #61: output[1][3] = @17 */
-  if (res[1]) casadi_copy(w17, 48, res[1]+144);
+  if (res[1]) casadi_copy(w17, 96, res[1]+288);
   /* #62: output[1][4] = @19 */
-  if (res[1]) casadi_copy(w19, 48, res[1]+192);
+  if (res[1]) casadi_copy(w19, 96, res[1]+384);
   /* #63: output[1][5] = @21 */
-  if (res[1]) casadi_copy(w21, 48, res[1]+240);
+  if (res[1]) casadi_copy(w21, 96, res[1]+480);
   /* #64: output[1][6] = @23 */
-  if (res[1]) casadi_copy(w23, 48, res[1]+288);
+  if (res[1]) casadi_copy(w23, 96, res[1]+576);
   /* #65: output[1][7] = @25 */
-  if (res[1]) casadi_copy(w25, 48, res[1]+336);
+  if (res[1]) casadi_copy(w25, 96, res[1]+672);
   /* #66: output[1][8] = @27 */
-  if (res[1]) casadi_copy(w27, 48, res[1]+384);
+  if (res[1]) casadi_copy(w27, 96, res[1]+768);
   /* #67: output[1][9] = @29 */
-  if (res[1]) casadi_copy(w29, 48, res[1]+432);
+  if (res[1]) casadi_copy(w29, 96, res[1]+864);
   /* #68: output[1][10] = @31 */
-  if (res[1]) casadi_copy(w31, 48, res[1]+480);
+  if (res[1]) casadi_copy(w31, 96, res[1]+960);
   /* #69: output[1][11] = @33 */
-  if (res[1]) casadi_copy(w33, 48, res[1]+528);
+  if (res[1]) casadi_copy(w33, 96, res[1]+1056);
   /* #70: @1 = @8[:6] */
   for (rr=w01, cs=w08+0; cs!=w08+6; cs+=1) *rr++ = *cs;
   /* #71: {@35, @36} = observe(@2, @1, @4) */
@@ -22096,33 +22219,33 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w36;
   if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
   /* #72: output[1][12] = @35 */
-  if (res[1]) casadi_copy(w35, 8, res[1]+576);
+  if (res[1]) casadi_copy(w35, 8, res[1]+1152);
   /* #73: output[2][0] = @12 */
-  casadi_copy(w12, 48, res[2]);
+  casadi_copy(w12, 96, res[2]);
   /* #74: output[2][1] = @14 */
-  if (res[2]) casadi_copy(w14, 48, res[2]+48);
+  if (res[2]) casadi_copy(w14, 96, res[2]+96);
   /* #75: output[2][2] = @16 */
-  if (res[2]) casadi_copy(w16, 48, res[2]+96);
+  if (res[2]) casadi_copy(w16, 96, res[2]+192);
   /* #76: output[2][3] = @18 */
-  if (res[2]) casadi_copy(w18, 48, res[2]+144);
+  if (res[2]) casadi_copy(w18, 96, res[2]+288);
   /* #77: output[2][4] = @20 */
-  if (res[2]) casadi_copy(w20, 48, res[2]+192);
+  if (res[2]) casadi_copy(w20, 96, res[2]+384);
   /* #78: output[2][5] = @22 */
-  if (res[2]) casadi_copy(w22, 48, res[2]+240);
+  if (res[2]) casadi_copy(w22, 96, res[2]+480);
   /* #79: output[2][6] = @24 */
-  if (res[2]) casadi_copy(w24, 48, res[2]+288);
+  if (res[2]) casadi_copy(w24, 96, res[2]+576);
   /* #80: output[2][7] = @26 */
-  if (res[2]) casadi_copy(w26, 48, res[2]+336);
+  if (res[2]) casadi_copy(w26, 96, res[2]+672);
   /* #81: output[2][8] = @28 */
-  if (res[2]) casadi_copy(w28, 48, res[2]+384);
+  if (res[2]) casadi_copy(w28, 96, res[2]+768);
   /* #82: output[2][9] = @30 */
-  if (res[2]) casadi_copy(w30, 48, res[2]+432);
+  if (res[2]) casadi_copy(w30, 96, res[2]+864);
   /* #83: output[2][10] = @32 */
-  if (res[2]) casadi_copy(w32, 48, res[2]+480);
+  if (res[2]) casadi_copy(w32, 96, res[2]+960);
   /* #84: output[2][11] = @34 */
-  if (res[2]) casadi_copy(w34, 48, res[2]+528);
+  if (res[2]) casadi_copy(w34, 96, res[2]+1056);
   /* #85: output[2][12] = @36 */
-  if (res[2]) casadi_copy(w36, 8, res[2]+576);
+  if (res[2]) casadi_copy(w36, 8, res[2]+1152);
   /* #86: @1 = @8[:6] */
   for (rr=w01, cs=w08+0; cs!=w08+6; cs+=1) *rr++ = *cs;
   /* #87: @37 = landing(@1, @6, @4) */
@@ -22203,7 +22326,7 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_144_work(casadi_int *sz_arg, casadi_int*
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 1535;
+  if (sz_w) *sz_w = 2812;
   return 0;
 }
 
@@ -22211,17 +22334,17 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_144_work_bytes(casadi_int *sz_arg, casad
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 1535*sizeof(casadi_real);
+  if (sz_w) *sz_w = 2812*sizeof(casadi_real);
   return 0;
 }
 
-/* wobbling_trace_192:(u[6],p[8])->(w[7x97],g[8x97],dg[8x97],R[6]) */
+/* wobbling_trace_192:(u[6],p[8])->(w[7x193],g[8x193],dg[8x193],R[6]) */
 static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+4, *rr, w00, *w01=w+270, w02, w03, *w05=w+276, *w06=w+300, w07, *w08=w+305, *w09=w+312, *w10=w+319;
-  casadi_real *w11=w+361, *w12=w+409, *w13=w+457, *w14=w+505, *w15=w+553, *w16=w+601, *w17=w+649, *w18=w+697, *w19=w+745, *w20=w+793, *w21=w+841, *w22=w+889;
-  casadi_real *w23=w+937, *w24=w+985, *w25=w+1033, *w26=w+1081, *w27=w+1129, *w28=w+1177, *w29=w+1225, *w30=w+1273, *w31=w+1321, *w32=w+1369, *w33=w+1417, *w34=w+1465;
-  casadi_real *w35=w+1513, *w36=w+1561, *w37=w+1609, *w38=w+1657, *w39=w+1705, *w40=w+1753, *w41=w+1801, *w42=w+1849, *w43=w+1897, *w44=w+1905, *w45=w+1913;
+  casadi_real **res1=res+4, *rr, w00, *w01=w+353, w02, w03, *w05=w+359, *w06=w+383, w07, *w08=w+388, *w09=w+395, *w10=w+402;
+  casadi_real *w11=w+486, *w12=w+582, *w13=w+678, *w14=w+774, *w15=w+870, *w16=w+966, *w17=w+1062, *w18=w+1158, *w19=w+1254, *w20=w+1350, *w21=w+1446, *w22=w+1542;
+  casadi_real *w23=w+1638, *w24=w+1734, *w25=w+1830, *w26=w+1926, *w27=w+2022, *w28=w+2118, *w29=w+2214, *w30=w+2310, *w31=w+2406, *w32=w+2502, *w33=w+2598, *w34=w+2694;
+  casadi_real *w35=w+2790, *w36=w+2886, *w37=w+2982, *w38=w+3078, *w39=w+3174, *w40=w+3270, *w41=w+3366, *w42=w+3462, *w43=w+3558, *w44=w+3566, *w45=w+3574;
   const casadi_real **arg1=arg+2, *cs, *wr04;
   /* #0: @0 = 0 */
   w00 = 0.;
@@ -22265,7 +22388,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w12;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
-  casadi_copy(w10, 42, res[0]);
+  casadi_copy(w10, 84, res[0]);
   /* #13: @0 = 0.0625 */
   w00 = 6.2500000000000000e-02;
   /* #14: @0 = (@0*@2) */
@@ -22282,7 +22405,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w14;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+42);
+  if (res[0]) casadi_copy(w10, 84, res[0]+84);
   /* #17: @0 = 0.125 */
   w00 = 1.2500000000000000e-01;
   /* #18: @0 = (@0*@2) */
@@ -22299,7 +22422,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w16;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+84);
+  if (res[0]) casadi_copy(w10, 84, res[0]+168);
   /* #21: @0 = 0.1875 */
   w00 = 1.8750000000000000e-01;
   /* #22: @0 = (@0*@2) */
@@ -22316,7 +22439,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w18;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+126);
+  if (res[0]) casadi_copy(w10, 84, res[0]+252);
   /* #25: @0 = 0.25 */
   w00 = 2.5000000000000000e-01;
   /* #26: @0 = (@0*@2) */
@@ -22333,7 +22456,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w20;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+168);
+  if (res[0]) casadi_copy(w10, 84, res[0]+336);
   /* #29: @0 = 0.3125 */
   w00 = 3.1250000000000000e-01;
   /* #30: @0 = (@0*@2) */
@@ -22350,7 +22473,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w22;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+210);
+  if (res[0]) casadi_copy(w10, 84, res[0]+420);
   /* #33: @0 = 0.375 */
   w00 = 3.7500000000000000e-01;
   /* #34: @0 = (@0*@2) */
@@ -22367,7 +22490,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w24;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[0][6] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+252);
+  if (res[0]) casadi_copy(w10, 84, res[0]+504);
   /* #37: @0 = 0.4375 */
   w00 = 4.3750000000000000e-01;
   /* #38: @0 = (@0*@2) */
@@ -22384,7 +22507,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w26;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[0][7] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+294);
+  if (res[0]) casadi_copy(w10, 84, res[0]+588);
   /* #41: @0 = 0.5 */
   w00 = 5.0000000000000000e-01;
   /* #42: @0 = (@0*@2) */
@@ -22401,7 +22524,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w28;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #44: output[0][8] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+336);
+  if (res[0]) casadi_copy(w10, 84, res[0]+672);
   /* #45: @0 = 0.5625 */
   w00 = 5.6250000000000000e-01;
   /* #46: @0 = (@0*@2) */
@@ -22418,7 +22541,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w30;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #48: output[0][9] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+378);
+  if (res[0]) casadi_copy(w10, 84, res[0]+756);
   /* #49: @0 = 0.625 */
   w00 = 6.2500000000000000e-01;
   /* #50: @0 = (@0*@2) */
@@ -22435,7 +22558,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w32;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[0][10] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+420);
+  if (res[0]) casadi_copy(w10, 84, res[0]+840);
   /* #53: @0 = 0.6875 */
   w00 = 6.8750000000000000e-01;
   /* #54: @0 = (@0*@2) */
@@ -22452,7 +22575,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w34;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #56: output[0][11] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+462);
+  if (res[0]) casadi_copy(w10, 84, res[0]+924);
   /* #57: @0 = 0.75 */
   w00 = 7.5000000000000000e-01;
   /* #58: @0 = (@0*@2) */
@@ -22469,7 +22592,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w36;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #60: output[0][12] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+504);
+  if (res[0]) casadi_copy(w10, 84, res[0]+1008);
   /* #61: @0 = 0.8125 */
   w00 = 8.1250000000000000e-01;
   /* #62: @0 = (@0*@2) */
@@ -22486,7 +22609,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w38;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #64: output[0][13] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+546);
+  if (res[0]) casadi_copy(w10, 84, res[0]+1092);
   /* #65: @0 = 0.875 */
   w00 = 8.7500000000000000e-01;
   /* #66: @0 = (@0*@2) */
@@ -22503,7 +22626,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w40;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #68: output[0][14] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+588);
+  if (res[0]) casadi_copy(w10, 84, res[0]+1176);
   /* #69: @0 = 0.9375 */
   w00 = 9.3750000000000000e-01;
   /* #70: @0 = (@0*@2) */
@@ -22520,41 +22643,41 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w42;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #72: output[0][15] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+630);
+  if (res[0]) casadi_copy(w10, 84, res[0]+1260);
   /* #73: output[0][16] = @8 */
-  if (res[0]) casadi_copy(w08, 7, res[0]+672);
+  if (res[0]) casadi_copy(w08, 7, res[0]+1344);
   /* #74: output[1][0] = @11 */
-  casadi_copy(w11, 48, res[1]);
+  casadi_copy(w11, 96, res[1]);
   /* #75: output[1][1] = @13 */
-  if (res[1]) casadi_copy(w13, 48, res[1]+48);
+  if (res[1]) casadi_copy(w13, 96, res[1]+96);
   /* #76: output[1][2] = @15 */
-  if (res[1]) casadi_copy(w15, 48, res[1]+96);
+  if (res[1]) casadi_copy(w15, 96, res[1]+192);
   /* #77: output[1][3] = @17 */
-  if (res[1]) casadi_copy(w17, 48, res[1]+144);
+  if (res[1]) casadi_copy(w17, 96, res[1]+288);
   /* #78: output[1][4] = @19 */
-  if (res[1]) casadi_copy(w19, 48, res[1]+192);
+  if (res[1]) casadi_copy(w19, 96, res[1]+384);
   /* #79: output[1][5] = @21 */
-  if (res[1]) casadi_copy(w21, 48, res[1]+240);
+  if (res[1]) casadi_copy(w21, 96, res[1]+480);
   /* #80: output[1][6] = @23 */
-  if (res[1]) casadi_copy(w23, 48, res[1]+288);
+  if (res[1]) casadi_copy(w23, 96, res[1]+576);
   /* #81: output[1][7] = @25 */
-  if (res[1]) casadi_copy(w25, 48, res[1]+336);
+  if (res[1]) casadi_copy(w25, 96, res[1]+672);
   /* #82: output[1][8] = @27 */
-  if (res[1]) casadi_copy(w27, 48, res[1]+384);
+  if (res[1]) casadi_copy(w27, 96, res[1]+768);
   /* #83: output[1][9] = @29 */
-  if (res[1]) casadi_copy(w29, 48, res[1]+432);
+  if (res[1]) casadi_copy(w29, 96, res[1]+864);
   /* #84: output[1][10] = @31 */
-  if (res[1]) casadi_copy(w31, 48, res[1]+480);
+  if (res[1]) casadi_copy(w31, 96, res[1]+960);
   /* #85: output[1][11] = @33 */
-  if (res[1]) casadi_copy(w33, 48, res[1]+528);
+  if (res[1]) casadi_copy(w33, 96, res[1]+1056);
   /* #86: output[1][12] = @35 */
-  if (res[1]) casadi_copy(w35, 48, res[1]+576);
+  if (res[1]) casadi_copy(w35, 96, res[1]+1152);
   /* #87: output[1][13] = @37 */
-  if (res[1]) casadi_copy(w37, 48, res[1]+624);
+  if (res[1]) casadi_copy(w37, 96, res[1]+1248);
   /* #88: output[1][14] = @39 */
-  if (res[1]) casadi_copy(w39, 48, res[1]+672);
+  if (res[1]) casadi_copy(w39, 96, res[1]+1344);
   /* #89: output[1][15] = @41 */
-  if (res[1]) casadi_copy(w41, 48, res[1]+720);
+  if (res[1]) casadi_copy(w41, 96, res[1]+1440);
   /* #90: @1 = @8[:6] */
   for (rr=w01, cs=w08+0; cs!=w08+6; cs+=1) *rr++ = *cs;
   /* #91: {@43, @44} = observe(@2, @1, @4) */
@@ -22565,41 +22688,41 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w44;
   if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
   /* #92: output[1][16] = @43 */
-  if (res[1]) casadi_copy(w43, 8, res[1]+768);
+  if (res[1]) casadi_copy(w43, 8, res[1]+1536);
   /* #93: output[2][0] = @12 */
-  casadi_copy(w12, 48, res[2]);
+  casadi_copy(w12, 96, res[2]);
   /* #94: output[2][1] = @14 */
-  if (res[2]) casadi_copy(w14, 48, res[2]+48);
+  if (res[2]) casadi_copy(w14, 96, res[2]+96);
   /* #95: output[2][2] = @16 */
-  if (res[2]) casadi_copy(w16, 48, res[2]+96);
+  if (res[2]) casadi_copy(w16, 96, res[2]+192);
   /* #96: output[2][3] = @18 */
-  if (res[2]) casadi_copy(w18, 48, res[2]+144);
+  if (res[2]) casadi_copy(w18, 96, res[2]+288);
   /* #97: output[2][4] = @20 */
-  if (res[2]) casadi_copy(w20, 48, res[2]+192);
+  if (res[2]) casadi_copy(w20, 96, res[2]+384);
   /* #98: output[2][5] = @22 */
-  if (res[2]) casadi_copy(w22, 48, res[2]+240);
+  if (res[2]) casadi_copy(w22, 96, res[2]+480);
   /* #99: output[2][6] = @24 */
-  if (res[2]) casadi_copy(w24, 48, res[2]+288);
+  if (res[2]) casadi_copy(w24, 96, res[2]+576);
   /* #100: output[2][7] = @26 */
-  if (res[2]) casadi_copy(w26, 48, res[2]+336);
+  if (res[2]) casadi_copy(w26, 96, res[2]+672);
   /* #101: output[2][8] = @28 */
-  if (res[2]) casadi_copy(w28, 48, res[2]+384);
+  if (res[2]) casadi_copy(w28, 96, res[2]+768);
   /* #102: output[2][9] = @30 */
-  if (res[2]) casadi_copy(w30, 48, res[2]+432);
+  if (res[2]) casadi_copy(w30, 96, res[2]+864);
   /* #103: output[2][10] = @32 */
-  if (res[2]) casadi_copy(w32, 48, res[2]+480);
+  if (res[2]) casadi_copy(w32, 96, res[2]+960);
   /* #104: output[2][11] = @34 */
-  if (res[2]) casadi_copy(w34, 48, res[2]+528);
+  if (res[2]) casadi_copy(w34, 96, res[2]+1056);
   /* #105: output[2][12] = @36 */
-  if (res[2]) casadi_copy(w36, 48, res[2]+576);
+  if (res[2]) casadi_copy(w36, 96, res[2]+1152);
   /* #106: output[2][13] = @38 */
-  if (res[2]) casadi_copy(w38, 48, res[2]+624);
+  if (res[2]) casadi_copy(w38, 96, res[2]+1248);
   /* #107: output[2][14] = @40 */
-  if (res[2]) casadi_copy(w40, 48, res[2]+672);
+  if (res[2]) casadi_copy(w40, 96, res[2]+1344);
   /* #108: output[2][15] = @42 */
-  if (res[2]) casadi_copy(w42, 48, res[2]+720);
+  if (res[2]) casadi_copy(w42, 96, res[2]+1440);
   /* #109: output[2][16] = @44 */
-  if (res[2]) casadi_copy(w44, 8, res[2]+768);
+  if (res[2]) casadi_copy(w44, 8, res[2]+1536);
   /* #110: @1 = @8[:6] */
   for (rr=w01, cs=w08+0; cs!=w08+6; cs+=1) *rr++ = *cs;
   /* #111: @45 = landing(@1, @6, @4) */
@@ -22680,7 +22803,7 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_192_work(casadi_int *sz_arg, casadi_int*
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 1919;
+  if (sz_w) *sz_w = 3580;
   return 0;
 }
 
@@ -22688,19 +22811,19 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_192_work_bytes(casadi_int *sz_arg, casad
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 1919*sizeof(casadi_real);
+  if (sz_w) *sz_w = 3580*sizeof(casadi_real);
   return 0;
 }
 
-/* wobbling_trace_288:(u[6],p[8])->(w[7x145],g[8x145],dg[8x145],R[6]) */
+/* wobbling_trace_288:(u[6],p[8])->(w[7x289],g[8x289],dg[8x289],R[6]) */
 static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+4, *rr, w00, *w01=w+270, w02, w03, *w05=w+276, *w06=w+300, w07, *w08=w+305, *w09=w+312, *w10=w+319;
-  casadi_real *w11=w+361, *w12=w+409, *w13=w+457, *w14=w+505, *w15=w+553, *w16=w+601, *w17=w+649, *w18=w+697, *w19=w+745, *w20=w+793, *w21=w+841, *w22=w+889;
-  casadi_real *w23=w+937, *w24=w+985, *w25=w+1033, *w26=w+1081, *w27=w+1129, *w28=w+1177, *w29=w+1225, *w30=w+1273, *w31=w+1321, *w32=w+1369, *w33=w+1417, *w34=w+1465;
-  casadi_real *w35=w+1513, *w36=w+1561, *w37=w+1609, *w38=w+1657, *w39=w+1705, *w40=w+1753, *w41=w+1801, *w42=w+1849, *w43=w+1897, *w44=w+1945, *w45=w+1993, *w46=w+2041;
-  casadi_real *w47=w+2089, *w48=w+2137, *w49=w+2185, *w50=w+2233, *w51=w+2281, *w52=w+2329, *w53=w+2377, *w54=w+2425, *w55=w+2473, *w56=w+2521, *w57=w+2569, *w58=w+2617;
-  casadi_real *w59=w+2665, *w60=w+2673, *w61=w+2681;
+  casadi_real **res1=res+4, *rr, w00, *w01=w+353, w02, w03, *w05=w+359, *w06=w+383, w07, *w08=w+388, *w09=w+395, *w10=w+402;
+  casadi_real *w11=w+486, *w12=w+582, *w13=w+678, *w14=w+774, *w15=w+870, *w16=w+966, *w17=w+1062, *w18=w+1158, *w19=w+1254, *w20=w+1350, *w21=w+1446, *w22=w+1542;
+  casadi_real *w23=w+1638, *w24=w+1734, *w25=w+1830, *w26=w+1926, *w27=w+2022, *w28=w+2118, *w29=w+2214, *w30=w+2310, *w31=w+2406, *w32=w+2502, *w33=w+2598, *w34=w+2694;
+  casadi_real *w35=w+2790, *w36=w+2886, *w37=w+2982, *w38=w+3078, *w39=w+3174, *w40=w+3270, *w41=w+3366, *w42=w+3462, *w43=w+3558, *w44=w+3654, *w45=w+3750, *w46=w+3846;
+  casadi_real *w47=w+3942, *w48=w+4038, *w49=w+4134, *w50=w+4230, *w51=w+4326, *w52=w+4422, *w53=w+4518, *w54=w+4614, *w55=w+4710, *w56=w+4806, *w57=w+4902, *w58=w+4998;
+  casadi_real *w59=w+5094, *w60=w+5102, *w61=w+5110;
   const casadi_real **arg1=arg+2, *cs, *wr04;
   /* #0: @0 = 0 */
   w00 = 0.;
@@ -22744,7 +22867,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w12;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
-  casadi_copy(w10, 42, res[0]);
+  casadi_copy(w10, 84, res[0]);
   /* #13: @0 = 0.0416667 */
   w00 = 4.1666666666666664e-02;
   /* #14: @0 = (@0*@2) */
@@ -22761,7 +22884,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w14;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+42);
+  if (res[0]) casadi_copy(w10, 84, res[0]+84);
   /* #17: @0 = 0.0833333 */
   w00 = 8.3333333333333329e-02;
   /* #18: @0 = (@0*@2) */
@@ -22778,7 +22901,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w16;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+84);
+  if (res[0]) casadi_copy(w10, 84, res[0]+168);
   /* #21: @0 = 0.125 */
   w00 = 1.2500000000000000e-01;
   /* #22: @0 = (@0*@2) */
@@ -22795,7 +22918,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w18;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+126);
+  if (res[0]) casadi_copy(w10, 84, res[0]+252);
   /* #25: @0 = 0.166667 */
   w00 = 1.6666666666666666e-01;
   /* #26: @0 = (@0*@2) */
@@ -22812,7 +22935,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w20;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+168);
+  if (res[0]) casadi_copy(w10, 84, res[0]+336);
   /* #29: @0 = 0.208333 */
   w00 = 2.0833333333333334e-01;
   /* #30: @0 = (@0*@2) */
@@ -22829,7 +22952,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w22;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+210);
+  if (res[0]) casadi_copy(w10, 84, res[0]+420);
   /* #33: @0 = 0.25 */
   w00 = 2.5000000000000000e-01;
   /* #34: @0 = (@0*@2) */
@@ -22846,7 +22969,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w24;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[0][6] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+252);
+  if (res[0]) casadi_copy(w10, 84, res[0]+504);
   /* #37: @0 = 0.291667 */
   w00 = 2.9166666666666669e-01;
   /* #38: @0 = (@0*@2) */
@@ -22863,7 +22986,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w26;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[0][7] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+294);
+  if (res[0]) casadi_copy(w10, 84, res[0]+588);
   /* #41: @0 = 0.333333 */
   w00 = 3.3333333333333331e-01;
   /* #42: @0 = (@0*@2) */
@@ -22880,7 +23003,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w28;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #44: output[0][8] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+336);
+  if (res[0]) casadi_copy(w10, 84, res[0]+672);
   /* #45: @0 = 0.375 */
   w00 = 3.7500000000000000e-01;
   /* #46: @0 = (@0*@2) */
@@ -22897,7 +23020,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w30;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #48: output[0][9] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+378);
+  if (res[0]) casadi_copy(w10, 84, res[0]+756);
   /* #49: @0 = 0.416667 */
   w00 = 4.1666666666666669e-01;
   /* #50: @0 = (@0*@2) */
@@ -22914,7 +23037,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w32;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[0][10] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+420);
+  if (res[0]) casadi_copy(w10, 84, res[0]+840);
   /* #53: @0 = 0.458333 */
   w00 = 4.5833333333333331e-01;
   /* #54: @0 = (@0*@2) */
@@ -22931,7 +23054,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w34;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #56: output[0][11] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+462);
+  if (res[0]) casadi_copy(w10, 84, res[0]+924);
   /* #57: @0 = 0.5 */
   w00 = 5.0000000000000000e-01;
   /* #58: @0 = (@0*@2) */
@@ -22948,7 +23071,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w36;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #60: output[0][12] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+504);
+  if (res[0]) casadi_copy(w10, 84, res[0]+1008);
   /* #61: @0 = 0.541667 */
   w00 = 5.4166666666666663e-01;
   /* #62: @0 = (@0*@2) */
@@ -22965,7 +23088,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w38;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #64: output[0][13] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+546);
+  if (res[0]) casadi_copy(w10, 84, res[0]+1092);
   /* #65: @0 = 0.583333 */
   w00 = 5.8333333333333337e-01;
   /* #66: @0 = (@0*@2) */
@@ -22982,7 +23105,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w40;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #68: output[0][14] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+588);
+  if (res[0]) casadi_copy(w10, 84, res[0]+1176);
   /* #69: @0 = 0.625 */
   w00 = 6.2500000000000000e-01;
   /* #70: @0 = (@0*@2) */
@@ -22999,7 +23122,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w42;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #72: output[0][15] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+630);
+  if (res[0]) casadi_copy(w10, 84, res[0]+1260);
   /* #73: @0 = 0.666667 */
   w00 = 6.6666666666666663e-01;
   /* #74: @0 = (@0*@2) */
@@ -23016,7 +23139,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w44;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #76: output[0][16] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+672);
+  if (res[0]) casadi_copy(w10, 84, res[0]+1344);
   /* #77: @0 = 0.708333 */
   w00 = 7.0833333333333337e-01;
   /* #78: @0 = (@0*@2) */
@@ -23033,7 +23156,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w46;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #80: output[0][17] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+714);
+  if (res[0]) casadi_copy(w10, 84, res[0]+1428);
   /* #81: @0 = 0.75 */
   w00 = 7.5000000000000000e-01;
   /* #82: @0 = (@0*@2) */
@@ -23050,7 +23173,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w48;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #84: output[0][18] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+756);
+  if (res[0]) casadi_copy(w10, 84, res[0]+1512);
   /* #85: @0 = 0.791667 */
   w00 = 7.9166666666666663e-01;
   /* #86: @0 = (@0*@2) */
@@ -23067,7 +23190,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w50;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #88: output[0][19] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+798);
+  if (res[0]) casadi_copy(w10, 84, res[0]+1596);
   /* #89: @0 = 0.833333 */
   w00 = 8.3333333333333337e-01;
   /* #90: @0 = (@0*@2) */
@@ -23084,7 +23207,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w52;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #92: output[0][20] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+840);
+  if (res[0]) casadi_copy(w10, 84, res[0]+1680);
   /* #93: @0 = 0.875 */
   w00 = 8.7500000000000000e-01;
   /* #94: @0 = (@0*@2) */
@@ -23101,7 +23224,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w54;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #96: output[0][21] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+882);
+  if (res[0]) casadi_copy(w10, 84, res[0]+1764);
   /* #97: @0 = 0.916667 */
   w00 = 9.1666666666666663e-01;
   /* #98: @0 = (@0*@2) */
@@ -23118,7 +23241,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w56;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #100: output[0][22] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+924);
+  if (res[0]) casadi_copy(w10, 84, res[0]+1848);
   /* #101: @0 = 0.958333 */
   w00 = 9.5833333333333337e-01;
   /* #102: @0 = (@0*@2) */
@@ -23135,57 +23258,57 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w58;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #104: output[0][23] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+966);
+  if (res[0]) casadi_copy(w10, 84, res[0]+1932);
   /* #105: output[0][24] = @8 */
-  if (res[0]) casadi_copy(w08, 7, res[0]+1008);
+  if (res[0]) casadi_copy(w08, 7, res[0]+2016);
   /* #106: output[1][0] = @11 */
-  casadi_copy(w11, 48, res[1]);
+  casadi_copy(w11, 96, res[1]);
   /* #107: output[1][1] = @13 */
-  if (res[1]) casadi_copy(w13, 48, res[1]+48);
+  if (res[1]) casadi_copy(w13, 96, res[1]+96);
   /* #108: output[1][2] = @15 */
-  if (res[1]) casadi_copy(w15, 48, res[1]+96);
+  if (res[1]) casadi_copy(w15, 96, res[1]+192);
   /* #109: output[1][3] = @17 */
-  if (res[1]) casadi_copy(w17, 48, res[1]+144);
+  if (res[1]) casadi_copy(w17, 96, res[1]+288);
   /* #110: output[1][4] = @19 */
-  if (res[1]) casadi_copy(w19, 48, res[1]+192);
+  if (res[1]) casadi_copy(w19, 96, res[1]+384);
   /* #111: output[1][5] = @21 */
-  if (res[1]) casadi_copy(w21, 48, res[1]+240);
+  if (res[1]) casadi_copy(w21, 96, res[1]+480);
   /* #112: output[1][6] = @23 */
-  if (res[1]) casadi_copy(w23, 48, res[1]+288);
+  if (res[1]) casadi_copy(w23, 96, res[1]+576);
   /* #113: output[1][7] = @25 */
-  if (res[1]) casadi_copy(w25, 48, res[1]+336);
+  if (res[1]) casadi_copy(w25, 96, res[1]+672);
   /* #114: output[1][8] = @27 */
-  if (res[1]) casadi_copy(w27, 48, res[1]+384);
+  if (res[1]) casadi_copy(w27, 96, res[1]+768);
   /* #115: output[1][9] = @29 */
-  if (res[1]) casadi_copy(w29, 48, res[1]+432);
+  if (res[1]) casadi_copy(w29, 96, res[1]+864);
   /* #116: output[1][10] = @31 */
-  if (res[1]) casadi_copy(w31, 48, res[1]+480);
+  if (res[1]) casadi_copy(w31, 96, res[1]+960);
   /* #117: output[1][11] = @33 */
-  if (res[1]) casadi_copy(w33, 48, res[1]+528);
+  if (res[1]) casadi_copy(w33, 96, res[1]+1056);
   /* #118: output[1][12] = @35 */
-  if (res[1]) casadi_copy(w35, 48, res[1]+576);
+  if (res[1]) casadi_copy(w35, 96, res[1]+1152);
   /* #119: output[1][13] = @37 */
-  if (res[1]) casadi_copy(w37, 48, res[1]+624);
+  if (res[1]) casadi_copy(w37, 96, res[1]+1248);
   /* #120: output[1][14] = @39 */
-  if (res[1]) casadi_copy(w39, 48, res[1]+672);
+  if (res[1]) casadi_copy(w39, 96, res[1]+1344);
   /* #121: output[1][15] = @41 */
-  if (res[1]) casadi_copy(w41, 48, res[1]+720);
+  if (res[1]) casadi_copy(w41, 96, res[1]+1440);
   /* #122: output[1][16] = @43 */
-  if (res[1]) casadi_copy(w43, 48, res[1]+768);
+  if (res[1]) casadi_copy(w43, 96, res[1]+1536);
   /* #123: output[1][17] = @45 */
-  if (res[1]) casadi_copy(w45, 48, res[1]+816);
+  if (res[1]) casadi_copy(w45, 96, res[1]+1632);
   /* #124: output[1][18] = @47 */
-  if (res[1]) casadi_copy(w47, 48, res[1]+864);
+  if (res[1]) casadi_copy(w47, 96, res[1]+1728);
   /* #125: output[1][19] = @49 */
-  if (res[1]) casadi_copy(w49, 48, res[1]+912);
+  if (res[1]) casadi_copy(w49, 96, res[1]+1824);
   /* #126: output[1][20] = @51 */
-  if (res[1]) casadi_copy(w51, 48, res[1]+960);
+  if (res[1]) casadi_copy(w51, 96, res[1]+1920);
   /* #127: output[1][21] = @53 */
-  if (res[1]) casadi_copy(w53, 48, res[1]+1008);
+  if (res[1]) casadi_copy(w53, 96, res[1]+2016);
   /* #128: output[1][22] = @55 */
-  if (res[1]) casadi_copy(w55, 48, res[1]+1056);
+  if (res[1]) casadi_copy(w55, 96, res[1]+2112);
   /* #129: output[1][23] = @57 */
-  if (res[1]) casadi_copy(w57, 48, res[1]+1104);
+  if (res[1]) casadi_copy(w57, 96, res[1]+2208);
   /* #130: @1 = @8[:6] */
   for (rr=w01, cs=w08+0; cs!=w08+6; cs+=1) *rr++ = *cs;
   /* #131: {@59, @60} = observe(@2, @1, @4) */
@@ -23196,57 +23319,57 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w60;
   if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
   /* #132: output[1][24] = @59 */
-  if (res[1]) casadi_copy(w59, 8, res[1]+1152);
+  if (res[1]) casadi_copy(w59, 8, res[1]+2304);
   /* #133: output[2][0] = @12 */
-  casadi_copy(w12, 48, res[2]);
+  casadi_copy(w12, 96, res[2]);
   /* #134: output[2][1] = @14 */
-  if (res[2]) casadi_copy(w14, 48, res[2]+48);
+  if (res[2]) casadi_copy(w14, 96, res[2]+96);
   /* #135: output[2][2] = @16 */
-  if (res[2]) casadi_copy(w16, 48, res[2]+96);
+  if (res[2]) casadi_copy(w16, 96, res[2]+192);
   /* #136: output[2][3] = @18 */
-  if (res[2]) casadi_copy(w18, 48, res[2]+144);
+  if (res[2]) casadi_copy(w18, 96, res[2]+288);
   /* #137: output[2][4] = @20 */
-  if (res[2]) casadi_copy(w20, 48, res[2]+192);
+  if (res[2]) casadi_copy(w20, 96, res[2]+384);
   /* #138: output[2][5] = @22 */
-  if (res[2]) casadi_copy(w22, 48, res[2]+240);
+  if (res[2]) casadi_copy(w22, 96, res[2]+480);
   /* #139: output[2][6] = @24 */
-  if (res[2]) casadi_copy(w24, 48, res[2]+288);
+  if (res[2]) casadi_copy(w24, 96, res[2]+576);
   /* #140: output[2][7] = @26 */
-  if (res[2]) casadi_copy(w26, 48, res[2]+336);
+  if (res[2]) casadi_copy(w26, 96, res[2]+672);
   /* #141: output[2][8] = @28 */
-  if (res[2]) casadi_copy(w28, 48, res[2]+384);
+  if (res[2]) casadi_copy(w28, 96, res[2]+768);
   /* #142: output[2][9] = @30 */
-  if (res[2]) casadi_copy(w30, 48, res[2]+432);
+  if (res[2]) casadi_copy(w30, 96, res[2]+864);
   /* #143: output[2][10] = @32 */
-  if (res[2]) casadi_copy(w32, 48, res[2]+480);
+  if (res[2]) casadi_copy(w32, 96, res[2]+960);
   /* #144: output[2][11] = @34 */
-  if (res[2]) casadi_copy(w34, 48, res[2]+528);
+  if (res[2]) casadi_copy(w34, 96, res[2]+1056);
   /* #145: output[2][12] = @36 */
-  if (res[2]) casadi_copy(w36, 48, res[2]+576);
+  if (res[2]) casadi_copy(w36, 96, res[2]+1152);
   /* #146: output[2][13] = @38 */
-  if (res[2]) casadi_copy(w38, 48, res[2]+624);
+  if (res[2]) casadi_copy(w38, 96, res[2]+1248);
   /* #147: output[2][14] = @40 */
-  if (res[2]) casadi_copy(w40, 48, res[2]+672);
+  if (res[2]) casadi_copy(w40, 96, res[2]+1344);
   /* #148: output[2][15] = @42 */
-  if (res[2]) casadi_copy(w42, 48, res[2]+720);
+  if (res[2]) casadi_copy(w42, 96, res[2]+1440);
   /* #149: output[2][16] = @44 */
-  if (res[2]) casadi_copy(w44, 48, res[2]+768);
+  if (res[2]) casadi_copy(w44, 96, res[2]+1536);
   /* #150: output[2][17] = @46 */
-  if (res[2]) casadi_copy(w46, 48, res[2]+816);
+  if (res[2]) casadi_copy(w46, 96, res[2]+1632);
   /* #151: output[2][18] = @48 */
-  if (res[2]) casadi_copy(w48, 48, res[2]+864);
+  if (res[2]) casadi_copy(w48, 96, res[2]+1728);
   /* #152: output[2][19] = @50 */
-  if (res[2]) casadi_copy(w50, 48, res[2]+912);
+  if (res[2]) casadi_copy(w50, 96, res[2]+1824);
   /* #153: output[2][20] = @52 */
-  if (res[2]) casadi_copy(w52, 48, res[2]+960);
+  if (res[2]) casadi_copy(w52, 96, res[2]+1920);
   /* #154: output[2][21] = @54 */
-  if (res[2]) casadi_copy(w54, 48, res[2]+1008);
+  if (res[2]) casadi_copy(w54, 96, res[2]+2016);
   /* #155: output[2][22] = @56 */
-  if (res[2]) casadi_copy(w56, 48, res[2]+1056);
+  if (res[2]) casadi_copy(w56, 96, res[2]+2112);
   /* #156: output[2][23] = @58 */
-  if (res[2]) casadi_copy(w58, 48, res[2]+1104);
+  if (res[2]) casadi_copy(w58, 96, res[2]+2208);
   /* #157: output[2][24] = @60 */
-  if (res[2]) casadi_copy(w60, 8, res[2]+1152);
+  if (res[2]) casadi_copy(w60, 8, res[2]+2304);
   /* #158: @1 = @8[:6] */
   for (rr=w01, cs=w08+0; cs!=w08+6; cs+=1) *rr++ = *cs;
   /* #159: @61 = landing(@1, @6, @4) */
@@ -23327,7 +23450,7 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_288_work(casadi_int *sz_arg, casadi_int*
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 2687;
+  if (sz_w) *sz_w = 5116;
   return 0;
 }
 
@@ -23335,20 +23458,20 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_288_work_bytes(casadi_int *sz_arg, casad
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 2687*sizeof(casadi_real);
+  if (sz_w) *sz_w = 5116*sizeof(casadi_real);
   return 0;
 }
 
-/* wobbling_trace_384:(u[6],p[8])->(w[7x193],g[8x193],dg[8x193],R[6]) */
+/* wobbling_trace_384:(u[6],p[8])->(w[7x385],g[8x385],dg[8x385],R[6]) */
 static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+4, *rr, w00, *w01=w+270, w02, w03, *w05=w+276, *w06=w+300, w07, *w08=w+305, *w09=w+312, *w10=w+319;
-  casadi_real *w11=w+361, *w12=w+409, *w13=w+457, *w14=w+505, *w15=w+553, *w16=w+601, *w17=w+649, *w18=w+697, *w19=w+745, *w20=w+793, *w21=w+841, *w22=w+889;
-  casadi_real *w23=w+937, *w24=w+985, *w25=w+1033, *w26=w+1081, *w27=w+1129, *w28=w+1177, *w29=w+1225, *w30=w+1273, *w31=w+1321, *w32=w+1369, *w33=w+1417, *w34=w+1465;
-  casadi_real *w35=w+1513, *w36=w+1561, *w37=w+1609, *w38=w+1657, *w39=w+1705, *w40=w+1753, *w41=w+1801, *w42=w+1849, *w43=w+1897, *w44=w+1945, *w45=w+1993, *w46=w+2041;
-  casadi_real *w47=w+2089, *w48=w+2137, *w49=w+2185, *w50=w+2233, *w51=w+2281, *w52=w+2329, *w53=w+2377, *w54=w+2425, *w55=w+2473, *w56=w+2521, *w57=w+2569, *w58=w+2617;
-  casadi_real *w59=w+2665, *w60=w+2713, *w61=w+2761, *w62=w+2809, *w63=w+2857, *w64=w+2905, *w65=w+2953, *w66=w+3001, *w67=w+3049, *w68=w+3097, *w69=w+3145, *w70=w+3193;
-  casadi_real *w71=w+3241, *w72=w+3289, *w73=w+3337, *w74=w+3385, *w75=w+3433, *w76=w+3441, *w77=w+3449;
+  casadi_real **res1=res+4, *rr, w00, *w01=w+353, w02, w03, *w05=w+359, *w06=w+383, w07, *w08=w+388, *w09=w+395, *w10=w+402;
+  casadi_real *w11=w+486, *w12=w+582, *w13=w+678, *w14=w+774, *w15=w+870, *w16=w+966, *w17=w+1062, *w18=w+1158, *w19=w+1254, *w20=w+1350, *w21=w+1446, *w22=w+1542;
+  casadi_real *w23=w+1638, *w24=w+1734, *w25=w+1830, *w26=w+1926, *w27=w+2022, *w28=w+2118, *w29=w+2214, *w30=w+2310, *w31=w+2406, *w32=w+2502, *w33=w+2598, *w34=w+2694;
+  casadi_real *w35=w+2790, *w36=w+2886, *w37=w+2982, *w38=w+3078, *w39=w+3174, *w40=w+3270, *w41=w+3366, *w42=w+3462, *w43=w+3558, *w44=w+3654, *w45=w+3750, *w46=w+3846;
+  casadi_real *w47=w+3942, *w48=w+4038, *w49=w+4134, *w50=w+4230, *w51=w+4326, *w52=w+4422, *w53=w+4518, *w54=w+4614, *w55=w+4710, *w56=w+4806, *w57=w+4902, *w58=w+4998;
+  casadi_real *w59=w+5094, *w60=w+5190, *w61=w+5286, *w62=w+5382, *w63=w+5478, *w64=w+5574, *w65=w+5670, *w66=w+5766, *w67=w+5862, *w68=w+5958, *w69=w+6054, *w70=w+6150;
+  casadi_real *w71=w+6246, *w72=w+6342, *w73=w+6438, *w74=w+6534, *w75=w+6630, *w76=w+6638, *w77=w+6646;
   const casadi_real **arg1=arg+2, *cs, *wr04;
   /* #0: @0 = 0 */
   w00 = 0.;
@@ -23392,7 +23515,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w12;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
-  casadi_copy(w10, 42, res[0]);
+  casadi_copy(w10, 84, res[0]);
   /* #13: @0 = 0.03125 */
   w00 = 3.1250000000000000e-02;
   /* #14: @0 = (@0*@2) */
@@ -23409,7 +23532,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w14;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+42);
+  if (res[0]) casadi_copy(w10, 84, res[0]+84);
   /* #17: @0 = 0.0625 */
   w00 = 6.2500000000000000e-02;
   /* #18: @0 = (@0*@2) */
@@ -23426,7 +23549,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w16;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+84);
+  if (res[0]) casadi_copy(w10, 84, res[0]+168);
   /* #21: @0 = 0.09375 */
   w00 = 9.3750000000000000e-02;
   /* #22: @0 = (@0*@2) */
@@ -23443,7 +23566,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w18;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+126);
+  if (res[0]) casadi_copy(w10, 84, res[0]+252);
   /* #25: @0 = 0.125 */
   w00 = 1.2500000000000000e-01;
   /* #26: @0 = (@0*@2) */
@@ -23460,7 +23583,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w20;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+168);
+  if (res[0]) casadi_copy(w10, 84, res[0]+336);
   /* #29: @0 = 0.15625 */
   w00 = 1.5625000000000000e-01;
   /* #30: @0 = (@0*@2) */
@@ -23477,7 +23600,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w22;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+210);
+  if (res[0]) casadi_copy(w10, 84, res[0]+420);
   /* #33: @0 = 0.1875 */
   w00 = 1.8750000000000000e-01;
   /* #34: @0 = (@0*@2) */
@@ -23494,7 +23617,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w24;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[0][6] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+252);
+  if (res[0]) casadi_copy(w10, 84, res[0]+504);
   /* #37: @0 = 0.21875 */
   w00 = 2.1875000000000000e-01;
   /* #38: @0 = (@0*@2) */
@@ -23511,7 +23634,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w26;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[0][7] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+294);
+  if (res[0]) casadi_copy(w10, 84, res[0]+588);
   /* #41: @0 = 0.25 */
   w00 = 2.5000000000000000e-01;
   /* #42: @0 = (@0*@2) */
@@ -23528,7 +23651,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w28;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #44: output[0][8] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+336);
+  if (res[0]) casadi_copy(w10, 84, res[0]+672);
   /* #45: @0 = 0.28125 */
   w00 = 2.8125000000000000e-01;
   /* #46: @0 = (@0*@2) */
@@ -23545,7 +23668,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w30;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #48: output[0][9] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+378);
+  if (res[0]) casadi_copy(w10, 84, res[0]+756);
   /* #49: @0 = 0.3125 */
   w00 = 3.1250000000000000e-01;
   /* #50: @0 = (@0*@2) */
@@ -23562,7 +23685,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w32;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[0][10] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+420);
+  if (res[0]) casadi_copy(w10, 84, res[0]+840);
   /* #53: @0 = 0.34375 */
   w00 = 3.4375000000000000e-01;
   /* #54: @0 = (@0*@2) */
@@ -23579,7 +23702,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w34;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #56: output[0][11] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+462);
+  if (res[0]) casadi_copy(w10, 84, res[0]+924);
   /* #57: @0 = 0.375 */
   w00 = 3.7500000000000000e-01;
   /* #58: @0 = (@0*@2) */
@@ -23596,7 +23719,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w36;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #60: output[0][12] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+504);
+  if (res[0]) casadi_copy(w10, 84, res[0]+1008);
   /* #61: @0 = 0.40625 */
   w00 = 4.0625000000000000e-01;
   /* #62: @0 = (@0*@2) */
@@ -23613,7 +23736,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w38;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #64: output[0][13] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+546);
+  if (res[0]) casadi_copy(w10, 84, res[0]+1092);
   /* #65: @0 = 0.4375 */
   w00 = 4.3750000000000000e-01;
   /* #66: @0 = (@0*@2) */
@@ -23630,7 +23753,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w40;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #68: output[0][14] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+588);
+  if (res[0]) casadi_copy(w10, 84, res[0]+1176);
   /* #69: @0 = 0.46875 */
   w00 = 4.6875000000000000e-01;
   /* #70: @0 = (@0*@2) */
@@ -23647,7 +23770,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w42;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #72: output[0][15] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+630);
+  if (res[0]) casadi_copy(w10, 84, res[0]+1260);
   /* #73: @0 = 0.5 */
   w00 = 5.0000000000000000e-01;
   /* #74: @0 = (@0*@2) */
@@ -23664,7 +23787,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w44;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #76: output[0][16] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+672);
+  if (res[0]) casadi_copy(w10, 84, res[0]+1344);
   /* #77: @0 = 0.53125 */
   w00 = 5.3125000000000000e-01;
   /* #78: @0 = (@0*@2) */
@@ -23681,7 +23804,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w46;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #80: output[0][17] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+714);
+  if (res[0]) casadi_copy(w10, 84, res[0]+1428);
   /* #81: @0 = 0.5625 */
   w00 = 5.6250000000000000e-01;
   /* #82: @0 = (@0*@2) */
@@ -23698,7 +23821,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w48;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #84: output[0][18] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+756);
+  if (res[0]) casadi_copy(w10, 84, res[0]+1512);
   /* #85: @0 = 0.59375 */
   w00 = 5.9375000000000000e-01;
   /* #86: @0 = (@0*@2) */
@@ -23715,7 +23838,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w50;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #88: output[0][19] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+798);
+  if (res[0]) casadi_copy(w10, 84, res[0]+1596);
   /* #89: @0 = 0.625 */
   w00 = 6.2500000000000000e-01;
   /* #90: @0 = (@0*@2) */
@@ -23732,7 +23855,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w52;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #92: output[0][20] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+840);
+  if (res[0]) casadi_copy(w10, 84, res[0]+1680);
   /* #93: @0 = 0.65625 */
   w00 = 6.5625000000000000e-01;
   /* #94: @0 = (@0*@2) */
@@ -23749,7 +23872,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w54;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #96: output[0][21] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+882);
+  if (res[0]) casadi_copy(w10, 84, res[0]+1764);
   /* #97: @0 = 0.6875 */
   w00 = 6.8750000000000000e-01;
   /* #98: @0 = (@0*@2) */
@@ -23766,7 +23889,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w56;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #100: output[0][22] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+924);
+  if (res[0]) casadi_copy(w10, 84, res[0]+1848);
   /* #101: @0 = 0.71875 */
   w00 = 7.1875000000000000e-01;
   /* #102: @0 = (@0*@2) */
@@ -23783,7 +23906,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w58;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #104: output[0][23] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+966);
+  if (res[0]) casadi_copy(w10, 84, res[0]+1932);
   /* #105: @0 = 0.75 */
   w00 = 7.5000000000000000e-01;
   /* #106: @0 = (@0*@2) */
@@ -23800,7 +23923,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w60;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #108: output[0][24] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+1008);
+  if (res[0]) casadi_copy(w10, 84, res[0]+2016);
   /* #109: @0 = 0.78125 */
   w00 = 7.8125000000000000e-01;
   /* #110: @0 = (@0*@2) */
@@ -23817,7 +23940,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w62;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #112: output[0][25] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+1050);
+  if (res[0]) casadi_copy(w10, 84, res[0]+2100);
   /* #113: @0 = 0.8125 */
   w00 = 8.1250000000000000e-01;
   /* #114: @0 = (@0*@2) */
@@ -23834,7 +23957,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w64;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #116: output[0][26] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+1092);
+  if (res[0]) casadi_copy(w10, 84, res[0]+2184);
   /* #117: @0 = 0.84375 */
   w00 = 8.4375000000000000e-01;
   /* #118: @0 = (@0*@2) */
@@ -23851,7 +23974,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w66;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #120: output[0][27] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+1134);
+  if (res[0]) casadi_copy(w10, 84, res[0]+2268);
   /* #121: @0 = 0.875 */
   w00 = 8.7500000000000000e-01;
   /* #122: @0 = (@0*@2) */
@@ -23868,7 +23991,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w68;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #124: output[0][28] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+1176);
+  if (res[0]) casadi_copy(w10, 84, res[0]+2352);
   /* #125: @0 = 0.90625 */
   w00 = 9.0625000000000000e-01;
   /* #126: @0 = (@0*@2) */
@@ -23885,7 +24008,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w70;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #128: output[0][29] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+1218);
+  if (res[0]) casadi_copy(w10, 84, res[0]+2436);
   /* #129: @0 = 0.9375 */
   w00 = 9.3750000000000000e-01;
   /* #130: @0 = (@0*@2) */
@@ -23902,7 +24025,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w72;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #132: output[0][30] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+1260);
+  if (res[0]) casadi_copy(w10, 84, res[0]+2520);
   /* #133: @0 = 0.96875 */
   w00 = 9.6875000000000000e-01;
   /* #134: @0 = (@0*@2) */
@@ -23919,73 +24042,73 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w74;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #136: output[0][31] = @10 */
-  if (res[0]) casadi_copy(w10, 42, res[0]+1302);
+  if (res[0]) casadi_copy(w10, 84, res[0]+2604);
   /* #137: output[0][32] = @8 */
-  if (res[0]) casadi_copy(w08, 7, res[0]+1344);
+  if (res[0]) casadi_copy(w08, 7, res[0]+2688);
   /* #138: output[1][0] = @11 */
-  casadi_copy(w11, 48, res[1]);
+  casadi_copy(w11, 96, res[1]);
   /* #139: output[1][1] = @13 */
-  if (res[1]) casadi_copy(w13, 48, res[1]+48);
+  if (res[1]) casadi_copy(w13, 96, res[1]+96);
   /* #140: output[1][2] = @15 */
-  if (res[1]) casadi_copy(w15, 48, res[1]+96);
+  if (res[1]) casadi_copy(w15, 96, res[1]+192);
   /* #141: output[1][3] = @17 */
-  if (res[1]) casadi_copy(w17, 48, res[1]+144);
+  if (res[1]) casadi_copy(w17, 96, res[1]+288);
   /* #142: output[1][4] = @19 */
-  if (res[1]) casadi_copy(w19, 48, res[1]+192);
+  if (res[1]) casadi_copy(w19, 96, res[1]+384);
   /* #143: output[1][5] = @21 */
-  if (res[1]) casadi_copy(w21, 48, res[1]+240);
+  if (res[1]) casadi_copy(w21, 96, res[1]+480);
   /* #144: output[1][6] = @23 */
-  if (res[1]) casadi_copy(w23, 48, res[1]+288);
+  if (res[1]) casadi_copy(w23, 96, res[1]+576);
   /* #145: output[1][7] = @25 */
-  if (res[1]) casadi_copy(w25, 48, res[1]+336);
+  if (res[1]) casadi_copy(w25, 96, res[1]+672);
   /* #146: output[1][8] = @27 */
-  if (res[1]) casadi_copy(w27, 48, res[1]+384);
+  if (res[1]) casadi_copy(w27, 96, res[1]+768);
   /* #147: output[1][9] = @29 */
-  if (res[1]) casadi_copy(w29, 48, res[1]+432);
+  if (res[1]) casadi_copy(w29, 96, res[1]+864);
   /* #148: output[1][10] = @31 */
-  if (res[1]) casadi_copy(w31, 48, res[1]+480);
+  if (res[1]) casadi_copy(w31, 96, res[1]+960);
   /* #149: output[1][11] = @33 */
-  if (res[1]) casadi_copy(w33, 48, res[1]+528);
+  if (res[1]) casadi_copy(w33, 96, res[1]+1056);
   /* #150: output[1][12] = @35 */
-  if (res[1]) casadi_copy(w35, 48, res[1]+576);
+  if (res[1]) casadi_copy(w35, 96, res[1]+1152);
   /* #151: output[1][13] = @37 */
-  if (res[1]) casadi_copy(w37, 48, res[1]+624);
+  if (res[1]) casadi_copy(w37, 96, res[1]+1248);
   /* #152: output[1][14] = @39 */
-  if (res[1]) casadi_copy(w39, 48, res[1]+672);
+  if (res[1]) casadi_copy(w39, 96, res[1]+1344);
   /* #153: output[1][15] = @41 */
-  if (res[1]) casadi_copy(w41, 48, res[1]+720);
+  if (res[1]) casadi_copy(w41, 96, res[1]+1440);
   /* #154: output[1][16] = @43 */
-  if (res[1]) casadi_copy(w43, 48, res[1]+768);
+  if (res[1]) casadi_copy(w43, 96, res[1]+1536);
   /* #155: output[1][17] = @45 */
-  if (res[1]) casadi_copy(w45, 48, res[1]+816);
+  if (res[1]) casadi_copy(w45, 96, res[1]+1632);
   /* #156: output[1][18] = @47 */
-  if (res[1]) casadi_copy(w47, 48, res[1]+864);
+  if (res[1]) casadi_copy(w47, 96, res[1]+1728);
   /* #157: output[1][19] = @49 */
-  if (res[1]) casadi_copy(w49, 48, res[1]+912);
+  if (res[1]) casadi_copy(w49, 96, res[1]+1824);
   /* #158: output[1][20] = @51 */
-  if (res[1]) casadi_copy(w51, 48, res[1]+960);
+  if (res[1]) casadi_copy(w51, 96, res[1]+1920);
   /* #159: output[1][21] = @53 */
-  if (res[1]) casadi_copy(w53, 48, res[1]+1008);
+  if (res[1]) casadi_copy(w53, 96, res[1]+2016);
   /* #160: output[1][22] = @55 */
-  if (res[1]) casadi_copy(w55, 48, res[1]+1056);
+  if (res[1]) casadi_copy(w55, 96, res[1]+2112);
   /* #161: output[1][23] = @57 */
-  if (res[1]) casadi_copy(w57, 48, res[1]+1104);
+  if (res[1]) casadi_copy(w57, 96, res[1]+2208);
   /* #162: output[1][24] = @59 */
-  if (res[1]) casadi_copy(w59, 48, res[1]+1152);
+  if (res[1]) casadi_copy(w59, 96, res[1]+2304);
   /* #163: output[1][25] = @61 */
-  if (res[1]) casadi_copy(w61, 48, res[1]+1200);
+  if (res[1]) casadi_copy(w61, 96, res[1]+2400);
   /* #164: output[1][26] = @63 */
-  if (res[1]) casadi_copy(w63, 48, res[1]+1248);
+  if (res[1]) casadi_copy(w63, 96, res[1]+2496);
   /* #165: output[1][27] = @65 */
-  if (res[1]) casadi_copy(w65, 48, res[1]+1296);
+  if (res[1]) casadi_copy(w65, 96, res[1]+2592);
   /* #166: output[1][28] = @67 */
-  if (res[1]) casadi_copy(w67, 48, res[1]+1344);
+  if (res[1]) casadi_copy(w67, 96, res[1]+2688);
   /* #167: output[1][29] = @69 */
-  if (res[1]) casadi_copy(w69, 48, res[1]+1392);
+  if (res[1]) casadi_copy(w69, 96, res[1]+2784);
   /* #168: output[1][30] = @71 */
-  if (res[1]) casadi_copy(w71, 48, res[1]+1440);
+  if (res[1]) casadi_copy(w71, 96, res[1]+2880);
   /* #169: output[1][31] = @73 */
-  if (res[1]) casadi_copy(w73, 48, res[1]+1488);
+  if (res[1]) casadi_copy(w73, 96, res[1]+2976);
   /* #170: @1 = @8[:6] */
   for (rr=w01, cs=w08+0; cs!=w08+6; cs+=1) *rr++ = *cs;
   /* #171: {@75, @76} = observe(@2, @1, @4) */
@@ -23996,73 +24119,73 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w76;
   if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
   /* #172: output[1][32] = @75 */
-  if (res[1]) casadi_copy(w75, 8, res[1]+1536);
+  if (res[1]) casadi_copy(w75, 8, res[1]+3072);
   /* #173: output[2][0] = @12 */
-  casadi_copy(w12, 48, res[2]);
+  casadi_copy(w12, 96, res[2]);
   /* #174: output[2][1] = @14 */
-  if (res[2]) casadi_copy(w14, 48, res[2]+48);
+  if (res[2]) casadi_copy(w14, 96, res[2]+96);
   /* #175: output[2][2] = @16 */
-  if (res[2]) casadi_copy(w16, 48, res[2]+96);
+  if (res[2]) casadi_copy(w16, 96, res[2]+192);
   /* #176: output[2][3] = @18 */
-  if (res[2]) casadi_copy(w18, 48, res[2]+144);
+  if (res[2]) casadi_copy(w18, 96, res[2]+288);
   /* #177: output[2][4] = @20 */
-  if (res[2]) casadi_copy(w20, 48, res[2]+192);
+  if (res[2]) casadi_copy(w20, 96, res[2]+384);
   /* #178: output[2][5] = @22 */
-  if (res[2]) casadi_copy(w22, 48, res[2]+240);
+  if (res[2]) casadi_copy(w22, 96, res[2]+480);
   /* #179: output[2][6] = @24 */
-  if (res[2]) casadi_copy(w24, 48, res[2]+288);
+  if (res[2]) casadi_copy(w24, 96, res[2]+576);
   /* #180: output[2][7] = @26 */
-  if (res[2]) casadi_copy(w26, 48, res[2]+336);
+  if (res[2]) casadi_copy(w26, 96, res[2]+672);
   /* #181: output[2][8] = @28 */
-  if (res[2]) casadi_copy(w28, 48, res[2]+384);
+  if (res[2]) casadi_copy(w28, 96, res[2]+768);
   /* #182: output[2][9] = @30 */
-  if (res[2]) casadi_copy(w30, 48, res[2]+432);
+  if (res[2]) casadi_copy(w30, 96, res[2]+864);
   /* #183: output[2][10] = @32 */
-  if (res[2]) casadi_copy(w32, 48, res[2]+480);
+  if (res[2]) casadi_copy(w32, 96, res[2]+960);
   /* #184: output[2][11] = @34 */
-  if (res[2]) casadi_copy(w34, 48, res[2]+528);
+  if (res[2]) casadi_copy(w34, 96, res[2]+1056);
   /* #185: output[2][12] = @36 */
-  if (res[2]) casadi_copy(w36, 48, res[2]+576);
+  if (res[2]) casadi_copy(w36, 96, res[2]+1152);
   /* #186: output[2][13] = @38 */
-  if (res[2]) casadi_copy(w38, 48, res[2]+624);
+  if (res[2]) casadi_copy(w38, 96, res[2]+1248);
   /* #187: output[2][14] = @40 */
-  if (res[2]) casadi_copy(w40, 48, res[2]+672);
+  if (res[2]) casadi_copy(w40, 96, res[2]+1344);
   /* #188: output[2][15] = @42 */
-  if (res[2]) casadi_copy(w42, 48, res[2]+720);
+  if (res[2]) casadi_copy(w42, 96, res[2]+1440);
   /* #189: output[2][16] = @44 */
-  if (res[2]) casadi_copy(w44, 48, res[2]+768);
+  if (res[2]) casadi_copy(w44, 96, res[2]+1536);
   /* #190: output[2][17] = @46 */
-  if (res[2]) casadi_copy(w46, 48, res[2]+816);
+  if (res[2]) casadi_copy(w46, 96, res[2]+1632);
   /* #191: output[2][18] = @48 */
-  if (res[2]) casadi_copy(w48, 48, res[2]+864);
+  if (res[2]) casadi_copy(w48, 96, res[2]+1728);
   /* #192: output[2][19] = @50 */
-  if (res[2]) casadi_copy(w50, 48, res[2]+912);
+  if (res[2]) casadi_copy(w50, 96, res[2]+1824);
   /* #193: output[2][20] = @52 */
-  if (res[2]) casadi_copy(w52, 48, res[2]+960);
+  if (res[2]) casadi_copy(w52, 96, res[2]+1920);
   /* #194: output[2][21] = @54 */
-  if (res[2]) casadi_copy(w54, 48, res[2]+1008);
+  if (res[2]) casadi_copy(w54, 96, res[2]+2016);
   /* #195: output[2][22] = @56 */
-  if (res[2]) casadi_copy(w56, 48, res[2]+1056);
+  if (res[2]) casadi_copy(w56, 96, res[2]+2112);
   /* #196: output[2][23] = @58 */
-  if (res[2]) casadi_copy(w58, 48, res[2]+1104);
+  if (res[2]) casadi_copy(w58, 96, res[2]+2208);
   /* #197: output[2][24] = @60 */
-  if (res[2]) casadi_copy(w60, 48, res[2]+1152);
+  if (res[2]) casadi_copy(w60, 96, res[2]+2304);
   /* #198: output[2][25] = @62 */
-  if (res[2]) casadi_copy(w62, 48, res[2]+1200);
+  if (res[2]) casadi_copy(w62, 96, res[2]+2400);
   /* #199: output[2][26] = @64 */
-  if (res[2]) casadi_copy(w64, 48, res[2]+1248);
+  if (res[2]) casadi_copy(w64, 96, res[2]+2496);
   /* #200: output[2][27] = @66 */
-  if (res[2]) casadi_copy(w66, 48, res[2]+1296);
+  if (res[2]) casadi_copy(w66, 96, res[2]+2592);
   /* #201: output[2][28] = @68 */
-  if (res[2]) casadi_copy(w68, 48, res[2]+1344);
+  if (res[2]) casadi_copy(w68, 96, res[2]+2688);
   /* #202: output[2][29] = @70 */
-  if (res[2]) casadi_copy(w70, 48, res[2]+1392);
+  if (res[2]) casadi_copy(w70, 96, res[2]+2784);
   /* #203: output[2][30] = @72 */
-  if (res[2]) casadi_copy(w72, 48, res[2]+1440);
+  if (res[2]) casadi_copy(w72, 96, res[2]+2880);
   /* #204: output[2][31] = @74 */
-  if (res[2]) casadi_copy(w74, 48, res[2]+1488);
+  if (res[2]) casadi_copy(w74, 96, res[2]+2976);
   /* #205: output[2][32] = @76 */
-  if (res[2]) casadi_copy(w76, 8, res[2]+1536);
+  if (res[2]) casadi_copy(w76, 8, res[2]+3072);
   /* #206: @1 = @8[:6] */
   for (rr=w01, cs=w08+0; cs!=w08+6; cs+=1) *rr++ = *cs;
   /* #207: @77 = landing(@1, @6, @4) */
@@ -24143,7 +24266,7 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_384_work(casadi_int *sz_arg, casadi_int*
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 3455;
+  if (sz_w) *sz_w = 6652;
   return 0;
 }
 
@@ -24151,23 +24274,23 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_384_work_bytes(casadi_int *sz_arg, casad
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 3455*sizeof(casadi_real);
+  if (sz_w) *sz_w = 6652*sizeof(casadi_real);
   return 0;
 }
 
-/* wobbling_trace_576:(u[6],p[8])->(w[7x289],g[8x289],dg[8x289],R[6]) */
+/* wobbling_trace_576:(u[6],p[8])->(w[7x577],g[8x577],dg[8x577],R[6]) */
 static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+4, *rr, w000, *w001=w+270, w002, w003, *w005=w+276, *w006=w+300, w007, *w008=w+305, *w009=w+312, *w010=w+319;
-  casadi_real *w011=w+361, *w012=w+409, *w013=w+457, *w014=w+505, *w015=w+553, *w016=w+601, *w017=w+649, *w018=w+697, *w019=w+745, *w020=w+793, *w021=w+841, *w022=w+889;
-  casadi_real *w023=w+937, *w024=w+985, *w025=w+1033, *w026=w+1081, *w027=w+1129, *w028=w+1177, *w029=w+1225, *w030=w+1273, *w031=w+1321, *w032=w+1369, *w033=w+1417, *w034=w+1465;
-  casadi_real *w035=w+1513, *w036=w+1561, *w037=w+1609, *w038=w+1657, *w039=w+1705, *w040=w+1753, *w041=w+1801, *w042=w+1849, *w043=w+1897, *w044=w+1945, *w045=w+1993, *w046=w+2041;
-  casadi_real *w047=w+2089, *w048=w+2137, *w049=w+2185, *w050=w+2233, *w051=w+2281, *w052=w+2329, *w053=w+2377, *w054=w+2425, *w055=w+2473, *w056=w+2521, *w057=w+2569, *w058=w+2617;
-  casadi_real *w059=w+2665, *w060=w+2713, *w061=w+2761, *w062=w+2809, *w063=w+2857, *w064=w+2905, *w065=w+2953, *w066=w+3001, *w067=w+3049, *w068=w+3097, *w069=w+3145, *w070=w+3193;
-  casadi_real *w071=w+3241, *w072=w+3289, *w073=w+3337, *w074=w+3385, *w075=w+3433, *w076=w+3481, *w077=w+3529, *w078=w+3577, *w079=w+3625, *w080=w+3673, *w081=w+3721, *w082=w+3769;
-  casadi_real *w083=w+3817, *w084=w+3865, *w085=w+3913, *w086=w+3961, *w087=w+4009, *w088=w+4057, *w089=w+4105, *w090=w+4153, *w091=w+4201, *w092=w+4249, *w093=w+4297, *w094=w+4345;
-  casadi_real *w095=w+4393, *w096=w+4441, *w097=w+4489, *w098=w+4537, *w099=w+4585, *w100=w+4633, *w101=w+4681, *w102=w+4729, *w103=w+4777, *w104=w+4825, *w105=w+4873, *w106=w+4921;
-  casadi_real *w107=w+4969, *w108=w+4977, *w109=w+4985;
+  casadi_real **res1=res+4, *rr, w000, *w001=w+353, w002, w003, *w005=w+359, *w006=w+383, w007, *w008=w+388, *w009=w+395, *w010=w+402;
+  casadi_real *w011=w+486, *w012=w+582, *w013=w+678, *w014=w+774, *w015=w+870, *w016=w+966, *w017=w+1062, *w018=w+1158, *w019=w+1254, *w020=w+1350, *w021=w+1446, *w022=w+1542;
+  casadi_real *w023=w+1638, *w024=w+1734, *w025=w+1830, *w026=w+1926, *w027=w+2022, *w028=w+2118, *w029=w+2214, *w030=w+2310, *w031=w+2406, *w032=w+2502, *w033=w+2598, *w034=w+2694;
+  casadi_real *w035=w+2790, *w036=w+2886, *w037=w+2982, *w038=w+3078, *w039=w+3174, *w040=w+3270, *w041=w+3366, *w042=w+3462, *w043=w+3558, *w044=w+3654, *w045=w+3750, *w046=w+3846;
+  casadi_real *w047=w+3942, *w048=w+4038, *w049=w+4134, *w050=w+4230, *w051=w+4326, *w052=w+4422, *w053=w+4518, *w054=w+4614, *w055=w+4710, *w056=w+4806, *w057=w+4902, *w058=w+4998;
+  casadi_real *w059=w+5094, *w060=w+5190, *w061=w+5286, *w062=w+5382, *w063=w+5478, *w064=w+5574, *w065=w+5670, *w066=w+5766, *w067=w+5862, *w068=w+5958, *w069=w+6054, *w070=w+6150;
+  casadi_real *w071=w+6246, *w072=w+6342, *w073=w+6438, *w074=w+6534, *w075=w+6630, *w076=w+6726, *w077=w+6822, *w078=w+6918, *w079=w+7014, *w080=w+7110, *w081=w+7206, *w082=w+7302;
+  casadi_real *w083=w+7398, *w084=w+7494, *w085=w+7590, *w086=w+7686, *w087=w+7782, *w088=w+7878, *w089=w+7974, *w090=w+8070, *w091=w+8166, *w092=w+8262, *w093=w+8358, *w094=w+8454;
+  casadi_real *w095=w+8550, *w096=w+8646, *w097=w+8742, *w098=w+8838, *w099=w+8934, *w100=w+9030, *w101=w+9126, *w102=w+9222, *w103=w+9318, *w104=w+9414, *w105=w+9510, *w106=w+9606;
+  casadi_real *w107=w+9702, *w108=w+9710, *w109=w+9718;
   const casadi_real **arg1=arg+2, *cs, *wr004;
   /* #0: @0 = 0 */
   w000 = 0.;
@@ -24211,7 +24334,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w012;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
-  casadi_copy(w010, 42, res[0]);
+  casadi_copy(w010, 84, res[0]);
   /* #13: @0 = 0.0208333 */
   w000 = 2.0833333333333332e-02;
   /* #14: @0 = (@0*@2) */
@@ -24228,7 +24351,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w014;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+42);
+  if (res[0]) casadi_copy(w010, 84, res[0]+84);
   /* #17: @0 = 0.0416667 */
   w000 = 4.1666666666666664e-02;
   /* #18: @0 = (@0*@2) */
@@ -24245,7 +24368,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w016;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+84);
+  if (res[0]) casadi_copy(w010, 84, res[0]+168);
   /* #21: @0 = 0.0625 */
   w000 = 6.2500000000000000e-02;
   /* #22: @0 = (@0*@2) */
@@ -24262,7 +24385,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w018;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+126);
+  if (res[0]) casadi_copy(w010, 84, res[0]+252);
   /* #25: @0 = 0.0833333 */
   w000 = 8.3333333333333329e-02;
   /* #26: @0 = (@0*@2) */
@@ -24279,7 +24402,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w020;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+168);
+  if (res[0]) casadi_copy(w010, 84, res[0]+336);
   /* #29: @0 = 0.104167 */
   w000 = 1.0416666666666667e-01;
   /* #30: @0 = (@0*@2) */
@@ -24296,7 +24419,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w022;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+210);
+  if (res[0]) casadi_copy(w010, 84, res[0]+420);
   /* #33: @0 = 0.125 */
   w000 = 1.2500000000000000e-01;
   /* #34: @0 = (@0*@2) */
@@ -24313,7 +24436,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w024;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[0][6] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+252);
+  if (res[0]) casadi_copy(w010, 84, res[0]+504);
   /* #37: @0 = 0.145833 */
   w000 = 1.4583333333333334e-01;
   /* #38: @0 = (@0*@2) */
@@ -24330,7 +24453,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w026;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[0][7] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+294);
+  if (res[0]) casadi_copy(w010, 84, res[0]+588);
   /* #41: @0 = 0.166667 */
   w000 = 1.6666666666666666e-01;
   /* #42: @0 = (@0*@2) */
@@ -24347,7 +24470,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w028;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #44: output[0][8] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+336);
+  if (res[0]) casadi_copy(w010, 84, res[0]+672);
   /* #45: @0 = 0.1875 */
   w000 = 1.8750000000000000e-01;
   /* #46: @0 = (@0*@2) */
@@ -24364,7 +24487,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w030;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #48: output[0][9] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+378);
+  if (res[0]) casadi_copy(w010, 84, res[0]+756);
   /* #49: @0 = 0.208333 */
   w000 = 2.0833333333333334e-01;
   /* #50: @0 = (@0*@2) */
@@ -24381,7 +24504,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w032;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[0][10] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+420);
+  if (res[0]) casadi_copy(w010, 84, res[0]+840);
   /* #53: @0 = 0.229167 */
   w000 = 2.2916666666666666e-01;
   /* #54: @0 = (@0*@2) */
@@ -24398,7 +24521,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w034;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #56: output[0][11] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+462);
+  if (res[0]) casadi_copy(w010, 84, res[0]+924);
   /* #57: @0 = 0.25 */
   w000 = 2.5000000000000000e-01;
   /* #58: @0 = (@0*@2) */
@@ -24415,7 +24538,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w036;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #60: output[0][12] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+504);
+  if (res[0]) casadi_copy(w010, 84, res[0]+1008);
   /* #61: @0 = 0.270833 */
   w000 = 2.7083333333333331e-01;
   /* #62: @0 = (@0*@2) */
@@ -24432,7 +24555,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w038;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #64: output[0][13] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+546);
+  if (res[0]) casadi_copy(w010, 84, res[0]+1092);
   /* #65: @0 = 0.291667 */
   w000 = 2.9166666666666669e-01;
   /* #66: @0 = (@0*@2) */
@@ -24449,7 +24572,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w040;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #68: output[0][14] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+588);
+  if (res[0]) casadi_copy(w010, 84, res[0]+1176);
   /* #69: @0 = 0.3125 */
   w000 = 3.1250000000000000e-01;
   /* #70: @0 = (@0*@2) */
@@ -24466,7 +24589,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w042;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #72: output[0][15] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+630);
+  if (res[0]) casadi_copy(w010, 84, res[0]+1260);
   /* #73: @0 = 0.333333 */
   w000 = 3.3333333333333331e-01;
   /* #74: @0 = (@0*@2) */
@@ -24483,7 +24606,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w044;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #76: output[0][16] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+672);
+  if (res[0]) casadi_copy(w010, 84, res[0]+1344);
   /* #77: @0 = 0.354167 */
   w000 = 3.5416666666666669e-01;
   /* #78: @0 = (@0*@2) */
@@ -24500,7 +24623,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w046;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #80: output[0][17] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+714);
+  if (res[0]) casadi_copy(w010, 84, res[0]+1428);
   /* #81: @0 = 0.375 */
   w000 = 3.7500000000000000e-01;
   /* #82: @0 = (@0*@2) */
@@ -24517,7 +24640,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w048;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #84: output[0][18] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+756);
+  if (res[0]) casadi_copy(w010, 84, res[0]+1512);
   /* #85: @0 = 0.395833 */
   w000 = 3.9583333333333331e-01;
   /* #86: @0 = (@0*@2) */
@@ -24534,7 +24657,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w050;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #88: output[0][19] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+798);
+  if (res[0]) casadi_copy(w010, 84, res[0]+1596);
   /* #89: @0 = 0.416667 */
   w000 = 4.1666666666666669e-01;
   /* #90: @0 = (@0*@2) */
@@ -24551,7 +24674,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w052;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #92: output[0][20] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+840);
+  if (res[0]) casadi_copy(w010, 84, res[0]+1680);
   /* #93: @0 = 0.4375 */
   w000 = 4.3750000000000000e-01;
   /* #94: @0 = (@0*@2) */
@@ -24568,7 +24691,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w054;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #96: output[0][21] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+882);
+  if (res[0]) casadi_copy(w010, 84, res[0]+1764);
   /* #97: @0 = 0.458333 */
   w000 = 4.5833333333333331e-01;
   /* #98: @0 = (@0*@2) */
@@ -24585,7 +24708,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w056;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #100: output[0][22] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+924);
+  if (res[0]) casadi_copy(w010, 84, res[0]+1848);
   /* #101: @0 = 0.479167 */
   w000 = 4.7916666666666669e-01;
   /* #102: @0 = (@0*@2) */
@@ -24602,7 +24725,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w058;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #104: output[0][23] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+966);
+  if (res[0]) casadi_copy(w010, 84, res[0]+1932);
   /* #105: @0 = 0.5 */
   w000 = 5.0000000000000000e-01;
   /* #106: @0 = (@0*@2) */
@@ -24619,7 +24742,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w060;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #108: output[0][24] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+1008);
+  if (res[0]) casadi_copy(w010, 84, res[0]+2016);
   /* #109: @0 = 0.520833 */
   w000 = 5.2083333333333337e-01;
   /* #110: @0 = (@0*@2) */
@@ -24636,7 +24759,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w062;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #112: output[0][25] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+1050);
+  if (res[0]) casadi_copy(w010, 84, res[0]+2100);
   /* #113: @0 = 0.541667 */
   w000 = 5.4166666666666663e-01;
   /* #114: @0 = (@0*@2) */
@@ -24653,7 +24776,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w064;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #116: output[0][26] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+1092);
+  if (res[0]) casadi_copy(w010, 84, res[0]+2184);
   /* #117: @0 = 0.5625 */
   w000 = 5.6250000000000000e-01;
   /* #118: @0 = (@0*@2) */
@@ -24670,7 +24793,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w066;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #120: output[0][27] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+1134);
+  if (res[0]) casadi_copy(w010, 84, res[0]+2268);
   /* #121: @0 = 0.583333 */
   w000 = 5.8333333333333337e-01;
   /* #122: @0 = (@0*@2) */
@@ -24687,7 +24810,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w068;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #124: output[0][28] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+1176);
+  if (res[0]) casadi_copy(w010, 84, res[0]+2352);
   /* #125: @0 = 0.604167 */
   w000 = 6.0416666666666663e-01;
   /* #126: @0 = (@0*@2) */
@@ -24704,7 +24827,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w070;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #128: output[0][29] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+1218);
+  if (res[0]) casadi_copy(w010, 84, res[0]+2436);
   /* #129: @0 = 0.625 */
   w000 = 6.2500000000000000e-01;
   /* #130: @0 = (@0*@2) */
@@ -24721,7 +24844,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w072;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #132: output[0][30] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+1260);
+  if (res[0]) casadi_copy(w010, 84, res[0]+2520);
   /* #133: @0 = 0.645833 */
   w000 = 6.4583333333333337e-01;
   /* #134: @0 = (@0*@2) */
@@ -24738,7 +24861,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w074;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #136: output[0][31] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+1302);
+  if (res[0]) casadi_copy(w010, 84, res[0]+2604);
   /* #137: @0 = 0.666667 */
   w000 = 6.6666666666666663e-01;
   /* #138: @0 = (@0*@2) */
@@ -24755,7 +24878,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w076;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #140: output[0][32] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+1344);
+  if (res[0]) casadi_copy(w010, 84, res[0]+2688);
   /* #141: @0 = 0.6875 */
   w000 = 6.8750000000000000e-01;
   /* #142: @0 = (@0*@2) */
@@ -24772,7 +24895,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w078;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #144: output[0][33] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+1386);
+  if (res[0]) casadi_copy(w010, 84, res[0]+2772);
   /* #145: @0 = 0.708333 */
   w000 = 7.0833333333333337e-01;
   /* #146: @0 = (@0*@2) */
@@ -24789,7 +24912,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w080;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #148: output[0][34] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+1428);
+  if (res[0]) casadi_copy(w010, 84, res[0]+2856);
   /* #149: @0 = 0.729167 */
   w000 = 7.2916666666666663e-01;
   /* #150: @0 = (@0*@2) */
@@ -24806,7 +24929,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w082;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #152: output[0][35] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+1470);
+  if (res[0]) casadi_copy(w010, 84, res[0]+2940);
   /* #153: @0 = 0.75 */
   w000 = 7.5000000000000000e-01;
   /* #154: @0 = (@0*@2) */
@@ -24823,7 +24946,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w084;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #156: output[0][36] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+1512);
+  if (res[0]) casadi_copy(w010, 84, res[0]+3024);
   /* #157: @0 = 0.770833 */
   w000 = 7.7083333333333337e-01;
   /* #158: @0 = (@0*@2) */
@@ -24840,7 +24963,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w086;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #160: output[0][37] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+1554);
+  if (res[0]) casadi_copy(w010, 84, res[0]+3108);
   /* #161: @0 = 0.791667 */
   w000 = 7.9166666666666663e-01;
   /* #162: @0 = (@0*@2) */
@@ -24857,7 +24980,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w088;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #164: output[0][38] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+1596);
+  if (res[0]) casadi_copy(w010, 84, res[0]+3192);
   /* #165: @0 = 0.8125 */
   w000 = 8.1250000000000000e-01;
   /* #166: @0 = (@0*@2) */
@@ -24874,7 +24997,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w090;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #168: output[0][39] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+1638);
+  if (res[0]) casadi_copy(w010, 84, res[0]+3276);
   /* #169: @0 = 0.833333 */
   w000 = 8.3333333333333337e-01;
   /* #170: @0 = (@0*@2) */
@@ -24891,7 +25014,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w092;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #172: output[0][40] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+1680);
+  if (res[0]) casadi_copy(w010, 84, res[0]+3360);
   /* #173: @0 = 0.854167 */
   w000 = 8.5416666666666663e-01;
   /* #174: @0 = (@0*@2) */
@@ -24908,7 +25031,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w094;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #176: output[0][41] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+1722);
+  if (res[0]) casadi_copy(w010, 84, res[0]+3444);
   /* #177: @0 = 0.875 */
   w000 = 8.7500000000000000e-01;
   /* #178: @0 = (@0*@2) */
@@ -24925,7 +25048,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w096;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #180: output[0][42] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+1764);
+  if (res[0]) casadi_copy(w010, 84, res[0]+3528);
   /* #181: @0 = 0.895833 */
   w000 = 8.9583333333333337e-01;
   /* #182: @0 = (@0*@2) */
@@ -24942,7 +25065,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w098;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #184: output[0][43] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+1806);
+  if (res[0]) casadi_copy(w010, 84, res[0]+3612);
   /* #185: @0 = 0.916667 */
   w000 = 9.1666666666666663e-01;
   /* #186: @0 = (@0*@2) */
@@ -24959,7 +25082,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w100;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #188: output[0][44] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+1848);
+  if (res[0]) casadi_copy(w010, 84, res[0]+3696);
   /* #189: @0 = 0.9375 */
   w000 = 9.3750000000000000e-01;
   /* #190: @0 = (@0*@2) */
@@ -24976,7 +25099,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w102;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #192: output[0][45] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+1890);
+  if (res[0]) casadi_copy(w010, 84, res[0]+3780);
   /* #193: @0 = 0.958333 */
   w000 = 9.5833333333333337e-01;
   /* #194: @0 = (@0*@2) */
@@ -24993,7 +25116,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w104;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #196: output[0][46] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+1932);
+  if (res[0]) casadi_copy(w010, 84, res[0]+3864);
   /* #197: @0 = 0.979167 */
   w000 = 9.7916666666666663e-01;
   /* #198: @0 = (@0*@2) */
@@ -25010,105 +25133,105 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w106;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #200: output[0][47] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+1974);
+  if (res[0]) casadi_copy(w010, 84, res[0]+3948);
   /* #201: output[0][48] = @8 */
-  if (res[0]) casadi_copy(w008, 7, res[0]+2016);
+  if (res[0]) casadi_copy(w008, 7, res[0]+4032);
   /* #202: output[1][0] = @11 */
-  casadi_copy(w011, 48, res[1]);
+  casadi_copy(w011, 96, res[1]);
   /* #203: output[1][1] = @13 */
-  if (res[1]) casadi_copy(w013, 48, res[1]+48);
+  if (res[1]) casadi_copy(w013, 96, res[1]+96);
   /* #204: output[1][2] = @15 */
-  if (res[1]) casadi_copy(w015, 48, res[1]+96);
+  if (res[1]) casadi_copy(w015, 96, res[1]+192);
   /* #205: output[1][3] = @17 */
-  if (res[1]) casadi_copy(w017, 48, res[1]+144);
+  if (res[1]) casadi_copy(w017, 96, res[1]+288);
   /* #206: output[1][4] = @19 */
-  if (res[1]) casadi_copy(w019, 48, res[1]+192);
+  if (res[1]) casadi_copy(w019, 96, res[1]+384);
   /* #207: output[1][5] = @21 */
-  if (res[1]) casadi_copy(w021, 48, res[1]+240);
+  if (res[1]) casadi_copy(w021, 96, res[1]+480);
   /* #208: output[1][6] = @23 */
-  if (res[1]) casadi_copy(w023, 48, res[1]+288);
+  if (res[1]) casadi_copy(w023, 96, res[1]+576);
   /* #209: output[1][7] = @25 */
-  if (res[1]) casadi_copy(w025, 48, res[1]+336);
+  if (res[1]) casadi_copy(w025, 96, res[1]+672);
   /* #210: output[1][8] = @27 */
-  if (res[1]) casadi_copy(w027, 48, res[1]+384);
+  if (res[1]) casadi_copy(w027, 96, res[1]+768);
   /* #211: output[1][9] = @29 */
-  if (res[1]) casadi_copy(w029, 48, res[1]+432);
+  if (res[1]) casadi_copy(w029, 96, res[1]+864);
   /* #212: output[1][10] = @31 */
-  if (res[1]) casadi_copy(w031, 48, res[1]+480);
+  if (res[1]) casadi_copy(w031, 96, res[1]+960);
   /* #213: output[1][11] = @33 */
-  if (res[1]) casadi_copy(w033, 48, res[1]+528);
+  if (res[1]) casadi_copy(w033, 96, res[1]+1056);
   /* #214: output[1][12] = @35 */
-  if (res[1]) casadi_copy(w035, 48, res[1]+576);
+  if (res[1]) casadi_copy(w035, 96, res[1]+1152);
   /* #215: output[1][13] = @37 */
-  if (res[1]) casadi_copy(w037, 48, res[1]+624);
+  if (res[1]) casadi_copy(w037, 96, res[1]+1248);
   /* #216: output[1][14] = @39 */
-  if (res[1]) casadi_copy(w039, 48, res[1]+672);
+  if (res[1]) casadi_copy(w039, 96, res[1]+1344);
   /* #217: output[1][15] = @41 */
-  if (res[1]) casadi_copy(w041, 48, res[1]+720);
+  if (res[1]) casadi_copy(w041, 96, res[1]+1440);
   /* #218: output[1][16] = @43 */
-  if (res[1]) casadi_copy(w043, 48, res[1]+768);
+  if (res[1]) casadi_copy(w043, 96, res[1]+1536);
   /* #219: output[1][17] = @45 */
-  if (res[1]) casadi_copy(w045, 48, res[1]+816);
+  if (res[1]) casadi_copy(w045, 96, res[1]+1632);
   /* #220: output[1][18] = @47 */
-  if (res[1]) casadi_copy(w047, 48, res[1]+864);
+  if (res[1]) casadi_copy(w047, 96, res[1]+1728);
   /* #221: output[1][19] = @49 */
-  if (res[1]) casadi_copy(w049, 48, res[1]+912);
+  if (res[1]) casadi_copy(w049, 96, res[1]+1824);
   /* #222: output[1][20] = @51 */
-  if (res[1]) casadi_copy(w051, 48, res[1]+960);
+  if (res[1]) casadi_copy(w051, 96, res[1]+1920);
   /* #223: output[1][21] = @53 */
-  if (res[1]) casadi_copy(w053, 48, res[1]+1008);
+  if (res[1]) casadi_copy(w053, 96, res[1]+2016);
   /* #224: output[1][22] = @55 */
-  if (res[1]) casadi_copy(w055, 48, res[1]+1056);
+  if (res[1]) casadi_copy(w055, 96, res[1]+2112);
   /* #225: output[1][23] = @57 */
-  if (res[1]) casadi_copy(w057, 48, res[1]+1104);
+  if (res[1]) casadi_copy(w057, 96, res[1]+2208);
   /* #226: output[1][24] = @59 */
-  if (res[1]) casadi_copy(w059, 48, res[1]+1152);
+  if (res[1]) casadi_copy(w059, 96, res[1]+2304);
   /* #227: output[1][25] = @61 */
-  if (res[1]) casadi_copy(w061, 48, res[1]+1200);
+  if (res[1]) casadi_copy(w061, 96, res[1]+2400);
   /* #228: output[1][26] = @63 */
-  if (res[1]) casadi_copy(w063, 48, res[1]+1248);
+  if (res[1]) casadi_copy(w063, 96, res[1]+2496);
   /* #229: output[1][27] = @65 */
-  if (res[1]) casadi_copy(w065, 48, res[1]+1296);
+  if (res[1]) casadi_copy(w065, 96, res[1]+2592);
   /* #230: output[1][28] = @67 */
-  if (res[1]) casadi_copy(w067, 48, res[1]+1344);
+  if (res[1]) casadi_copy(w067, 96, res[1]+2688);
   /* #231: output[1][29] = @69 */
-  if (res[1]) casadi_copy(w069, 48, res[1]+1392);
+  if (res[1]) casadi_copy(w069, 96, res[1]+2784);
   /* #232: output[1][30] = @71 */
-  if (res[1]) casadi_copy(w071, 48, res[1]+1440);
+  if (res[1]) casadi_copy(w071, 96, res[1]+2880);
   /* #233: output[1][31] = @73 */
-  if (res[1]) casadi_copy(w073, 48, res[1]+1488);
+  if (res[1]) casadi_copy(w073, 96, res[1]+2976);
   /* #234: output[1][32] = @75 */
-  if (res[1]) casadi_copy(w075, 48, res[1]+1536);
+  if (res[1]) casadi_copy(w075, 96, res[1]+3072);
   /* #235: output[1][33] = @77 */
-  if (res[1]) casadi_copy(w077, 48, res[1]+1584);
+  if (res[1]) casadi_copy(w077, 96, res[1]+3168);
   /* #236: output[1][34] = @79 */
-  if (res[1]) casadi_copy(w079, 48, res[1]+1632);
+  if (res[1]) casadi_copy(w079, 96, res[1]+3264);
   /* #237: output[1][35] = @81 */
-  if (res[1]) casadi_copy(w081, 48, res[1]+1680);
+  if (res[1]) casadi_copy(w081, 96, res[1]+3360);
   /* #238: output[1][36] = @83 */
-  if (res[1]) casadi_copy(w083, 48, res[1]+1728);
+  if (res[1]) casadi_copy(w083, 96, res[1]+3456);
   /* #239: output[1][37] = @85 */
-  if (res[1]) casadi_copy(w085, 48, res[1]+1776);
+  if (res[1]) casadi_copy(w085, 96, res[1]+3552);
   /* #240: output[1][38] = @87 */
-  if (res[1]) casadi_copy(w087, 48, res[1]+1824);
+  if (res[1]) casadi_copy(w087, 96, res[1]+3648);
   /* #241: output[1][39] = @89 */
-  if (res[1]) casadi_copy(w089, 48, res[1]+1872);
+  if (res[1]) casadi_copy(w089, 96, res[1]+3744);
   /* #242: output[1][40] = @91 */
-  if (res[1]) casadi_copy(w091, 48, res[1]+1920);
+  if (res[1]) casadi_copy(w091, 96, res[1]+3840);
   /* #243: output[1][41] = @93 */
-  if (res[1]) casadi_copy(w093, 48, res[1]+1968);
+  if (res[1]) casadi_copy(w093, 96, res[1]+3936);
   /* #244: output[1][42] = @95 */
-  if (res[1]) casadi_copy(w095, 48, res[1]+2016);
+  if (res[1]) casadi_copy(w095, 96, res[1]+4032);
   /* #245: output[1][43] = @97 */
-  if (res[1]) casadi_copy(w097, 48, res[1]+2064);
+  if (res[1]) casadi_copy(w097, 96, res[1]+4128);
   /* #246: output[1][44] = @99 */
-  if (res[1]) casadi_copy(w099, 48, res[1]+2112);
+  if (res[1]) casadi_copy(w099, 96, res[1]+4224);
   /* #247: output[1][45] = @101 */
-  if (res[1]) casadi_copy(w101, 48, res[1]+2160);
+  if (res[1]) casadi_copy(w101, 96, res[1]+4320);
   /* #248: output[1][46] = @103 */
-  if (res[1]) casadi_copy(w103, 48, res[1]+2208);
+  if (res[1]) casadi_copy(w103, 96, res[1]+4416);
   /* #249: output[1][47] = @105 */
-  if (res[1]) casadi_copy(w105, 48, res[1]+2256);
+  if (res[1]) casadi_copy(w105, 96, res[1]+4512);
   /* #250: @1 = @8[:6] */
   for (rr=w001, cs=w008+0; cs!=w008+6; cs+=1) *rr++ = *cs;
   /* #251: {@107, @108} = observe(@2, @1, @4) */
@@ -25119,105 +25242,105 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w108;
   if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
   /* #252: output[1][48] = @107 */
-  if (res[1]) casadi_copy(w107, 8, res[1]+2304);
+  if (res[1]) casadi_copy(w107, 8, res[1]+4608);
   /* #253: output[2][0] = @12 */
-  casadi_copy(w012, 48, res[2]);
+  casadi_copy(w012, 96, res[2]);
   /* #254: output[2][1] = @14 */
-  if (res[2]) casadi_copy(w014, 48, res[2]+48);
+  if (res[2]) casadi_copy(w014, 96, res[2]+96);
   /* #255: output[2][2] = @16 */
-  if (res[2]) casadi_copy(w016, 48, res[2]+96);
+  if (res[2]) casadi_copy(w016, 96, res[2]+192);
   /* #256: output[2][3] = @18 */
-  if (res[2]) casadi_copy(w018, 48, res[2]+144);
+  if (res[2]) casadi_copy(w018, 96, res[2]+288);
   /* #257: output[2][4] = @20 */
-  if (res[2]) casadi_copy(w020, 48, res[2]+192);
+  if (res[2]) casadi_copy(w020, 96, res[2]+384);
   /* #258: output[2][5] = @22 */
-  if (res[2]) casadi_copy(w022, 48, res[2]+240);
+  if (res[2]) casadi_copy(w022, 96, res[2]+480);
   /* #259: output[2][6] = @24 */
-  if (res[2]) casadi_copy(w024, 48, res[2]+288);
+  if (res[2]) casadi_copy(w024, 96, res[2]+576);
   /* #260: output[2][7] = @26 */
-  if (res[2]) casadi_copy(w026, 48, res[2]+336);
+  if (res[2]) casadi_copy(w026, 96, res[2]+672);
   /* #261: output[2][8] = @28 */
-  if (res[2]) casadi_copy(w028, 48, res[2]+384);
+  if (res[2]) casadi_copy(w028, 96, res[2]+768);
   /* #262: output[2][9] = @30 */
-  if (res[2]) casadi_copy(w030, 48, res[2]+432);
+  if (res[2]) casadi_copy(w030, 96, res[2]+864);
   /* #263: output[2][10] = @32 */
-  if (res[2]) casadi_copy(w032, 48, res[2]+480);
+  if (res[2]) casadi_copy(w032, 96, res[2]+960);
   /* #264: output[2][11] = @34 */
-  if (res[2]) casadi_copy(w034, 48, res[2]+528);
+  if (res[2]) casadi_copy(w034, 96, res[2]+1056);
   /* #265: output[2][12] = @36 */
-  if (res[2]) casadi_copy(w036, 48, res[2]+576);
+  if (res[2]) casadi_copy(w036, 96, res[2]+1152);
   /* #266: output[2][13] = @38 */
-  if (res[2]) casadi_copy(w038, 48, res[2]+624);
+  if (res[2]) casadi_copy(w038, 96, res[2]+1248);
   /* #267: output[2][14] = @40 */
-  if (res[2]) casadi_copy(w040, 48, res[2]+672);
+  if (res[2]) casadi_copy(w040, 96, res[2]+1344);
   /* #268: output[2][15] = @42 */
-  if (res[2]) casadi_copy(w042, 48, res[2]+720);
+  if (res[2]) casadi_copy(w042, 96, res[2]+1440);
   /* #269: output[2][16] = @44 */
-  if (res[2]) casadi_copy(w044, 48, res[2]+768);
+  if (res[2]) casadi_copy(w044, 96, res[2]+1536);
   /* #270: output[2][17] = @46 */
-  if (res[2]) casadi_copy(w046, 48, res[2]+816);
+  if (res[2]) casadi_copy(w046, 96, res[2]+1632);
   /* #271: output[2][18] = @48 */
-  if (res[2]) casadi_copy(w048, 48, res[2]+864);
+  if (res[2]) casadi_copy(w048, 96, res[2]+1728);
   /* #272: output[2][19] = @50 */
-  if (res[2]) casadi_copy(w050, 48, res[2]+912);
+  if (res[2]) casadi_copy(w050, 96, res[2]+1824);
   /* #273: output[2][20] = @52 */
-  if (res[2]) casadi_copy(w052, 48, res[2]+960);
+  if (res[2]) casadi_copy(w052, 96, res[2]+1920);
   /* #274: output[2][21] = @54 */
-  if (res[2]) casadi_copy(w054, 48, res[2]+1008);
+  if (res[2]) casadi_copy(w054, 96, res[2]+2016);
   /* #275: output[2][22] = @56 */
-  if (res[2]) casadi_copy(w056, 48, res[2]+1056);
+  if (res[2]) casadi_copy(w056, 96, res[2]+2112);
   /* #276: output[2][23] = @58 */
-  if (res[2]) casadi_copy(w058, 48, res[2]+1104);
+  if (res[2]) casadi_copy(w058, 96, res[2]+2208);
   /* #277: output[2][24] = @60 */
-  if (res[2]) casadi_copy(w060, 48, res[2]+1152);
+  if (res[2]) casadi_copy(w060, 96, res[2]+2304);
   /* #278: output[2][25] = @62 */
-  if (res[2]) casadi_copy(w062, 48, res[2]+1200);
+  if (res[2]) casadi_copy(w062, 96, res[2]+2400);
   /* #279: output[2][26] = @64 */
-  if (res[2]) casadi_copy(w064, 48, res[2]+1248);
+  if (res[2]) casadi_copy(w064, 96, res[2]+2496);
   /* #280: output[2][27] = @66 */
-  if (res[2]) casadi_copy(w066, 48, res[2]+1296);
+  if (res[2]) casadi_copy(w066, 96, res[2]+2592);
   /* #281: output[2][28] = @68 */
-  if (res[2]) casadi_copy(w068, 48, res[2]+1344);
+  if (res[2]) casadi_copy(w068, 96, res[2]+2688);
   /* #282: output[2][29] = @70 */
-  if (res[2]) casadi_copy(w070, 48, res[2]+1392);
+  if (res[2]) casadi_copy(w070, 96, res[2]+2784);
   /* #283: output[2][30] = @72 */
-  if (res[2]) casadi_copy(w072, 48, res[2]+1440);
+  if (res[2]) casadi_copy(w072, 96, res[2]+2880);
   /* #284: output[2][31] = @74 */
-  if (res[2]) casadi_copy(w074, 48, res[2]+1488);
+  if (res[2]) casadi_copy(w074, 96, res[2]+2976);
   /* #285: output[2][32] = @76 */
-  if (res[2]) casadi_copy(w076, 48, res[2]+1536);
+  if (res[2]) casadi_copy(w076, 96, res[2]+3072);
   /* #286: output[2][33] = @78 */
-  if (res[2]) casadi_copy(w078, 48, res[2]+1584);
+  if (res[2]) casadi_copy(w078, 96, res[2]+3168);
   /* #287: output[2][34] = @80 */
-  if (res[2]) casadi_copy(w080, 48, res[2]+1632);
+  if (res[2]) casadi_copy(w080, 96, res[2]+3264);
   /* #288: output[2][35] = @82 */
-  if (res[2]) casadi_copy(w082, 48, res[2]+1680);
+  if (res[2]) casadi_copy(w082, 96, res[2]+3360);
   /* #289: output[2][36] = @84 */
-  if (res[2]) casadi_copy(w084, 48, res[2]+1728);
+  if (res[2]) casadi_copy(w084, 96, res[2]+3456);
   /* #290: output[2][37] = @86 */
-  if (res[2]) casadi_copy(w086, 48, res[2]+1776);
+  if (res[2]) casadi_copy(w086, 96, res[2]+3552);
   /* #291: output[2][38] = @88 */
-  if (res[2]) casadi_copy(w088, 48, res[2]+1824);
+  if (res[2]) casadi_copy(w088, 96, res[2]+3648);
   /* #292: output[2][39] = @90 */
-  if (res[2]) casadi_copy(w090, 48, res[2]+1872);
+  if (res[2]) casadi_copy(w090, 96, res[2]+3744);
   /* #293: output[2][40] = @92 */
-  if (res[2]) casadi_copy(w092, 48, res[2]+1920);
+  if (res[2]) casadi_copy(w092, 96, res[2]+3840);
   /* #294: output[2][41] = @94 */
-  if (res[2]) casadi_copy(w094, 48, res[2]+1968);
+  if (res[2]) casadi_copy(w094, 96, res[2]+3936);
   /* #295: output[2][42] = @96 */
-  if (res[2]) casadi_copy(w096, 48, res[2]+2016);
+  if (res[2]) casadi_copy(w096, 96, res[2]+4032);
   /* #296: output[2][43] = @98 */
-  if (res[2]) casadi_copy(w098, 48, res[2]+2064);
+  if (res[2]) casadi_copy(w098, 96, res[2]+4128);
   /* #297: output[2][44] = @100 */
-  if (res[2]) casadi_copy(w100, 48, res[2]+2112);
+  if (res[2]) casadi_copy(w100, 96, res[2]+4224);
   /* #298: output[2][45] = @102 */
-  if (res[2]) casadi_copy(w102, 48, res[2]+2160);
+  if (res[2]) casadi_copy(w102, 96, res[2]+4320);
   /* #299: output[2][46] = @104 */
-  if (res[2]) casadi_copy(w104, 48, res[2]+2208);
+  if (res[2]) casadi_copy(w104, 96, res[2]+4416);
   /* #300: output[2][47] = @106 */
-  if (res[2]) casadi_copy(w106, 48, res[2]+2256);
+  if (res[2]) casadi_copy(w106, 96, res[2]+4512);
   /* #301: output[2][48] = @108 */
-  if (res[2]) casadi_copy(w108, 8, res[2]+2304);
+  if (res[2]) casadi_copy(w108, 8, res[2]+4608);
   /* #302: @1 = @8[:6] */
   for (rr=w001, cs=w008+0; cs!=w008+6; cs+=1) *rr++ = *cs;
   /* #303: @109 = landing(@1, @6, @4) */
@@ -25298,7 +25421,7 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_576_work(casadi_int *sz_arg, casadi_int*
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 4991;
+  if (sz_w) *sz_w = 9724;
   return 0;
 }
 
@@ -25306,25 +25429,25 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_576_work_bytes(casadi_int *sz_arg, casad
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 4991*sizeof(casadi_real);
+  if (sz_w) *sz_w = 9724*sizeof(casadi_real);
   return 0;
 }
 
-/* wobbling_trace_768:(u[6],p[8])->(w[7x385],g[8x385],dg[8x385],R[6]) */
+/* wobbling_trace_768:(u[6],p[8])->(w[7x769],g[8x769],dg[8x769],R[6]) */
 static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+4, *rr, w000, *w001=w+270, w002, w003, *w005=w+276, *w006=w+300, w007, *w008=w+305, *w009=w+312, *w010=w+319;
-  casadi_real *w011=w+361, *w012=w+409, *w013=w+457, *w014=w+505, *w015=w+553, *w016=w+601, *w017=w+649, *w018=w+697, *w019=w+745, *w020=w+793, *w021=w+841, *w022=w+889;
-  casadi_real *w023=w+937, *w024=w+985, *w025=w+1033, *w026=w+1081, *w027=w+1129, *w028=w+1177, *w029=w+1225, *w030=w+1273, *w031=w+1321, *w032=w+1369, *w033=w+1417, *w034=w+1465;
-  casadi_real *w035=w+1513, *w036=w+1561, *w037=w+1609, *w038=w+1657, *w039=w+1705, *w040=w+1753, *w041=w+1801, *w042=w+1849, *w043=w+1897, *w044=w+1945, *w045=w+1993, *w046=w+2041;
-  casadi_real *w047=w+2089, *w048=w+2137, *w049=w+2185, *w050=w+2233, *w051=w+2281, *w052=w+2329, *w053=w+2377, *w054=w+2425, *w055=w+2473, *w056=w+2521, *w057=w+2569, *w058=w+2617;
-  casadi_real *w059=w+2665, *w060=w+2713, *w061=w+2761, *w062=w+2809, *w063=w+2857, *w064=w+2905, *w065=w+2953, *w066=w+3001, *w067=w+3049, *w068=w+3097, *w069=w+3145, *w070=w+3193;
-  casadi_real *w071=w+3241, *w072=w+3289, *w073=w+3337, *w074=w+3385, *w075=w+3433, *w076=w+3481, *w077=w+3529, *w078=w+3577, *w079=w+3625, *w080=w+3673, *w081=w+3721, *w082=w+3769;
-  casadi_real *w083=w+3817, *w084=w+3865, *w085=w+3913, *w086=w+3961, *w087=w+4009, *w088=w+4057, *w089=w+4105, *w090=w+4153, *w091=w+4201, *w092=w+4249, *w093=w+4297, *w094=w+4345;
-  casadi_real *w095=w+4393, *w096=w+4441, *w097=w+4489, *w098=w+4537, *w099=w+4585, *w100=w+4633, *w101=w+4681, *w102=w+4729, *w103=w+4777, *w104=w+4825, *w105=w+4873, *w106=w+4921;
-  casadi_real *w107=w+4969, *w108=w+5017, *w109=w+5065, *w110=w+5113, *w111=w+5161, *w112=w+5209, *w113=w+5257, *w114=w+5305, *w115=w+5353, *w116=w+5401, *w117=w+5449, *w118=w+5497;
-  casadi_real *w119=w+5545, *w120=w+5593, *w121=w+5641, *w122=w+5689, *w123=w+5737, *w124=w+5785, *w125=w+5833, *w126=w+5881, *w127=w+5929, *w128=w+5977, *w129=w+6025, *w130=w+6073;
-  casadi_real *w131=w+6121, *w132=w+6169, *w133=w+6217, *w134=w+6265, *w135=w+6313, *w136=w+6361, *w137=w+6409, *w138=w+6457, *w139=w+6505, *w140=w+6513, *w141=w+6521;
+  casadi_real **res1=res+4, *rr, w000, *w001=w+353, w002, w003, *w005=w+359, *w006=w+383, w007, *w008=w+388, *w009=w+395, *w010=w+402;
+  casadi_real *w011=w+486, *w012=w+582, *w013=w+678, *w014=w+774, *w015=w+870, *w016=w+966, *w017=w+1062, *w018=w+1158, *w019=w+1254, *w020=w+1350, *w021=w+1446, *w022=w+1542;
+  casadi_real *w023=w+1638, *w024=w+1734, *w025=w+1830, *w026=w+1926, *w027=w+2022, *w028=w+2118, *w029=w+2214, *w030=w+2310, *w031=w+2406, *w032=w+2502, *w033=w+2598, *w034=w+2694;
+  casadi_real *w035=w+2790, *w036=w+2886, *w037=w+2982, *w038=w+3078, *w039=w+3174, *w040=w+3270, *w041=w+3366, *w042=w+3462, *w043=w+3558, *w044=w+3654, *w045=w+3750, *w046=w+3846;
+  casadi_real *w047=w+3942, *w048=w+4038, *w049=w+4134, *w050=w+4230, *w051=w+4326, *w052=w+4422, *w053=w+4518, *w054=w+4614, *w055=w+4710, *w056=w+4806, *w057=w+4902, *w058=w+4998;
+  casadi_real *w059=w+5094, *w060=w+5190, *w061=w+5286, *w062=w+5382, *w063=w+5478, *w064=w+5574, *w065=w+5670, *w066=w+5766, *w067=w+5862, *w068=w+5958, *w069=w+6054, *w070=w+6150;
+  casadi_real *w071=w+6246, *w072=w+6342, *w073=w+6438, *w074=w+6534, *w075=w+6630, *w076=w+6726, *w077=w+6822, *w078=w+6918, *w079=w+7014, *w080=w+7110, *w081=w+7206, *w082=w+7302;
+  casadi_real *w083=w+7398, *w084=w+7494, *w085=w+7590, *w086=w+7686, *w087=w+7782, *w088=w+7878, *w089=w+7974, *w090=w+8070, *w091=w+8166, *w092=w+8262, *w093=w+8358, *w094=w+8454;
+  casadi_real *w095=w+8550, *w096=w+8646, *w097=w+8742, *w098=w+8838, *w099=w+8934, *w100=w+9030, *w101=w+9126, *w102=w+9222, *w103=w+9318, *w104=w+9414, *w105=w+9510, *w106=w+9606;
+  casadi_real *w107=w+9702, *w108=w+9798, *w109=w+9894, *w110=w+9990, *w111=w+10086, *w112=w+10182, *w113=w+10278, *w114=w+10374, *w115=w+10470, *w116=w+10566, *w117=w+10662, *w118=w+10758;
+  casadi_real *w119=w+10854, *w120=w+10950, *w121=w+11046, *w122=w+11142, *w123=w+11238, *w124=w+11334, *w125=w+11430, *w126=w+11526, *w127=w+11622, *w128=w+11718, *w129=w+11814, *w130=w+11910;
+  casadi_real *w131=w+12006, *w132=w+12102, *w133=w+12198, *w134=w+12294, *w135=w+12390, *w136=w+12486, *w137=w+12582, *w138=w+12678, *w139=w+12774, *w140=w+12782, *w141=w+12790;
   const casadi_real **arg1=arg+2, *cs, *wr004;
   /* #0: @0 = 0 */
   w000 = 0.;
@@ -25368,7 +25491,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w012;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
-  casadi_copy(w010, 42, res[0]);
+  casadi_copy(w010, 84, res[0]);
   /* #13: @0 = 0.015625 */
   w000 = 1.5625000000000000e-02;
   /* #14: @0 = (@0*@2) */
@@ -25385,7 +25508,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w014;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+42);
+  if (res[0]) casadi_copy(w010, 84, res[0]+84);
   /* #17: @0 = 0.03125 */
   w000 = 3.1250000000000000e-02;
   /* #18: @0 = (@0*@2) */
@@ -25402,7 +25525,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w016;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+84);
+  if (res[0]) casadi_copy(w010, 84, res[0]+168);
   /* #21: @0 = 0.046875 */
   w000 = 4.6875000000000000e-02;
   /* #22: @0 = (@0*@2) */
@@ -25419,7 +25542,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w018;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+126);
+  if (res[0]) casadi_copy(w010, 84, res[0]+252);
   /* #25: @0 = 0.0625 */
   w000 = 6.2500000000000000e-02;
   /* #26: @0 = (@0*@2) */
@@ -25436,7 +25559,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w020;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+168);
+  if (res[0]) casadi_copy(w010, 84, res[0]+336);
   /* #29: @0 = 0.078125 */
   w000 = 7.8125000000000000e-02;
   /* #30: @0 = (@0*@2) */
@@ -25453,7 +25576,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w022;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+210);
+  if (res[0]) casadi_copy(w010, 84, res[0]+420);
   /* #33: @0 = 0.09375 */
   w000 = 9.3750000000000000e-02;
   /* #34: @0 = (@0*@2) */
@@ -25470,7 +25593,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w024;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[0][6] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+252);
+  if (res[0]) casadi_copy(w010, 84, res[0]+504);
   /* #37: @0 = 0.109375 */
   w000 = 1.0937500000000000e-01;
   /* #38: @0 = (@0*@2) */
@@ -25487,7 +25610,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w026;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[0][7] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+294);
+  if (res[0]) casadi_copy(w010, 84, res[0]+588);
   /* #41: @0 = 0.125 */
   w000 = 1.2500000000000000e-01;
   /* #42: @0 = (@0*@2) */
@@ -25504,7 +25627,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w028;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #44: output[0][8] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+336);
+  if (res[0]) casadi_copy(w010, 84, res[0]+672);
   /* #45: @0 = 0.140625 */
   w000 = 1.4062500000000000e-01;
   /* #46: @0 = (@0*@2) */
@@ -25521,7 +25644,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w030;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #48: output[0][9] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+378);
+  if (res[0]) casadi_copy(w010, 84, res[0]+756);
   /* #49: @0 = 0.15625 */
   w000 = 1.5625000000000000e-01;
   /* #50: @0 = (@0*@2) */
@@ -25538,7 +25661,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w032;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[0][10] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+420);
+  if (res[0]) casadi_copy(w010, 84, res[0]+840);
   /* #53: @0 = 0.171875 */
   w000 = 1.7187500000000000e-01;
   /* #54: @0 = (@0*@2) */
@@ -25555,7 +25678,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w034;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #56: output[0][11] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+462);
+  if (res[0]) casadi_copy(w010, 84, res[0]+924);
   /* #57: @0 = 0.1875 */
   w000 = 1.8750000000000000e-01;
   /* #58: @0 = (@0*@2) */
@@ -25572,7 +25695,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w036;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #60: output[0][12] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+504);
+  if (res[0]) casadi_copy(w010, 84, res[0]+1008);
   /* #61: @0 = 0.203125 */
   w000 = 2.0312500000000000e-01;
   /* #62: @0 = (@0*@2) */
@@ -25589,7 +25712,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w038;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #64: output[0][13] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+546);
+  if (res[0]) casadi_copy(w010, 84, res[0]+1092);
   /* #65: @0 = 0.21875 */
   w000 = 2.1875000000000000e-01;
   /* #66: @0 = (@0*@2) */
@@ -25606,7 +25729,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w040;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #68: output[0][14] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+588);
+  if (res[0]) casadi_copy(w010, 84, res[0]+1176);
   /* #69: @0 = 0.234375 */
   w000 = 2.3437500000000000e-01;
   /* #70: @0 = (@0*@2) */
@@ -25623,7 +25746,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w042;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #72: output[0][15] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+630);
+  if (res[0]) casadi_copy(w010, 84, res[0]+1260);
   /* #73: @0 = 0.25 */
   w000 = 2.5000000000000000e-01;
   /* #74: @0 = (@0*@2) */
@@ -25640,7 +25763,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w044;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #76: output[0][16] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+672);
+  if (res[0]) casadi_copy(w010, 84, res[0]+1344);
   /* #77: @0 = 0.265625 */
   w000 = 2.6562500000000000e-01;
   /* #78: @0 = (@0*@2) */
@@ -25657,7 +25780,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w046;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #80: output[0][17] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+714);
+  if (res[0]) casadi_copy(w010, 84, res[0]+1428);
   /* #81: @0 = 0.28125 */
   w000 = 2.8125000000000000e-01;
   /* #82: @0 = (@0*@2) */
@@ -25674,7 +25797,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w048;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #84: output[0][18] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+756);
+  if (res[0]) casadi_copy(w010, 84, res[0]+1512);
   /* #85: @0 = 0.296875 */
   w000 = 2.9687500000000000e-01;
   /* #86: @0 = (@0*@2) */
@@ -25691,7 +25814,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w050;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #88: output[0][19] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+798);
+  if (res[0]) casadi_copy(w010, 84, res[0]+1596);
   /* #89: @0 = 0.3125 */
   w000 = 3.1250000000000000e-01;
   /* #90: @0 = (@0*@2) */
@@ -25708,7 +25831,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w052;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #92: output[0][20] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+840);
+  if (res[0]) casadi_copy(w010, 84, res[0]+1680);
   /* #93: @0 = 0.328125 */
   w000 = 3.2812500000000000e-01;
   /* #94: @0 = (@0*@2) */
@@ -25725,7 +25848,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w054;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #96: output[0][21] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+882);
+  if (res[0]) casadi_copy(w010, 84, res[0]+1764);
   /* #97: @0 = 0.34375 */
   w000 = 3.4375000000000000e-01;
   /* #98: @0 = (@0*@2) */
@@ -25742,7 +25865,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w056;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #100: output[0][22] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+924);
+  if (res[0]) casadi_copy(w010, 84, res[0]+1848);
   /* #101: @0 = 0.359375 */
   w000 = 3.5937500000000000e-01;
   /* #102: @0 = (@0*@2) */
@@ -25759,7 +25882,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w058;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #104: output[0][23] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+966);
+  if (res[0]) casadi_copy(w010, 84, res[0]+1932);
   /* #105: @0 = 0.375 */
   w000 = 3.7500000000000000e-01;
   /* #106: @0 = (@0*@2) */
@@ -25776,7 +25899,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w060;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #108: output[0][24] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+1008);
+  if (res[0]) casadi_copy(w010, 84, res[0]+2016);
   /* #109: @0 = 0.390625 */
   w000 = 3.9062500000000000e-01;
   /* #110: @0 = (@0*@2) */
@@ -25793,7 +25916,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w062;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #112: output[0][25] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+1050);
+  if (res[0]) casadi_copy(w010, 84, res[0]+2100);
   /* #113: @0 = 0.40625 */
   w000 = 4.0625000000000000e-01;
   /* #114: @0 = (@0*@2) */
@@ -25810,7 +25933,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w064;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #116: output[0][26] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+1092);
+  if (res[0]) casadi_copy(w010, 84, res[0]+2184);
   /* #117: @0 = 0.421875 */
   w000 = 4.2187500000000000e-01;
   /* #118: @0 = (@0*@2) */
@@ -25827,7 +25950,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w066;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #120: output[0][27] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+1134);
+  if (res[0]) casadi_copy(w010, 84, res[0]+2268);
   /* #121: @0 = 0.4375 */
   w000 = 4.3750000000000000e-01;
   /* #122: @0 = (@0*@2) */
@@ -25844,7 +25967,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w068;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #124: output[0][28] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+1176);
+  if (res[0]) casadi_copy(w010, 84, res[0]+2352);
   /* #125: @0 = 0.453125 */
   w000 = 4.5312500000000000e-01;
   /* #126: @0 = (@0*@2) */
@@ -25861,7 +25984,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w070;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #128: output[0][29] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+1218);
+  if (res[0]) casadi_copy(w010, 84, res[0]+2436);
   /* #129: @0 = 0.46875 */
   w000 = 4.6875000000000000e-01;
   /* #130: @0 = (@0*@2) */
@@ -25878,7 +26001,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w072;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #132: output[0][30] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+1260);
+  if (res[0]) casadi_copy(w010, 84, res[0]+2520);
   /* #133: @0 = 0.484375 */
   w000 = 4.8437500000000000e-01;
   /* #134: @0 = (@0*@2) */
@@ -25895,7 +26018,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w074;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #136: output[0][31] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+1302);
+  if (res[0]) casadi_copy(w010, 84, res[0]+2604);
   /* #137: @0 = 0.5 */
   w000 = 5.0000000000000000e-01;
   /* #138: @0 = (@0*@2) */
@@ -25912,7 +26035,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w076;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #140: output[0][32] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+1344);
+  if (res[0]) casadi_copy(w010, 84, res[0]+2688);
   /* #141: @0 = 0.515625 */
   w000 = 5.1562500000000000e-01;
   /* #142: @0 = (@0*@2) */
@@ -25929,7 +26052,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w078;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #144: output[0][33] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+1386);
+  if (res[0]) casadi_copy(w010, 84, res[0]+2772);
   /* #145: @0 = 0.53125 */
   w000 = 5.3125000000000000e-01;
   /* #146: @0 = (@0*@2) */
@@ -25946,7 +26069,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w080;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #148: output[0][34] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+1428);
+  if (res[0]) casadi_copy(w010, 84, res[0]+2856);
   /* #149: @0 = 0.546875 */
   w000 = 5.4687500000000000e-01;
   /* #150: @0 = (@0*@2) */
@@ -25963,7 +26086,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w082;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #152: output[0][35] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+1470);
+  if (res[0]) casadi_copy(w010, 84, res[0]+2940);
   /* #153: @0 = 0.5625 */
   w000 = 5.6250000000000000e-01;
   /* #154: @0 = (@0*@2) */
@@ -25980,7 +26103,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w084;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #156: output[0][36] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+1512);
+  if (res[0]) casadi_copy(w010, 84, res[0]+3024);
   /* #157: @0 = 0.578125 */
   w000 = 5.7812500000000000e-01;
   /* #158: @0 = (@0*@2) */
@@ -25997,7 +26120,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w086;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #160: output[0][37] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+1554);
+  if (res[0]) casadi_copy(w010, 84, res[0]+3108);
   /* #161: @0 = 0.59375 */
   w000 = 5.9375000000000000e-01;
   /* #162: @0 = (@0*@2) */
@@ -26014,7 +26137,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w088;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #164: output[0][38] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+1596);
+  if (res[0]) casadi_copy(w010, 84, res[0]+3192);
   /* #165: @0 = 0.609375 */
   w000 = 6.0937500000000000e-01;
   /* #166: @0 = (@0*@2) */
@@ -26031,7 +26154,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w090;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #168: output[0][39] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+1638);
+  if (res[0]) casadi_copy(w010, 84, res[0]+3276);
   /* #169: @0 = 0.625 */
   w000 = 6.2500000000000000e-01;
   /* #170: @0 = (@0*@2) */
@@ -26048,7 +26171,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w092;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #172: output[0][40] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+1680);
+  if (res[0]) casadi_copy(w010, 84, res[0]+3360);
   /* #173: @0 = 0.640625 */
   w000 = 6.4062500000000000e-01;
   /* #174: @0 = (@0*@2) */
@@ -26065,7 +26188,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w094;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #176: output[0][41] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+1722);
+  if (res[0]) casadi_copy(w010, 84, res[0]+3444);
   /* #177: @0 = 0.65625 */
   w000 = 6.5625000000000000e-01;
   /* #178: @0 = (@0*@2) */
@@ -26082,7 +26205,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w096;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #180: output[0][42] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+1764);
+  if (res[0]) casadi_copy(w010, 84, res[0]+3528);
   /* #181: @0 = 0.671875 */
   w000 = 6.7187500000000000e-01;
   /* #182: @0 = (@0*@2) */
@@ -26099,7 +26222,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w098;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #184: output[0][43] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+1806);
+  if (res[0]) casadi_copy(w010, 84, res[0]+3612);
   /* #185: @0 = 0.6875 */
   w000 = 6.8750000000000000e-01;
   /* #186: @0 = (@0*@2) */
@@ -26116,7 +26239,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w100;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #188: output[0][44] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+1848);
+  if (res[0]) casadi_copy(w010, 84, res[0]+3696);
   /* #189: @0 = 0.703125 */
   w000 = 7.0312500000000000e-01;
   /* #190: @0 = (@0*@2) */
@@ -26133,7 +26256,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w102;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #192: output[0][45] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+1890);
+  if (res[0]) casadi_copy(w010, 84, res[0]+3780);
   /* #193: @0 = 0.71875 */
   w000 = 7.1875000000000000e-01;
   /* #194: @0 = (@0*@2) */
@@ -26150,7 +26273,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w104;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #196: output[0][46] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+1932);
+  if (res[0]) casadi_copy(w010, 84, res[0]+3864);
   /* #197: @0 = 0.734375 */
   w000 = 7.3437500000000000e-01;
   /* #198: @0 = (@0*@2) */
@@ -26167,7 +26290,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w106;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #200: output[0][47] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+1974);
+  if (res[0]) casadi_copy(w010, 84, res[0]+3948);
   /* #201: @0 = 0.75 */
   w000 = 7.5000000000000000e-01;
   /* #202: @0 = (@0*@2) */
@@ -26184,7 +26307,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w108;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #204: output[0][48] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+2016);
+  if (res[0]) casadi_copy(w010, 84, res[0]+4032);
   /* #205: @0 = 0.765625 */
   w000 = 7.6562500000000000e-01;
   /* #206: @0 = (@0*@2) */
@@ -26201,7 +26324,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w110;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #208: output[0][49] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+2058);
+  if (res[0]) casadi_copy(w010, 84, res[0]+4116);
   /* #209: @0 = 0.78125 */
   w000 = 7.8125000000000000e-01;
   /* #210: @0 = (@0*@2) */
@@ -26218,7 +26341,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w112;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #212: output[0][50] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+2100);
+  if (res[0]) casadi_copy(w010, 84, res[0]+4200);
   /* #213: @0 = 0.796875 */
   w000 = 7.9687500000000000e-01;
   /* #214: @0 = (@0*@2) */
@@ -26235,7 +26358,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w114;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #216: output[0][51] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+2142);
+  if (res[0]) casadi_copy(w010, 84, res[0]+4284);
   /* #217: @0 = 0.8125 */
   w000 = 8.1250000000000000e-01;
   /* #218: @0 = (@0*@2) */
@@ -26252,7 +26375,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w116;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #220: output[0][52] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+2184);
+  if (res[0]) casadi_copy(w010, 84, res[0]+4368);
   /* #221: @0 = 0.828125 */
   w000 = 8.2812500000000000e-01;
   /* #222: @0 = (@0*@2) */
@@ -26269,7 +26392,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w118;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #224: output[0][53] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+2226);
+  if (res[0]) casadi_copy(w010, 84, res[0]+4452);
   /* #225: @0 = 0.84375 */
   w000 = 8.4375000000000000e-01;
   /* #226: @0 = (@0*@2) */
@@ -26286,7 +26409,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w120;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #228: output[0][54] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+2268);
+  if (res[0]) casadi_copy(w010, 84, res[0]+4536);
   /* #229: @0 = 0.859375 */
   w000 = 8.5937500000000000e-01;
   /* #230: @0 = (@0*@2) */
@@ -26303,7 +26426,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w122;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #232: output[0][55] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+2310);
+  if (res[0]) casadi_copy(w010, 84, res[0]+4620);
   /* #233: @0 = 0.875 */
   w000 = 8.7500000000000000e-01;
   /* #234: @0 = (@0*@2) */
@@ -26320,7 +26443,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w124;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #236: output[0][56] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+2352);
+  if (res[0]) casadi_copy(w010, 84, res[0]+4704);
   /* #237: @0 = 0.890625 */
   w000 = 8.9062500000000000e-01;
   /* #238: @0 = (@0*@2) */
@@ -26337,7 +26460,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w126;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #240: output[0][57] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+2394);
+  if (res[0]) casadi_copy(w010, 84, res[0]+4788);
   /* #241: @0 = 0.90625 */
   w000 = 9.0625000000000000e-01;
   /* #242: @0 = (@0*@2) */
@@ -26354,7 +26477,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w128;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #244: output[0][58] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+2436);
+  if (res[0]) casadi_copy(w010, 84, res[0]+4872);
   /* #245: @0 = 0.921875 */
   w000 = 9.2187500000000000e-01;
   /* #246: @0 = (@0*@2) */
@@ -26371,7 +26494,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w130;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #248: output[0][59] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+2478);
+  if (res[0]) casadi_copy(w010, 84, res[0]+4956);
   /* #249: @0 = 0.9375 */
   w000 = 9.3750000000000000e-01;
   /* #250: @0 = (@0*@2) */
@@ -26388,7 +26511,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w132;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #252: output[0][60] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+2520);
+  if (res[0]) casadi_copy(w010, 84, res[0]+5040);
   /* #253: @0 = 0.953125 */
   w000 = 9.5312500000000000e-01;
   /* #254: @0 = (@0*@2) */
@@ -26405,7 +26528,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w134;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #256: output[0][61] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+2562);
+  if (res[0]) casadi_copy(w010, 84, res[0]+5124);
   /* #257: @0 = 0.96875 */
   w000 = 9.6875000000000000e-01;
   /* #258: @0 = (@0*@2) */
@@ -26422,7 +26545,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w136;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #260: output[0][62] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+2604);
+  if (res[0]) casadi_copy(w010, 84, res[0]+5208);
   /* #261: @0 = 0.984375 */
   w000 = 9.8437500000000000e-01;
   /* #262: @0 = (@0*@2) */
@@ -26439,137 +26562,137 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[3]=w138;
   if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
   /* #264: output[0][63] = @10 */
-  if (res[0]) casadi_copy(w010, 42, res[0]+2646);
+  if (res[0]) casadi_copy(w010, 84, res[0]+5292);
   /* #265: output[0][64] = @8 */
-  if (res[0]) casadi_copy(w008, 7, res[0]+2688);
+  if (res[0]) casadi_copy(w008, 7, res[0]+5376);
   /* #266: output[1][0] = @11 */
-  casadi_copy(w011, 48, res[1]);
+  casadi_copy(w011, 96, res[1]);
   /* #267: output[1][1] = @13 */
-  if (res[1]) casadi_copy(w013, 48, res[1]+48);
+  if (res[1]) casadi_copy(w013, 96, res[1]+96);
   /* #268: output[1][2] = @15 */
-  if (res[1]) casadi_copy(w015, 48, res[1]+96);
+  if (res[1]) casadi_copy(w015, 96, res[1]+192);
   /* #269: output[1][3] = @17 */
-  if (res[1]) casadi_copy(w017, 48, res[1]+144);
+  if (res[1]) casadi_copy(w017, 96, res[1]+288);
   /* #270: output[1][4] = @19 */
-  if (res[1]) casadi_copy(w019, 48, res[1]+192);
+  if (res[1]) casadi_copy(w019, 96, res[1]+384);
   /* #271: output[1][5] = @21 */
-  if (res[1]) casadi_copy(w021, 48, res[1]+240);
+  if (res[1]) casadi_copy(w021, 96, res[1]+480);
   /* #272: output[1][6] = @23 */
-  if (res[1]) casadi_copy(w023, 48, res[1]+288);
+  if (res[1]) casadi_copy(w023, 96, res[1]+576);
   /* #273: output[1][7] = @25 */
-  if (res[1]) casadi_copy(w025, 48, res[1]+336);
+  if (res[1]) casadi_copy(w025, 96, res[1]+672);
   /* #274: output[1][8] = @27 */
-  if (res[1]) casadi_copy(w027, 48, res[1]+384);
+  if (res[1]) casadi_copy(w027, 96, res[1]+768);
   /* #275: output[1][9] = @29 */
-  if (res[1]) casadi_copy(w029, 48, res[1]+432);
+  if (res[1]) casadi_copy(w029, 96, res[1]+864);
   /* #276: output[1][10] = @31 */
-  if (res[1]) casadi_copy(w031, 48, res[1]+480);
+  if (res[1]) casadi_copy(w031, 96, res[1]+960);
   /* #277: output[1][11] = @33 */
-  if (res[1]) casadi_copy(w033, 48, res[1]+528);
+  if (res[1]) casadi_copy(w033, 96, res[1]+1056);
   /* #278: output[1][12] = @35 */
-  if (res[1]) casadi_copy(w035, 48, res[1]+576);
+  if (res[1]) casadi_copy(w035, 96, res[1]+1152);
   /* #279: output[1][13] = @37 */
-  if (res[1]) casadi_copy(w037, 48, res[1]+624);
+  if (res[1]) casadi_copy(w037, 96, res[1]+1248);
   /* #280: output[1][14] = @39 */
-  if (res[1]) casadi_copy(w039, 48, res[1]+672);
+  if (res[1]) casadi_copy(w039, 96, res[1]+1344);
   /* #281: output[1][15] = @41 */
-  if (res[1]) casadi_copy(w041, 48, res[1]+720);
+  if (res[1]) casadi_copy(w041, 96, res[1]+1440);
   /* #282: output[1][16] = @43 */
-  if (res[1]) casadi_copy(w043, 48, res[1]+768);
+  if (res[1]) casadi_copy(w043, 96, res[1]+1536);
   /* #283: output[1][17] = @45 */
-  if (res[1]) casadi_copy(w045, 48, res[1]+816);
+  if (res[1]) casadi_copy(w045, 96, res[1]+1632);
   /* #284: output[1][18] = @47 */
-  if (res[1]) casadi_copy(w047, 48, res[1]+864);
+  if (res[1]) casadi_copy(w047, 96, res[1]+1728);
   /* #285: output[1][19] = @49 */
-  if (res[1]) casadi_copy(w049, 48, res[1]+912);
+  if (res[1]) casadi_copy(w049, 96, res[1]+1824);
   /* #286: output[1][20] = @51 */
-  if (res[1]) casadi_copy(w051, 48, res[1]+960);
+  if (res[1]) casadi_copy(w051, 96, res[1]+1920);
   /* #287: output[1][21] = @53 */
-  if (res[1]) casadi_copy(w053, 48, res[1]+1008);
+  if (res[1]) casadi_copy(w053, 96, res[1]+2016);
   /* #288: output[1][22] = @55 */
-  if (res[1]) casadi_copy(w055, 48, res[1]+1056);
+  if (res[1]) casadi_copy(w055, 96, res[1]+2112);
   /* #289: output[1][23] = @57 */
-  if (res[1]) casadi_copy(w057, 48, res[1]+1104);
+  if (res[1]) casadi_copy(w057, 96, res[1]+2208);
   /* #290: output[1][24] = @59 */
-  if (res[1]) casadi_copy(w059, 48, res[1]+1152);
+  if (res[1]) casadi_copy(w059, 96, res[1]+2304);
   /* #291: output[1][25] = @61 */
-  if (res[1]) casadi_copy(w061, 48, res[1]+1200);
+  if (res[1]) casadi_copy(w061, 96, res[1]+2400);
   /* #292: output[1][26] = @63 */
-  if (res[1]) casadi_copy(w063, 48, res[1]+1248);
+  if (res[1]) casadi_copy(w063, 96, res[1]+2496);
   /* #293: output[1][27] = @65 */
-  if (res[1]) casadi_copy(w065, 48, res[1]+1296);
+  if (res[1]) casadi_copy(w065, 96, res[1]+2592);
   /* #294: output[1][28] = @67 */
-  if (res[1]) casadi_copy(w067, 48, res[1]+1344);
+  if (res[1]) casadi_copy(w067, 96, res[1]+2688);
   /* #295: output[1][29] = @69 */
-  if (res[1]) casadi_copy(w069, 48, res[1]+1392);
+  if (res[1]) casadi_copy(w069, 96, res[1]+2784);
   /* #296: output[1][30] = @71 */
-  if (res[1]) casadi_copy(w071, 48, res[1]+1440);
+  if (res[1]) casadi_copy(w071, 96, res[1]+2880);
   /* #297: output[1][31] = @73 */
-  if (res[1]) casadi_copy(w073, 48, res[1]+1488);
+  if (res[1]) casadi_copy(w073, 96, res[1]+2976);
   /* #298: output[1][32] = @75 */
-  if (res[1]) casadi_copy(w075, 48, res[1]+1536);
+  if (res[1]) casadi_copy(w075, 96, res[1]+3072);
   /* #299: output[1][33] = @77 */
-  if (res[1]) casadi_copy(w077, 48, res[1]+1584);
+  if (res[1]) casadi_copy(w077, 96, res[1]+3168);
   /* #300: output[1][34] = @79 */
-  if (res[1]) casadi_copy(w079, 48, res[1]+1632);
+  if (res[1]) casadi_copy(w079, 96, res[1]+3264);
   /* #301: output[1][35] = @81 */
-  if (res[1]) casadi_copy(w081, 48, res[1]+1680);
+  if (res[1]) casadi_copy(w081, 96, res[1]+3360);
   /* #302: output[1][36] = @83 */
-  if (res[1]) casadi_copy(w083, 48, res[1]+1728);
+  if (res[1]) casadi_copy(w083, 96, res[1]+3456);
   /* #303: output[1][37] = @85 */
-  if (res[1]) casadi_copy(w085, 48, res[1]+1776);
+  if (res[1]) casadi_copy(w085, 96, res[1]+3552);
   /* #304: output[1][38] = @87 */
-  if (res[1]) casadi_copy(w087, 48, res[1]+1824);
+  if (res[1]) casadi_copy(w087, 96, res[1]+3648);
   /* #305: output[1][39] = @89 */
-  if (res[1]) casadi_copy(w089, 48, res[1]+1872);
+  if (res[1]) casadi_copy(w089, 96, res[1]+3744);
   /* #306: output[1][40] = @91 */
-  if (res[1]) casadi_copy(w091, 48, res[1]+1920);
+  if (res[1]) casadi_copy(w091, 96, res[1]+3840);
   /* #307: output[1][41] = @93 */
-  if (res[1]) casadi_copy(w093, 48, res[1]+1968);
+  if (res[1]) casadi_copy(w093, 96, res[1]+3936);
   /* #308: output[1][42] = @95 */
-  if (res[1]) casadi_copy(w095, 48, res[1]+2016);
+  if (res[1]) casadi_copy(w095, 96, res[1]+4032);
   /* #309: output[1][43] = @97 */
-  if (res[1]) casadi_copy(w097, 48, res[1]+2064);
+  if (res[1]) casadi_copy(w097, 96, res[1]+4128);
   /* #310: output[1][44] = @99 */
-  if (res[1]) casadi_copy(w099, 48, res[1]+2112);
+  if (res[1]) casadi_copy(w099, 96, res[1]+4224);
   /* #311: output[1][45] = @101 */
-  if (res[1]) casadi_copy(w101, 48, res[1]+2160);
+  if (res[1]) casadi_copy(w101, 96, res[1]+4320);
   /* #312: output[1][46] = @103 */
-  if (res[1]) casadi_copy(w103, 48, res[1]+2208);
+  if (res[1]) casadi_copy(w103, 96, res[1]+4416);
   /* #313: output[1][47] = @105 */
-  if (res[1]) casadi_copy(w105, 48, res[1]+2256);
+  if (res[1]) casadi_copy(w105, 96, res[1]+4512);
   /* #314: output[1][48] = @107 */
-  if (res[1]) casadi_copy(w107, 48, res[1]+2304);
+  if (res[1]) casadi_copy(w107, 96, res[1]+4608);
   /* #315: output[1][49] = @109 */
-  if (res[1]) casadi_copy(w109, 48, res[1]+2352);
+  if (res[1]) casadi_copy(w109, 96, res[1]+4704);
   /* #316: output[1][50] = @111 */
-  if (res[1]) casadi_copy(w111, 48, res[1]+2400);
+  if (res[1]) casadi_copy(w111, 96, res[1]+4800);
   /* #317: output[1][51] = @113 */
-  if (res[1]) casadi_copy(w113, 48, res[1]+2448);
+  if (res[1]) casadi_copy(w113, 96, res[1]+4896);
   /* #318: output[1][52] = @115 */
-  if (res[1]) casadi_copy(w115, 48, res[1]+2496);
+  if (res[1]) casadi_copy(w115, 96, res[1]+4992);
   /* #319: output[1][53] = @117 */
-  if (res[1]) casadi_copy(w117, 48, res[1]+2544);
+  if (res[1]) casadi_copy(w117, 96, res[1]+5088);
   /* #320: output[1][54] = @119 */
-  if (res[1]) casadi_copy(w119, 48, res[1]+2592);
+  if (res[1]) casadi_copy(w119, 96, res[1]+5184);
   /* #321: output[1][55] = @121 */
-  if (res[1]) casadi_copy(w121, 48, res[1]+2640);
+  if (res[1]) casadi_copy(w121, 96, res[1]+5280);
   /* #322: output[1][56] = @123 */
-  if (res[1]) casadi_copy(w123, 48, res[1]+2688);
+  if (res[1]) casadi_copy(w123, 96, res[1]+5376);
   /* #323: output[1][57] = @125 */
-  if (res[1]) casadi_copy(w125, 48, res[1]+2736);
+  if (res[1]) casadi_copy(w125, 96, res[1]+5472);
   /* #324: output[1][58] = @127 */
-  if (res[1]) casadi_copy(w127, 48, res[1]+2784);
+  if (res[1]) casadi_copy(w127, 96, res[1]+5568);
   /* #325: output[1][59] = @129 */
-  if (res[1]) casadi_copy(w129, 48, res[1]+2832);
+  if (res[1]) casadi_copy(w129, 96, res[1]+5664);
   /* #326: output[1][60] = @131 */
-  if (res[1]) casadi_copy(w131, 48, res[1]+2880);
+  if (res[1]) casadi_copy(w131, 96, res[1]+5760);
   /* #327: output[1][61] = @133 */
-  if (res[1]) casadi_copy(w133, 48, res[1]+2928);
+  if (res[1]) casadi_copy(w133, 96, res[1]+5856);
   /* #328: output[1][62] = @135 */
-  if (res[1]) casadi_copy(w135, 48, res[1]+2976);
+  if (res[1]) casadi_copy(w135, 96, res[1]+5952);
   /* #329: output[1][63] = @137 */
-  if (res[1]) casadi_copy(w137, 48, res[1]+3024);
+  if (res[1]) casadi_copy(w137, 96, res[1]+6048);
   /* #330: @1 = @8[:6] */
   for (rr=w001, cs=w008+0; cs!=w008+6; cs+=1) *rr++ = *cs;
   /* #331: {@139, @140} = observe(@2, @1, @4) */
@@ -26580,137 +26703,137 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w140;
   if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
   /* #332: output[1][64] = @139 */
-  if (res[1]) casadi_copy(w139, 8, res[1]+3072);
+  if (res[1]) casadi_copy(w139, 8, res[1]+6144);
   /* #333: output[2][0] = @12 */
-  casadi_copy(w012, 48, res[2]);
+  casadi_copy(w012, 96, res[2]);
   /* #334: output[2][1] = @14 */
-  if (res[2]) casadi_copy(w014, 48, res[2]+48);
+  if (res[2]) casadi_copy(w014, 96, res[2]+96);
   /* #335: output[2][2] = @16 */
-  if (res[2]) casadi_copy(w016, 48, res[2]+96);
+  if (res[2]) casadi_copy(w016, 96, res[2]+192);
   /* #336: output[2][3] = @18 */
-  if (res[2]) casadi_copy(w018, 48, res[2]+144);
+  if (res[2]) casadi_copy(w018, 96, res[2]+288);
   /* #337: output[2][4] = @20 */
-  if (res[2]) casadi_copy(w020, 48, res[2]+192);
+  if (res[2]) casadi_copy(w020, 96, res[2]+384);
   /* #338: output[2][5] = @22 */
-  if (res[2]) casadi_copy(w022, 48, res[2]+240);
+  if (res[2]) casadi_copy(w022, 96, res[2]+480);
   /* #339: output[2][6] = @24 */
-  if (res[2]) casadi_copy(w024, 48, res[2]+288);
+  if (res[2]) casadi_copy(w024, 96, res[2]+576);
   /* #340: output[2][7] = @26 */
-  if (res[2]) casadi_copy(w026, 48, res[2]+336);
+  if (res[2]) casadi_copy(w026, 96, res[2]+672);
   /* #341: output[2][8] = @28 */
-  if (res[2]) casadi_copy(w028, 48, res[2]+384);
+  if (res[2]) casadi_copy(w028, 96, res[2]+768);
   /* #342: output[2][9] = @30 */
-  if (res[2]) casadi_copy(w030, 48, res[2]+432);
+  if (res[2]) casadi_copy(w030, 96, res[2]+864);
   /* #343: output[2][10] = @32 */
-  if (res[2]) casadi_copy(w032, 48, res[2]+480);
+  if (res[2]) casadi_copy(w032, 96, res[2]+960);
   /* #344: output[2][11] = @34 */
-  if (res[2]) casadi_copy(w034, 48, res[2]+528);
+  if (res[2]) casadi_copy(w034, 96, res[2]+1056);
   /* #345: output[2][12] = @36 */
-  if (res[2]) casadi_copy(w036, 48, res[2]+576);
+  if (res[2]) casadi_copy(w036, 96, res[2]+1152);
   /* #346: output[2][13] = @38 */
-  if (res[2]) casadi_copy(w038, 48, res[2]+624);
+  if (res[2]) casadi_copy(w038, 96, res[2]+1248);
   /* #347: output[2][14] = @40 */
-  if (res[2]) casadi_copy(w040, 48, res[2]+672);
+  if (res[2]) casadi_copy(w040, 96, res[2]+1344);
   /* #348: output[2][15] = @42 */
-  if (res[2]) casadi_copy(w042, 48, res[2]+720);
+  if (res[2]) casadi_copy(w042, 96, res[2]+1440);
   /* #349: output[2][16] = @44 */
-  if (res[2]) casadi_copy(w044, 48, res[2]+768);
+  if (res[2]) casadi_copy(w044, 96, res[2]+1536);
   /* #350: output[2][17] = @46 */
-  if (res[2]) casadi_copy(w046, 48, res[2]+816);
+  if (res[2]) casadi_copy(w046, 96, res[2]+1632);
   /* #351: output[2][18] = @48 */
-  if (res[2]) casadi_copy(w048, 48, res[2]+864);
+  if (res[2]) casadi_copy(w048, 96, res[2]+1728);
   /* #352: output[2][19] = @50 */
-  if (res[2]) casadi_copy(w050, 48, res[2]+912);
+  if (res[2]) casadi_copy(w050, 96, res[2]+1824);
   /* #353: output[2][20] = @52 */
-  if (res[2]) casadi_copy(w052, 48, res[2]+960);
+  if (res[2]) casadi_copy(w052, 96, res[2]+1920);
   /* #354: output[2][21] = @54 */
-  if (res[2]) casadi_copy(w054, 48, res[2]+1008);
+  if (res[2]) casadi_copy(w054, 96, res[2]+2016);
   /* #355: output[2][22] = @56 */
-  if (res[2]) casadi_copy(w056, 48, res[2]+1056);
+  if (res[2]) casadi_copy(w056, 96, res[2]+2112);
   /* #356: output[2][23] = @58 */
-  if (res[2]) casadi_copy(w058, 48, res[2]+1104);
+  if (res[2]) casadi_copy(w058, 96, res[2]+2208);
   /* #357: output[2][24] = @60 */
-  if (res[2]) casadi_copy(w060, 48, res[2]+1152);
+  if (res[2]) casadi_copy(w060, 96, res[2]+2304);
   /* #358: output[2][25] = @62 */
-  if (res[2]) casadi_copy(w062, 48, res[2]+1200);
+  if (res[2]) casadi_copy(w062, 96, res[2]+2400);
   /* #359: output[2][26] = @64 */
-  if (res[2]) casadi_copy(w064, 48, res[2]+1248);
+  if (res[2]) casadi_copy(w064, 96, res[2]+2496);
   /* #360: output[2][27] = @66 */
-  if (res[2]) casadi_copy(w066, 48, res[2]+1296);
+  if (res[2]) casadi_copy(w066, 96, res[2]+2592);
   /* #361: output[2][28] = @68 */
-  if (res[2]) casadi_copy(w068, 48, res[2]+1344);
+  if (res[2]) casadi_copy(w068, 96, res[2]+2688);
   /* #362: output[2][29] = @70 */
-  if (res[2]) casadi_copy(w070, 48, res[2]+1392);
+  if (res[2]) casadi_copy(w070, 96, res[2]+2784);
   /* #363: output[2][30] = @72 */
-  if (res[2]) casadi_copy(w072, 48, res[2]+1440);
+  if (res[2]) casadi_copy(w072, 96, res[2]+2880);
   /* #364: output[2][31] = @74 */
-  if (res[2]) casadi_copy(w074, 48, res[2]+1488);
+  if (res[2]) casadi_copy(w074, 96, res[2]+2976);
   /* #365: output[2][32] = @76 */
-  if (res[2]) casadi_copy(w076, 48, res[2]+1536);
+  if (res[2]) casadi_copy(w076, 96, res[2]+3072);
   /* #366: output[2][33] = @78 */
-  if (res[2]) casadi_copy(w078, 48, res[2]+1584);
+  if (res[2]) casadi_copy(w078, 96, res[2]+3168);
   /* #367: output[2][34] = @80 */
-  if (res[2]) casadi_copy(w080, 48, res[2]+1632);
+  if (res[2]) casadi_copy(w080, 96, res[2]+3264);
   /* #368: output[2][35] = @82 */
-  if (res[2]) casadi_copy(w082, 48, res[2]+1680);
+  if (res[2]) casadi_copy(w082, 96, res[2]+3360);
   /* #369: output[2][36] = @84 */
-  if (res[2]) casadi_copy(w084, 48, res[2]+1728);
+  if (res[2]) casadi_copy(w084, 96, res[2]+3456);
   /* #370: output[2][37] = @86 */
-  if (res[2]) casadi_copy(w086, 48, res[2]+1776);
+  if (res[2]) casadi_copy(w086, 96, res[2]+3552);
   /* #371: output[2][38] = @88 */
-  if (res[2]) casadi_copy(w088, 48, res[2]+1824);
+  if (res[2]) casadi_copy(w088, 96, res[2]+3648);
   /* #372: output[2][39] = @90 */
-  if (res[2]) casadi_copy(w090, 48, res[2]+1872);
+  if (res[2]) casadi_copy(w090, 96, res[2]+3744);
   /* #373: output[2][40] = @92 */
-  if (res[2]) casadi_copy(w092, 48, res[2]+1920);
+  if (res[2]) casadi_copy(w092, 96, res[2]+3840);
   /* #374: output[2][41] = @94 */
-  if (res[2]) casadi_copy(w094, 48, res[2]+1968);
+  if (res[2]) casadi_copy(w094, 96, res[2]+3936);
   /* #375: output[2][42] = @96 */
-  if (res[2]) casadi_copy(w096, 48, res[2]+2016);
+  if (res[2]) casadi_copy(w096, 96, res[2]+4032);
   /* #376: output[2][43] = @98 */
-  if (res[2]) casadi_copy(w098, 48, res[2]+2064);
+  if (res[2]) casadi_copy(w098, 96, res[2]+4128);
   /* #377: output[2][44] = @100 */
-  if (res[2]) casadi_copy(w100, 48, res[2]+2112);
+  if (res[2]) casadi_copy(w100, 96, res[2]+4224);
   /* #378: output[2][45] = @102 */
-  if (res[2]) casadi_copy(w102, 48, res[2]+2160);
+  if (res[2]) casadi_copy(w102, 96, res[2]+4320);
   /* #379: output[2][46] = @104 */
-  if (res[2]) casadi_copy(w104, 48, res[2]+2208);
+  if (res[2]) casadi_copy(w104, 96, res[2]+4416);
   /* #380: output[2][47] = @106 */
-  if (res[2]) casadi_copy(w106, 48, res[2]+2256);
+  if (res[2]) casadi_copy(w106, 96, res[2]+4512);
   /* #381: output[2][48] = @108 */
-  if (res[2]) casadi_copy(w108, 48, res[2]+2304);
+  if (res[2]) casadi_copy(w108, 96, res[2]+4608);
   /* #382: output[2][49] = @110 */
-  if (res[2]) casadi_copy(w110, 48, res[2]+2352);
+  if (res[2]) casadi_copy(w110, 96, res[2]+4704);
   /* #383: output[2][50] = @112 */
-  if (res[2]) casadi_copy(w112, 48, res[2]+2400);
+  if (res[2]) casadi_copy(w112, 96, res[2]+4800);
   /* #384: output[2][51] = @114 */
-  if (res[2]) casadi_copy(w114, 48, res[2]+2448);
+  if (res[2]) casadi_copy(w114, 96, res[2]+4896);
   /* #385: output[2][52] = @116 */
-  if (res[2]) casadi_copy(w116, 48, res[2]+2496);
+  if (res[2]) casadi_copy(w116, 96, res[2]+4992);
   /* #386: output[2][53] = @118 */
-  if (res[2]) casadi_copy(w118, 48, res[2]+2544);
+  if (res[2]) casadi_copy(w118, 96, res[2]+5088);
   /* #387: output[2][54] = @120 */
-  if (res[2]) casadi_copy(w120, 48, res[2]+2592);
+  if (res[2]) casadi_copy(w120, 96, res[2]+5184);
   /* #388: output[2][55] = @122 */
-  if (res[2]) casadi_copy(w122, 48, res[2]+2640);
+  if (res[2]) casadi_copy(w122, 96, res[2]+5280);
   /* #389: output[2][56] = @124 */
-  if (res[2]) casadi_copy(w124, 48, res[2]+2688);
+  if (res[2]) casadi_copy(w124, 96, res[2]+5376);
   /* #390: output[2][57] = @126 */
-  if (res[2]) casadi_copy(w126, 48, res[2]+2736);
+  if (res[2]) casadi_copy(w126, 96, res[2]+5472);
   /* #391: output[2][58] = @128 */
-  if (res[2]) casadi_copy(w128, 48, res[2]+2784);
+  if (res[2]) casadi_copy(w128, 96, res[2]+5568);
   /* #392: output[2][59] = @130 */
-  if (res[2]) casadi_copy(w130, 48, res[2]+2832);
+  if (res[2]) casadi_copy(w130, 96, res[2]+5664);
   /* #393: output[2][60] = @132 */
-  if (res[2]) casadi_copy(w132, 48, res[2]+2880);
+  if (res[2]) casadi_copy(w132, 96, res[2]+5760);
   /* #394: output[2][61] = @134 */
-  if (res[2]) casadi_copy(w134, 48, res[2]+2928);
+  if (res[2]) casadi_copy(w134, 96, res[2]+5856);
   /* #395: output[2][62] = @136 */
-  if (res[2]) casadi_copy(w136, 48, res[2]+2976);
+  if (res[2]) casadi_copy(w136, 96, res[2]+5952);
   /* #396: output[2][63] = @138 */
-  if (res[2]) casadi_copy(w138, 48, res[2]+3024);
+  if (res[2]) casadi_copy(w138, 96, res[2]+6048);
   /* #397: output[2][64] = @140 */
-  if (res[2]) casadi_copy(w140, 8, res[2]+3072);
+  if (res[2]) casadi_copy(w140, 8, res[2]+6144);
   /* #398: @1 = @8[:6] */
   for (rr=w001, cs=w008+0; cs!=w008+6; cs+=1) *rr++ = *cs;
   /* #399: @141 = landing(@1, @6, @4) */
@@ -26791,7 +26914,7 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_768_work(casadi_int *sz_arg, casadi_int*
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 6527;
+  if (sz_w) *sz_w = 12796;
   return 0;
 }
 
@@ -26799,7 +26922,7 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_768_work_bytes(casadi_int *sz_arg, casad
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 6527*sizeof(casadi_real);
+  if (sz_w) *sz_w = 12796*sizeof(casadi_real);
   return 0;
 }
 
