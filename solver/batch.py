@@ -22,6 +22,8 @@ INTEGRATION_LIMIT = 1e-9
 INTEGRATION_TARGET = 1e-11
 """Orbits are refined until the integration error is below the target; one that stays above the limit is
 marked. The target is lower, because near a fold the cycle amplifies it."""
+STANDING = 1e-6
+"""Stance angle at touchdown that is nothing but a walker standing still, which closes with any period."""
 
 
 @dataclass(frozen=True)
@@ -107,7 +109,7 @@ class Batch:
         side = self.model.evaluate("touchdown_condition", q=q, v=v)["side"]
         stance = q[:, :, self.model.coordinates.index(self.model.manifest["stance_angle"])]
         descending = trace.dg[:, -1, OBSERVABLES.index("touchdown")] > 0
-        step = descending & (side[:, -1] < 0) & (np.abs(stance).max(axis=1, initial=0.0) < np.pi / 2)
+        step = descending & (side[:, -1] < -STANDING) & (np.abs(stance).max(axis=1, initial=0.0) < np.pi / 2)
         early = measures.earlier_touchdown(trace, side)
         inside = (trace.period > period_range[0]) & (trace.period <= period_range[1])
         accurate = self.integration_error[self.closed] < INTEGRATION_LIMIT

@@ -100,7 +100,15 @@ class CompiledKernels(Kernels):
     def __init__(self, model: Model, compiler: str) -> None:
         super().__init__(model)
         self._command = [*shlex.split(compiler), *FLAGS]
-        self._library = ctypes.CDLL(str(compile_shared(model.path(f"{model.name}_kernels.c"), compiler)))
+        built = compile_shared(model.path(f"{model.name}_kernels.c"), compiler)
+        try:
+            self._library = ctypes.CDLL(str(built))
+        except OSError as error:
+            built.unlink(missing_ok=True)
+            raise InputError(
+                f"the C compiler {compiler!r} wrote no library that can be loaded ({error}); "
+                "set CC to one that works"
+            ) from None
         self._work = {f.name(): (ctypes.c_longlong * 4)(*self._work_size(f)) for f in self.functions.values()}
 
     @property
@@ -191,7 +199,13 @@ def find_compiler() -> str | None:
     """
     named = os.environ.get("CC", "").strip()
     if named:
-        if shutil.which(shlex.split(named)[0]) is None:
+        try:
+            words = shlex.split(named)
+        except ValueError as error:
+            raise InputError(
+                f"the environment variable CC = {named} is not understood ({error}); unset or correct it"
+            ) from None
+        if shutil.which(words[0]) is None:
             raise InputError(
                 f"the environment variable CC names {named!r}, which is not on the path; unset or correct it"
             )
@@ -206,7 +220,12 @@ def cache_folder() -> Path:
 
 @cache
 def _version(command: str) -> str:
-    run = subprocess.run([command, "--version"], capture_output=True, text=True, check=False)
+    try:
+        run = subprocess.run([command, "--version"], capture_output=True, text=True, check=False)
+    except OSError as error:
+        raise InputError(
+            f"the C compiler {command!r} cannot be run ({error.strerror}); set CC to one that works"
+        ) from None
     return (run.stdout or run.stderr or command).splitlines()[0].strip()
 
 
@@ -233,25 +252,27 @@ def compile_shared(source: Path, compiler: str) -> Path:
     for part in (source.read_bytes(), " ".join([*words, *FLAGS]).encode(), _version(words[0]).encode()):
         key.update(hashlib.sha256(part).digest())
     folder = cache_folder()
-    library = folder / f"{source.stem}-{key.hexdigest()[:32]}.so"
-    if library.exists():
-        return library
+    name = f"{source.stem}-{key.hexdigest()[:32]}"
+    for library in sorted(folder.glob(f"{name}-*.so")):
+        if library.stem == f"{name}-{_digest(library)}":  # to load half a library would end the process
+            return library
     try:
         folder.mkdir(parents=True, exist_ok=True)
         # Beside and renamed: another process never sees half a library.
         with tempfile.TemporaryDirectory(dir=folder) as scratch:
-            built = Path(scratch) / library.name
+            built = Path(scratch) / f"{name}.so"
             run = subprocess.run(
                 [*words, *FLAGS, str(source), "-o", str(built), "-lm"],
                 capture_output=True,
                 text=True,
                 check=False,
             )
-            if run.returncode:
-                said = (run.stderr or run.stdout or "it said nothing").strip().splitlines()[0]
+            if run.returncode or not built.exists():
+                said = (run.stderr.strip() or run.stdout.strip() or "it said nothing").splitlines()[0]
                 raise InputError(
                     f"the C compiler {compiler!r} failed on {source.name} ({said}); set CC to one that works"
                 )
+            library = folder / f"{name}-{_digest(built)}.so"
             built.replace(library)
     except OSError as error:
         raise InputError(
@@ -259,6 +280,10 @@ def compile_shared(source: Path, compiler: str) -> Path:
             "set STRIDEMAP_CACHE to a folder that can be written"
         ) from None
     return library
+
+
+def _digest(library: Path) -> str:
+    return hashlib.sha256(library.read_bytes()).hexdigest()[:16]
 
 
 def _pointers(arrays: list[Array]) -> ctypes.Array:

@@ -51,7 +51,10 @@ class Solver:
         dv_dv = self.model.evaluate("state_derivative_dv", **rest)["dv_dv"]
         kinematics = np.broadcast_to(np.eye(n, 2 * n, n), (len(unique), n, 2 * n))
         linear = np.concatenate([kinematics, np.concatenate([dv_dq, dv_dv], axis=2)], axis=1)
-        modes: Array = np.abs(np.linalg.eigvals(linear)).max(axis=1)
+        # Beyond the range of numbers: any resolution will do, Newton's method fails at each.
+        modes = np.full(len(unique), np.inf)
+        finite = np.isfinite(linear).all(axis=(1, 2))
+        modes[finite] = np.abs(np.linalg.eigvals(linear[finite])).max(axis=1)
         return modes[inverse.ravel()]
 
     def _phase(self, period: Array, params: Array) -> Array:

@@ -97,16 +97,16 @@ class Model:
         self.folder = folder
         try:
             self.manifest: dict[str, Any] = json.loads((folder / "manifest.json").read_text(encoding="utf-8"))
-        except (OSError, ValueError) as error:
+            self.name: str = self.manifest["model"]
+            self.title: str = self.manifest["title"]
+            self.hash: str = self.manifest["model_hash"]
+            self.section: tuple[str, ...] = tuple(self.manifest["section"]["names"])
+            self.coordinates: tuple[str, ...] = tuple(c["name"] for c in self.manifest["coordinates"])
+            self.parameters = tuple(Parameter(**entry) for entry in self.manifest["parameters"])
+        except (OSError, ValueError, KeyError, TypeError) as error:
             raise InputError(
                 f"{folder} holds no readable manifest.json ({error}); run `stridemap derive`"
             ) from None
-        self.name: str = self.manifest["model"]
-        self.title: str = self.manifest["title"]
-        self.hash: str = self.manifest["model_hash"]
-        self.section: tuple[str, ...] = tuple(self.manifest["section"]["names"])
-        self.coordinates: tuple[str, ...] = tuple(c["name"] for c in self.manifest["coordinates"])
-        self.parameters = tuple(Parameter(**entry) for entry in self.manifest["parameters"])
 
     def __getattr__(self, name: str) -> ca.Function:
         """The generated function `name` as a CasADi function."""
@@ -194,7 +194,8 @@ class Model:
             x if a["scalar"] else list(np.moveaxis(x, -1, 0))
             for a, x in zip(entry["inputs"], inputs, strict=True)
         ]
-        result = getattr(self.equations, name)(np, *split)
+        with np.errstate(all="ignore"):  # what is beyond the range of numbers comes out as one that says so
+            result = getattr(self.equations, name)(np, *split)
         return {key: _stacked(value, shape) for key, value in result.items()}
 
     @property

@@ -11,9 +11,9 @@ import multiprocessing
 import os
 import signal
 import threading
+import warnings
 from collections.abc import Callable, Iterator, Mapping
-from concurrent.futures import Executor, ProcessPoolExecutor, as_completed
-from concurrent.futures.process import BrokenProcessPool
+from concurrent.futures import BrokenExecutor, Executor, Future, ProcessPoolExecutor, as_completed
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -145,9 +145,30 @@ def _processes(workers: int) -> Iterator[Executor]:
         pool.shutdown(wait=True, cancel_futures=True)
 
 
+@contextlib.contextmanager
+def _interrupts_held() -> Iterator[None]:
+    """Hold interrupts back; a process started in here never gets one, not even while it starts."""
+    came: list[int] = []
+    mask = getattr(signal, "pthread_sigmask", None)  # what a process inherits; not on Windows
+    blocked = mask(signal.SIG_BLOCK, {signal.SIGINT}) if mask else None
+    # Another thread may take a blocked signal, and Python then interrupts the main thread all the same.
+    held = (signal.SIGINT, signal.SIGTERM) if threading.current_thread() is threading.main_thread() else ()
+    handlers = {number: signal.signal(number, lambda got, _: came.append(got)) for number in held}
+    try:
+        yield
+    finally:
+        for number, handler in handlers.items():
+            signal.signal(number, handler)
+        if mask:
+            mask(signal.SIG_SETMASK, blocked)
+    for number in came[:1]:
+        signal.raise_signal(number)
+
+
 def _follow_parent() -> None:
-    """Leave interrupts to the parent, and end when it is killed."""
+    """Leave interrupts and warnings to the parent, and end when it is killed."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
+    warnings.simplefilter("ignore")
     parent = multiprocessing.parent_process()
     if parent is not None:
 
@@ -223,18 +244,21 @@ class _Run:
         finished = len(done)
         self._report(round_, finished, len(tasks))
         open_tasks = [task for task in tasks if not self.store.has_part(round_, task.tile)]
-        futures = [pool.submit(work, task) for task in open_tasks]
+        futures: list[Future[Result]] = []
         found = 0
         try:
+            with _interrupts_held():  # processes are started where tasks are submitted
+                futures += [pool.submit(work, task) for task in open_tasks]
             for future in as_completed(futures):
                 result = future.result()
                 self.store.write_part(result.round, result.tile, self._part(result))
                 finished += 1
-                found += len(result.rows)
+                found += sum(self._counts(row["period"]) for row in result.rows)
                 self._report(round_, finished, len(tasks), found)
-        except BrokenProcessPool:
+        except BrokenExecutor:
             raise InputError(
-                "a worker process died (out of memory?); finished tiles are kept: continue with --resume, "
+                "a worker process died (out of memory, or a script that sweeps without "
+                '`if __name__ == "__main__":`?); finished tiles are kept: continue with --resume, '
                 "perhaps with fewer --workers"
             ) from None
         except BaseException:
@@ -246,7 +270,13 @@ class _Run:
         return self._absorb(parts)
 
     def _report(self, round_: int, done: int, total: int, found: int = 0) -> None:
-        self.progress(Progress(round_, done, total, len(self.cells) + found))
+        known = int(np.count_nonzero(self._counts(self.cycles[:, -1])))
+        self.progress(Progress(round_, done, total, known + found))
+
+    def _counts(self, period: Any) -> Any:
+        """Whether a period is in the range that was asked for, and not just near it."""
+        shortest, longest = self.options.period_range
+        return (period > shortest) & (period <= longest)
 
     def _part(self, result: Result) -> pa.Table:
         schema = orbit_schema(self.model).append(pa.field(FAILURE, pa.string()))
@@ -295,9 +325,7 @@ class _Run:
     def _finish(self) -> Summary:
         schema = orbit_schema(self.model)
         orbits = pa.concat_tables(self.parts).cast(schema) if self.parts else orbit_table(self.model, [])
-        shortest, longest = self.options.period_range
-        period = orbits["period"].to_numpy()
-        orbits = orbits.filter((period > shortest) & (period <= longest))
+        orbits = orbits.filter(self._counts(orbits["period"].to_numpy()))
         points = self.grid.points(self.model, self.config.params)
         found = np.bincount(orbits["cell"].to_numpy(), minlength=self.grid.n_cells)
         status, reason = zip(*(self._cell(cell, n) for cell, n in enumerate(found.tolist())), strict=True)

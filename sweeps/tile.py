@@ -169,20 +169,14 @@ class _Search:
         """New cycles from guesses, with their cells."""
         try:
             return self._solve_together(cells, guesses)
-        except (ArithmeticError, MemoryError, RuntimeError, ValueError, np.linalg.LinAlgError):
+        except Exception:
             found: list[tuple[int, Orbit]] = []
             # One of the cells spoils the batch: alone, it spoils only itself.
             for cell in np.unique(cells):
                 mine = cells == cell
                 try:
                     found += self._solve_together(cells[mine], guesses[mine])
-                except (
-                    ArithmeticError,
-                    MemoryError,
-                    RuntimeError,
-                    ValueError,
-                    np.linalg.LinAlgError,
-                ) as error:
+                except Exception as error:
                     self.failures[int(cell)] = f"{type(error).__name__}: {error}"
             return found
 
