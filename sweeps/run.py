@@ -157,8 +157,8 @@ def _interrupts_held() -> Iterator[None]:
     try:
         yield
     finally:
-        for number, handler in handlers.items():
-            signal.signal(number, handler)
+        for signum, handler in handlers.items():
+            signal.signal(signum, handler)
         if mask:
             mask(signal.SIG_SETMASK, blocked)
     for number in came[:1]:
