@@ -17,10 +17,6 @@ peaks of the rate); touchdown condition; position of the wobbling mass (zero whe
 """
 
 
-OBSERVE_EVERY = 1
-"""Runge-Kutta steps between two nodes of a trace; it runs at twice the resolution that the cycle needs."""
-
-
 @dataclass(frozen=True)
 class Observation:
     """Builds the observing functions of one model.
@@ -95,7 +91,7 @@ class Observation:
 
     @cached_property
     def _block(self) -> ca.Function:
-        """`BLOCK` working steps, observed at the start of every second one.
+        """`BLOCK` working steps, observed at the start of each.
 
         (t, turns, w, h, p) -> (w_end, nodes, g, dg)
         """
@@ -105,11 +101,11 @@ class Observation:
         nodes = [w]
         for i in range(BLOCK):
             nodes.append(self.working_step(nodes[-1], sm.phase(t + i * h, p), turns, h, p))
-        kept = range(0, BLOCK, OBSERVE_EVERY)
-        seen = [self.observe(t + i * h, nodes[i][: 2 * sm.n], p) for i in kept]
+        # Every node is kept: just after touchdown the power can cross zero several times between two.
+        seen = [self.observe(t + i * h, node[: 2 * sm.n], p) for i, node in enumerate(nodes[:-1])]
         outputs = [
             nodes[-1],
-            ca.horzcat(*[nodes[i] for i in kept]),
+            ca.horzcat(*nodes[:-1]),
             ca.horzcat(*[s[0] for s in seen]),
             ca.horzcat(*[s[1] for s in seen]),
         ]
@@ -119,9 +115,9 @@ class Observation:
         )
 
     def trace(self, steps: int) -> ca.Function:
-        """A whole step of `steps` Runge-Kutta steps, observed at steps / 2 + 1 nodes.
+        """A whole step of `steps` Runge-Kutta steps, observed at steps + 1 nodes.
 
-        (u, p) -> (w, g, dg, R): state and net work at the nodes, shape (2 n + 1, steps / 2 + 1),
+        (u, p) -> (w, g, dg, R): state and net work at the nodes, shape (2 n + 1, steps + 1),
         observables and their derivatives at the nodes, and the residual at this resolution.
         """
         sm = self.step_map
