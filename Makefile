@@ -22,6 +22,7 @@ LOCK := $(BIN)/uv pip compile --quiet --universal --python-version 3.11 --fork-s
 MADE := $(VENV)/made-in
 RUN  := $(VENV)/installed-run
 DEV  := $(VENV)/installed-dev
+PICTURES := $(VENV)/installed-pictures
 DOCS := $(VENV)/installed-docs
 UV   := $(VENV)/installed-lock
 SOUND := $(shell [ -x $(BIN)/python ] && [ "$$(cat $(MADE) 2>/dev/null)" = "$$(pwd -P)" ] && echo yes)
@@ -66,8 +67,9 @@ endif
 
 lock: $(UV) ## remake requirements/*.txt after a change of what is required (ARGS=--upgrade for newer versions)
 	$(LOCK) $(ARGS) -o requirements/run.txt pyproject.toml requirements/build.in
-	$(LOCK) $(ARGS) -o requirements/dev.txt -c requirements/run.txt pyproject.toml requirements/build.in requirements/dev.in
-	$(LOCK) $(ARGS) -o requirements/docs.txt -c requirements/run.txt -c requirements/dev.txt --extra docs pyproject.toml requirements/build.in
+	$(LOCK) $(ARGS) -o requirements/pictures.txt -c requirements/run.txt --extra pictures pyproject.toml requirements/build.in
+	$(LOCK) $(ARGS) -o requirements/dev.txt -c requirements/run.txt -c requirements/pictures.txt --extra pictures pyproject.toml requirements/build.in requirements/dev.in
+	$(LOCK) $(ARGS) -o requirements/docs.txt -c requirements/run.txt -c requirements/pictures.txt -c requirements/dev.txt --extra docs pyproject.toml requirements/build.in
 	$(LOCK) $(ARGS) -o requirements/lock.txt requirements/lock.in
 
 clean: ## remove .venv, what was built and every cache inside this folder; results/ stays
@@ -95,6 +97,11 @@ $(RUN): $(MADE) requirements/run.txt pyproject.toml
 	@$(PIN) requirements/run.txt
 	@mkdir -p generated/compass generated/wobbling # so that `make derive` works where they were removed
 	@$(PIP) --no-build-isolation --no-deps --editable .
+	@touch $@
+
+$(PICTURES): $(RUN) requirements/pictures.txt
+	@echo "Installing what draws (requirements/pictures.txt) ..."
+	@$(PIN) requirements/pictures.txt
 	@touch $@
 
 $(DEV): $(RUN) requirements/dev.txt

@@ -94,6 +94,25 @@ class PointMass:
 
 
 @dataclass(frozen=True)
+class Line:
+    """A line through points of the walker, by which it is drawn.
+
+    Parameters
+    ----------
+    name : str
+        Name of the output in generated code.
+    points : tuple of sympy.Matrix, shape (2, 1) each
+        In terms of `STANCE_FOOT` and the coordinates.
+    spring : bool
+        Whether it is drawn as a spring.
+    """
+
+    name: str
+    points: tuple[sp.Matrix, ...]
+    spring: bool = False
+
+
+@dataclass(frozen=True)
 class Walker:
     """A planar walker that steps from one point foot to the other.
 
@@ -127,6 +146,8 @@ class Walker:
         Natural frequency that names the solution groups A, B, C, ...; None where there is none.
     wobbling : Coordinate or None
         The coordinate whose zero crossings are counted.
+    drawing : tuple of Line
+        The lines by which the walker is drawn; the masses are drawn as discs.
     search_box : dict of str to (float, float)
         Middle and half-width of the starts for each section coordinate and rate; starts crowd around the
         middle.
@@ -149,6 +170,7 @@ class Walker:
     stance_angle: Coordinate
     spring_mode: sp.Expr | None
     wobbling: Coordinate | None
+    drawing: tuple[Line, ...]
     search_box: dict[str, tuple[float, float]]
 
     @property

@@ -68,6 +68,8 @@ def _manifest(walker: Walker, programs: list[Program], generator: str, model_has
             "names": list(walker.section),
             "search_box": {k: list(v) for k, v in walker.search_box.items()},
         },
+        "masses": [mass.name for mass in walker.masses],
+        "lines": [{"name": line.name, "spring": line.spring} for line in walker.drawing],
         "actuated": walker.actuated.name,
         "stance_angle": walker.stance_angle.name,
         "wobbling": walker.wobbling.name if walker.wobbling else None,

@@ -1,6 +1,6 @@
 """Every function that is emitted for a walker, as straight-line programs."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 
 import sympy as sp
@@ -59,6 +59,7 @@ class Functions:
         yield self.ground_force()
         yield self.zmp()
         yield self.swing_foot()
+        yield self.drawing()
         if self.walker.spring_mode is not None:
             yield self.spring_mode()
         yield self.section_state()
@@ -312,6 +313,29 @@ class Functions:
             Output("dfoot", velocity, "velocity of the swing foot"),
         ]
         return self._close(Builder(), "swing_foot", "Swing foot", "geometry of the legs", outputs)
+
+    def drawing(self) -> Program:
+        """What the walker is drawn by: its masses, where they are, and the lines between points."""
+        m = self.mechanics
+
+        def rows(points: Iterable[sp.Matrix]) -> sp.Matrix:
+            return sp.Matrix.vstack(*(m.held(point).T.applyfunc(simplified) for point in points))
+
+        masses = self.walker.masses
+        outputs = [
+            Output(
+                "positions", rows(a.position for a in masses), "point masses from the stance foot, a row each"
+            ),
+            Output("masses", sp.Matrix([a.mass for a in masses]), "the masses themselves, in M"),
+        ]
+        outputs += [
+            Output(line.name, rows(line.points), f"points of the line, a row each: {line.name}")
+            for line in self.walker.drawing
+        ]
+        names = ", ".join(a.name for a in masses)
+        return self._close(
+            Builder(), "drawing", "What the walker is drawn by", f"geometry; masses: {names}", outputs
+        )
 
     def section_state(self) -> Program:
         """Coordinates and rates of a point on the section."""

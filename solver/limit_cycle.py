@@ -69,6 +69,10 @@ class Solver:
         index = np.searchsorted(np.array(choices) * per_step, phase)
         return np.array(choices)[np.minimum(index, len(choices) - 1)]
 
+    def cycle_steps(self, period: Array, params: Array) -> NDArray[np.int64]:
+        """Runge-Kutta steps with which limit cycles of these periods are first computed, shape (n,)."""
+        return self._resolution(self._phase(period, params), CYCLE_STEPS, per_step=CYCLE_PHASE)
+
     # -- search ------------------------------------------------------------------------------------------
 
     def search(self, guesses: Array, params: Array) -> tuple[Array, NDArray[np.bool_]]:
@@ -128,8 +132,7 @@ class Solver:
         """
         orbits: list[Orbit | None] = [None] * len(guesses)
         u = guesses.copy()
-        phase = self._phase(u[:, -1], params)
-        steps = self._resolution(phase, CYCLE_STEPS, per_step=CYCLE_PHASE)
+        steps = self.cycle_steps(u[:, -1], params)
         for n in CYCLE_STEPS:
             at = np.flatnonzero(steps == n)
             if not len(at):

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from stridemap.errors import InputError
     from stridemap.solver.face import find_orbits, simulate
     from stridemap.solver.model import Model, load
+    from stridemap.solver.motion import Motion, motion
     from stridemap.solver.orbit import Orbit, Status
     from stridemap.solver.search import SearchOptions
     from stridemap.sweeps.run import sweep
@@ -25,11 +26,13 @@ __version__ = version("stridemap")
 _HOMES = {
     "InputError": "stridemap.errors",
     "Model": "stridemap.solver.model",
+    "Motion": "stridemap.solver.motion",
     "Orbit": "stridemap.solver.orbit",
     "SearchOptions": "stridemap.solver.search",
     "Status": "stridemap.solver.orbit",
     "find_orbits": "stridemap.solver.face",
     "load": "stridemap.solver.model",
+    "motion": "stridemap.solver.motion",
     "read_cells": "stridemap.sweeps.store",
     "read_orbits": "stridemap.sweeps.store",
     "simulate": "stridemap.solver.face",
@@ -39,12 +42,14 @@ _HOMES = {
 __all__ = [
     "InputError",
     "Model",
+    "Motion",
     "Orbit",
     "SearchOptions",
     "Status",
     "__version__",
     "find_orbits",
     "load",
+    "motion",
     "read_cells",
     "read_orbits",
     "simulate",

@@ -261,6 +261,16 @@ class Newton:
     def swing_foot(self):
         return {"foot": self.foot[0], "dfoot": times(self.foot[1], self.v)}
 
+    def drawing(self):
+        feet, upper = self.masses[:2], self.masses[2:]
+        bodies = [*upper, *feet]
+        hip, lines = upper[0][1][0], {}
+        lines["legs"] = np.stack([0 * hip, hip, self.foot[0]], axis=1)
+        if self.name == "wobbling":
+            lines["spring"] = np.stack([point[0] for _, point in upper], axis=1)
+        masses = np.stack([m for m, _ in bodies], axis=-1)
+        return {"positions": np.stack([p[0] for _, p in bodies], axis=1), "masses": masses, **lines}
+
     def spring_mode(self):
         k, alpha = self.par["k"], self.par["alpha"]
         return {"frequency": self.xp.sqrt(k / (alpha * (1 - alpha)))}

@@ -31,7 +31,7 @@ from stridemap.solver.model import load
 FUNCTIONS = (
     "mass_matrix", "bias_forces", "controller_torque", "state_derivative", "touchdown_condition",
     "impact_map", "impact_impulse", "kinetic_energy", "potential_energy", "total_mass", "centre_of_mass",
-    "ground_force", "zmp", "swing_foot", "spring_mode", "section_state",
+    "ground_force", "zmp", "swing_foot", "drawing", "spring_mode", "section_state",
 )  # fmt: skip
 JACOBIANS = {
     "state_derivative_dq": ("dv_dq", "state_derivative", "dv", "q"),

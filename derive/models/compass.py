@@ -7,7 +7,7 @@ matrix of that one is singular at ``alpha = 0``.
 import sympy as sp
 
 from stridemap.derive.controller import GAINS, OSCILLATOR, hip_torque
-from stridemap.derive.declaration import STANCE_FOOT, Coordinate, Parameter, PointMass, Walker
+from stridemap.derive.declaration import STANCE_FOOT, Coordinate, Line, Parameter, PointMass, Walker
 
 THETA1 = Coordinate("theta1", "rad", "angle of the stance leg from the vertical, positive leaning back")
 THETA2 = Coordinate("theta2", "rad", "angle from the stance leg to the swing leg")
@@ -18,6 +18,7 @@ hip = STANCE_FOOT + sp.Matrix([-sp.sin(theta1), sp.cos(theta1)])
 swing_foot = hip + sp.Matrix([sp.sin(theta1 - theta2), -sp.cos(theta1 - theta2)])
 
 FEET = (PointMass("stance foot", BETA.symbol, STANCE_FOOT), PointMass("swing foot", BETA.symbol, swing_foot))
+LEGS = Line("legs", (STANCE_FOOT, hip, swing_foot))
 SWAP = {theta1: theta1 - theta2, theta2: -theta2}
 
 WALKER = Walker(
@@ -38,5 +39,6 @@ WALKER = Walker(
     stance_angle=THETA1,
     spring_mode=None,
     wobbling=None,
+    drawing=(LEGS,),
     search_box={"theta1": (0.08, 0.15), "dtheta1": (-0.15, 0.6), "dtheta2": (0.0, 0.2)},
 )

@@ -6,8 +6,19 @@ The rail of the wobbling mass stays horizontal at the height of the hip.
 import sympy as sp
 
 from stridemap.derive.controller import GAINS, OSCILLATOR, hip_torque
-from stridemap.derive.declaration import Coordinate, Parameter, PointMass, Walker
-from stridemap.derive.models.compass import BETA, FEET, SWAP, THETA1, THETA2, hip, swing_foot, theta1, theta2
+from stridemap.derive.declaration import Coordinate, Line, Parameter, PointMass, Walker
+from stridemap.derive.models.compass import (
+    BETA,
+    FEET,
+    LEGS,
+    SWAP,
+    THETA1,
+    THETA2,
+    hip,
+    swing_foot,
+    theta1,
+    theta2,
+)
 from stridemap.derive.models.compass import WALKER as COMPASS
 
 X = Coordinate("x", "L", "distance of the wobbling mass ahead of the hip")
@@ -17,6 +28,7 @@ ALPHA = Parameter(
 )
 
 k, alpha, x = K.symbol, ALPHA.symbol, X.symbol
+wobbling_mass = hip + sp.Matrix([x, 0])
 
 WALKER = Walker(
     name="wobbling",
@@ -26,7 +38,7 @@ WALKER = Walker(
     parameters=(K, ALPHA, *OSCILLATOR, BETA, *GAINS),
     masses=(
         PointMass("hip", 1 - alpha, hip),
-        PointMass("wobbling mass", alpha, hip + sp.Matrix([x, 0])),
+        PointMass("wobbling mass", alpha, wobbling_mass),
         *FEET,
     ),
     springs={"spring": k * x**2 / 2},
@@ -40,5 +52,6 @@ WALKER = Walker(
     stance_angle=THETA1,
     spring_mode=sp.sqrt(k / (alpha * (1 - alpha))),
     wobbling=X,
+    drawing=(LEGS, Line("spring", (hip, wobbling_mass), spring=True)),
     search_box={**COMPASS.search_box, "x": (0.0, 0.15), "dx": (0.0, 1.5)},
 )

@@ -516,6 +516,26 @@ def swing_foot(xp, q, v):
     }
 
 
+def drawing(xp, q, p):
+    """What the walker is drawn by.
+
+    Source: geometry; masses: hip, stance foot, swing foot.
+    12 operations.
+    """
+    theta1 = q[0]
+    theta2 = q[1]
+    beta = p[1]
+    s_theta1 = xp.sin(theta1)
+    c_theta1 = xp.cos(theta1)
+    s_theta1_minus_theta2 = xp.sin(theta1 - theta2)
+    c_theta1_minus_theta2 = xp.cos(theta1 - theta2)
+    return {
+        "positions": [[-s_theta1, c_theta1], [0, 0], [s_theta1_minus_theta2 - s_theta1, c_theta1 - c_theta1_minus_theta2]],
+        "masses": [1, beta, beta],
+        "legs": [[0, 0], [-s_theta1, c_theta1], [s_theta1_minus_theta2 - s_theta1, c_theta1 - c_theta1_minus_theta2]],
+    }
+
+
 def section_state(xp, z):
     """State of a point on the Poincare section (the instant just after touchdown).
 

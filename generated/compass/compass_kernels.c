@@ -1,5 +1,5 @@
 /* Compass walker: kernels of the solver
- * Printed by CasADi 3.8.2 from equations c442f74fc5d9ec97.
+ * Printed by CasADi 3.8.2 from equations 9a21403f68fd2b91.
  * Do not edit: run `make derive`.
  * SPDX-License-Identifier: BSD-3-Clause
  */

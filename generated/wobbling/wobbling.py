@@ -676,6 +676,29 @@ def swing_foot(xp, q, v):
     }
 
 
+def drawing(xp, q, p):
+    """What the walker is drawn by.
+
+    Source: geometry; masses: hip, wobbling mass, stance foot, swing foot.
+    16 operations.
+    """
+    theta1 = q[0]
+    theta2 = q[1]
+    x = q[2]
+    alpha = p[1]
+    beta = p[3]
+    s_theta1 = xp.sin(theta1)
+    c_theta1 = xp.cos(theta1)
+    s_theta1_minus_theta2 = xp.sin(theta1 - theta2)
+    c_theta1_minus_theta2 = xp.cos(theta1 - theta2)
+    return {
+        "positions": [[-s_theta1, c_theta1], [x - s_theta1, c_theta1], [0, 0], [s_theta1_minus_theta2 - s_theta1, c_theta1 - c_theta1_minus_theta2]],
+        "masses": [1 - alpha, alpha, beta, beta],
+        "legs": [[0, 0], [-s_theta1, c_theta1], [s_theta1_minus_theta2 - s_theta1, c_theta1 - c_theta1_minus_theta2]],
+        "spring": [[-s_theta1, c_theta1], [x - s_theta1, c_theta1]],
+    }
+
+
 def spring_mode(xp, p):
     """Frequency of the spring mode.
 
