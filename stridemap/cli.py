@@ -1,4 +1,4 @@
-"""The command line: ``stridemap orbit | sweep | simulate | derive``.
+"""The command line: ``stridemap orbit | sweep | simulate | report | derive``.
 
 Exit status: 0 found or done, 1 nothing found, 2 unusable input (one sentence on standard error).
 """
@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Annotated, Any, NoReturn
 
 import typer
 
+from stridemap.commands.report import report
 from stridemap.errors import InputError
 
 if TYPE_CHECKING:
@@ -225,6 +226,9 @@ def derive(
         return NOTHING
     print("generated files are what the derivation writes")
     return FOUND
+
+
+app.command()(report)
 
 
 @app.command()

@@ -1,0 +1,259 @@
+// The page: what the reader has chosen, and what follows from it.
+
+const ANY = { key: "any", label: "all cycles", keep: () => true };
+const CHOICES = [
+  ANY,
+  { key: "stable", label: "stable cycles", keep: (row) => stableColumn[row] === 1 },
+  { key: "contact", label: "stable, foot always pressed down", keep: (row) => stableColumn[row] === 1 && orbits.numbers("min_vertical_force")[row] > 0 },
+  { key: "unstable", label: "unstable cycles", keep: (row) => stableColumn[row] === 0 },
+].filter(({ key }) => key !== "contact" || orbits.has("min_vertical_force"));
+
+const STABILITY = "stability";
+const COUNT = "count";
+
+// Measures that have a place on a scale; those that say how good the computation was are not for the map.
+const colours = report.measures.filter(({ name }) => orbits.words(name) === null && !["stable", "residual", "integration_error"].includes(name));
+
+const state = { across: 0, up: null, indices: [], colour: STABILITY, choice: "any", group: "", of: "radius", cell: 0, row: null };
+
+const scales = new Map();
+
+function scaleOf(name) {
+  if (!scales.has(name)) {
+    const values = name === COUNT ? grid.axes.length && Array.from({ length: cells.length }, (_, c) => first[c + 1] - first[c]) : orbits.numbers(name);
+    scales.set(name, new ValueScale(values));
+  }
+  return scales.get(name);
+}
+
+// The cycles of a cell that the reader wants to see.
+function wanted(cell) {
+  const { keep } = CHOICES.find(({ key }) => key === state.choice);
+  return rowsOf(cell).filter((row) => keep(row) && (!state.group || orbits.entry("group", row) === state.group));
+}
+
+// Of several cycles, the one that stands for the cell.
+function representative(rows) {
+  const measured = state.of !== "radius" && orbits.has(state.colour);
+  const values = measured ? orbits.numbers(state.colour) : radiusColumn;
+  const sign = measured && state.of === "high" ? -1 : 1;
+  const finite = rows.filter((row) => !Number.isNaN(values[row]));
+  return finite.reduce((best, row) => (best === null || sign * values[row] < sign * values[best] ? row : best), null);
+}
+
+function look(cell) {
+  if (cells.entry("status", cell) === "failed") return { cross: true };
+  const rows = wanted(cell);
+  const row = representative(rows);
+  if (row === null) return {};
+  const stable = stableColumn[row] === 1;
+  const letter = orbits.has("group") ? orbits.entry("group", row) : null;
+  if (state.colour === STABILITY) return { fill: styled(stable ? "map-stable" : "map-unstable"), hatch: !stable, letter };
+  const value = state.colour === COUNT ? rows.length : orbits.numbers(state.colour)[row];
+  return { fill: Number.isNaN(value) ? null : colourAt(scaleOf(state.colour).unit(value)), hatch: !stable && state.colour !== COUNT, cross: Number.isNaN(value) };
+}
+
+// ---- what follows from a choice ----
+
+const stage = new Stage(byId("stage"), (time, seen) => {
+  byId("time").value = String(Math.round((1000 * time) / stage.path.period));
+  byId("time").setAttribute("aria-valuetext", `${brief(time, 3)} of ${brief(stage.path.period, 3)}`);
+  byId("now").textContent = [
+    `t = ${time.toFixed(3)}`, seen.d === null ? "" : `d = ${signed(seen.d.toFixed(3))}`,
+    seen.force === null ? "" : `Fy = ${signed(seen.force[1].toFixed(3))}`,
+  ].filter(Boolean).join("   ");
+  view.mark(time);
+});
+const view = new CycleView(stage, (row) => choose(state.cell, row));
+const map = new GridMap(byId("map"), (cell) => cell !== null && choose(cell), (cell, spoken) => readOut(cell ?? state.cell, spoken));
+
+function choose(cell, row) {
+  const before = state.row;
+  state.cell = cell;
+  state.indices = grid.indices(cell);
+  const rows = wanted(cell).length ? wanted(cell) : rowsOf(cell);
+  const same = before === null ? [] : rows.filter((r) => stableColumn[r] === stableColumn[before] && (!orbits.has("group") || orbits.entry("group", r) === orbits.entry("group", before)));
+  state.row = row ?? representative(same) ?? representative(rows) ?? rows[0] ?? null;
+  view.show(cell, state.row);
+  readOut(cell, true);
+  redraw();
+  remember();
+}
+
+function redraw() {
+  map.show({ across: state.across, up: state.up, indices: state.indices, look, chosen: state.cell });
+  legend();
+  for (const [i, output] of sliders) output(state.indices[i]);
+}
+
+function readOut(cell, spoken) {
+  const place = [state.across, state.up].filter((i) => i !== null).map((i) => `${grid.axes[i].symbol} = ${plain(grid.axes[i].values[grid.indices(cell)[i]])}`);
+  const rows = wanted(cell);
+  const row = representative(rows);
+  const measure = colours.find(({ name }) => name === state.colour);
+  const kind = row === null ? "" : `${orbits.has("group") ? `group ${orbits.entry("group", row)}, ` : ""}${stableColumn[row] ? "stable" : "unstable"}`;
+  const value = row === null || !measure ? "" : `, ${measure.label} ${brief(orbits.numbers(state.colour)[row], 6)} ${measure.unit}`;
+  const words = rows.length ? `${rows.length} ${rows.length === 1 ? "cycle" : "cycles"}; ${kind}${value}` : "no cycle";
+  byId("readout").textContent = `${place.join(", ")}: ${words}`;
+  if (spoken) byId("spoken").textContent = byId("readout").textContent;
+}
+
+function legend() {
+  const box = byId("legend");
+  const swatch = (cls, text) => html("span", { class: "key" }, html("span", { class: `swatch ${cls}` }), text);
+  if (state.colour === STABILITY) {
+    const counts = { stable: 0, unstable: 0, none: 0, failed: 0 };
+    for (const line of map.looks) {
+      for (const { fill, hatch, cross } of line) counts[cross ? "failed" : !fill ? "none" : hatch ? "unstable" : "stable"]++;
+    }
+    const labels = { stable: "stable", unstable: "unstable only", none: "no cycle found", failed: "failed" };
+    const shown = Object.keys(labels).filter((key) => counts[key] || key !== "failed");
+    box.replaceChildren(...shown.map((key) => swatch(key, `${labels[key]}: ${counts[key]} cells`)));
+    if (orbits.has("group") && !orbits.numbers("group").every((code) => code < 0)) box.append(html("span", { class: "key" }, "letters: group of the cycle shown"));
+    return;
+  }
+  const measure = colours.find(({ name }) => name === state.colour) ?? { label: "number of cycles", unit: "" };
+  const scale = scaleOf(state.colour);
+  const stops = Array.from({ length: 17 }, (_, i) => colourAt(i / 16)).join(", ");
+  const bar = html("div", { class: "bar", style: `background: linear-gradient(to right, ${stops})` });
+  const inside = scale.ticks(5).map((value) => html("span", { style: `left: ${100 * scale.unit(value)}%` }, brief(value)));
+  const beyond = [scale.below ? `below ${brief(scale.low, 3)} as its end` : "", scale.above ? `above ${brief(scale.high, 3)} as its end` : ""].filter(Boolean).join(", ");
+  box.replaceChildren(
+    html("div", { class: "scale" }, html("span", { class: "name" }, withUnit(measure.label, measure.unit)), bar, html("div", { class: "ticks" }, ...inside)),
+    ...(state.colour === COUNT ? [] : [swatch("unstable-only", "hatched: unstable")]),
+    ...(beyond ? [html("span", { class: "key note" }, beyond)] : []),
+  );
+}
+
+// The address keeps the choice, so that it can be marked and sent with the file.
+function remember() {
+  const kept = new URLSearchParams({ cell: state.cell, cycle: rowsOf(state.cell).indexOf(state.row) + 1, colour: state.colour });
+  try {
+    history.replaceState(null, "", `#${kept}`);
+  } catch { /* some viewers do not let a file change its address */ }
+}
+
+// ---- controls ----
+
+let sliders = [];
+
+function options(select, entries, chosen, onChange) {
+  select.replaceChildren(...entries.map(([value, text]) => html("option", { value: String(value), selected: value === chosen }, text)));
+  select.onchange = () => onChange(select.value);
+}
+
+function buildSliders() {
+  const others = grid.axes.map((_, i) => i).filter((i) => i !== state.across && i !== state.up);
+  const parts = others.map((i) => {
+    const axis = grid.axes[i];
+    const output = html("output", { for: `slider-${i}` });
+    const input = html("input", { type: "range", id: `slider-${i}`, min: "0", max: String(axis.values.length - 1), step: "1", value: String(state.indices[i]), "data-axis": axis.name });
+    input.addEventListener("input", () => choose(grid.cell(state.indices.map((at, j) => (j === i ? Number(input.value) : at)))));
+    const show = (index) => {
+      input.value = String(index);
+      output.textContent = withUnit(plain(axis.values[index]), axis.unit);
+      input.setAttribute("aria-valuetext", output.textContent);
+    };
+    const label = html("label", { class: "slider", title: axis.meaning }, html("span", {}, axis.symbol), input, output);
+    return { i, show, label };
+  });
+  sliders = parts.map(({ i, show }) => [i, show]);
+  byId("sliders").replaceChildren(...parts.map(({ label }) => label));
+}
+
+function buildAxes() {
+  const names = grid.axes.map((axis, i) => [i, `${axis.symbol} (${axis.name})`]);
+  byId("axes").hidden = grid.axes.length < 3;
+  const set = (one, other) => (value) => {
+    const before = state[one];
+    state[one] = Number(value);
+    if (state[other] === state[one]) state[other] = before;
+    buildAxes();
+    buildSliders();
+    redraw();
+    readOut(state.cell);
+  };
+  options(byId("across"), names, state.across, set("across", "up"));
+  options(byId("up"), names, state.up, set("up", "across"));
+}
+
+function buildControls() {
+  const change = (key) => (value) => {
+    state[key] = value;
+    byId("of").closest("label").hidden = !orbits.has(state.colour);
+    redraw();
+    readOut(state.cell);
+    remember();
+  };
+  const entries = [[STABILITY, "stable or unstable"], ...colours.map((m) => [m.name, m.label]), [COUNT, "number of cycles"]];
+  options(byId("colour"), entries, state.colour, change("colour"));
+  options(byId("choice"), CHOICES.map(({ key, label }) => [key, label]), state.choice, change("choice"));
+  options(byId("of"), [["radius", "most stable"], ["low", "lowest"], ["high", "highest"]], state.of, change("of"));
+  byId("of").closest("label").hidden = !orbits.has(state.colour);
+  const letters = (orbits.has("group") && orbits.words("group")) || [];
+  byId("group").closest("label").hidden = letters.length < 2;
+  options(byId("group"), [["", "all"], ...letters.map((l) => [l, l])], "", change("group"));
+}
+
+function buildPlayer() {
+  const button = byId("play");
+  const play = (on) => {
+    stage.play(on);
+    button.textContent = stage.playing ? "Pause" : "Play";
+    button.setAttribute("aria-pressed", String(stage.playing));
+  };
+  button.onclick = () => play(!stage.playing);
+  byId("time").addEventListener("input", () => {
+    play(false);
+    stage.seek((Number(byId("time").value) / 1000) * stage.path.period);
+  });
+  byId("profiles").addEventListener("pointerdown", () => play(false));
+  options(byId("speed"), SPEEDS.map((s) => [s, `${s} √(L/g) a second`]), stage.speed, (value) => { stage.speed = Number(value); });
+  const still = matchMedia("(prefers-reduced-motion: reduce)");
+  still.addEventListener("change", () => still.matches && play(false));
+  play(!still.matches);
+}
+
+// ---- start ----
+
+// The map spans the two axes with the most values; ties keep the order of the grid.
+function startAxes() {
+  const order = grid.axes.map((_, i) => i).sort((a, b) => grid.axes[b].values.length - grid.axes[a].values.length || a - b);
+  const [across, up] = order.slice(0, 2).sort((a, b) => a - b);
+  Object.assign(state, { across, up: up ?? null });
+}
+
+// The cell of the address, or the one nearest to the preset, or else the first that has a cycle.
+function startCell() {
+  const kept = new URLSearchParams(location.hash.slice(1));
+  if (kept.get("colour") === COUNT || colours.some(({ name }) => name === kept.get("colour"))) state.colour = kept.get("colour");
+  const cell = Number(kept.get("cell") ?? NaN);
+  if (Number.isInteger(cell) && cell >= 0 && cell < cells.length) return [cell, rowsOf(cell)[Number(kept.get("cycle")) - 1]];
+  const nearest = grid.axes.map(({ values, preset }) => values.reduce((best, v, i) => (Math.abs(v - preset) < Math.abs(values[best] - preset) ? i : best), 0));
+  const at = grid.cell(nearest);
+  return [rowsOf(at).length ? at : orbits.numbers("cell")[0], undefined];
+}
+
+startAxes();
+const [startingCell, startingRow] = startCell();
+state.indices = grid.indices(startingCell);
+buildControls();
+buildAxes();
+buildSliders();
+choose(startingCell, startingRow);
+buildPlayer();
+
+const redrawAll = () => {
+  map.draw();
+  stage.draw();
+};
+new ResizeObserver(redrawAll).observe(byId("map"));
+new ResizeObserver(redrawAll).observe(byId("stage"));
+matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
+  redraw();
+  stage.draw();
+});
+
+// For scripts and for tests: the tables, the equations, and the page itself.
+window.stridemap = { report, orbits, cells, grid, equations, evaluate, Path, map, stage, state, choose };
+document.documentElement.dataset.ready = "yes";

@@ -1,0 +1,193 @@
+// The stage: the walker on its ground, with zero moment point and ground force, moving or at a chosen time.
+
+const SPEEDS = [0.05, 0.1, 0.25, 0.5, 1];
+
+class Stage {
+  // `onTime(t)` is called when the time within the step changes.
+  constructor(canvas, onTime) {
+    this.canvas = canvas;
+    this.onTime = onTime;
+    this.time = 0;
+    this.step = 0;
+    this.speed = 0.25;
+    this.playing = false;
+  }
+
+  load(path) {
+    this.path = path;
+    const touchdown = path.seen(path.period);
+    this.stride = touchdown.foot ?? [0, 0];
+    [this.time, this.step] = [0, 0];
+    this.show();
+  }
+
+  // Go to a time within the step shown.
+  seek(time) {
+    this.time = Math.max(0, Math.min(time, this.path.period));
+    this.show();
+  }
+
+  play(on) {
+    this.playing = on && Boolean(this.path);
+    this.last = null;
+    if (this.playing) requestAnimationFrame((now) => this.tick(now));
+  }
+
+  tick(now) {
+    if (!this.playing) return;
+    const passed = this.last === null ? 0 : Math.min((now - this.last) / 1000, 0.1);
+    this.last = now;
+    this.time += passed * this.speed;
+    while (this.time >= this.path.period) {
+      this.time -= this.path.period;
+      this.step += 1;
+    }
+    this.show();
+    requestAnimationFrame((next) => this.tick(next));
+  }
+
+  show() {
+    if (!this.path) return;
+    this.seen = this.path.seen(this.time);
+    this.draw();
+    this.onTime(this.time, this.seen);
+  }
+
+  draw() {
+    if (!this.path) return;
+    const { pen, width, height } = prepared(this.canvas);
+    const scale = Math.min(width / 1.9, height / 1.62);
+    // The camera follows at the mean speed; the world lies from the present stance foot.
+    const share = this.time / this.path.period - 0.5;
+    const centre = [share * this.stride[0], share * this.stride[1]];
+    const place = ([x, y]) => [width / 2 + (x - centre[0]) * scale, height - 0.24 * scale - (y - centre[1]) * scale];
+    this.place = place;
+    this.ground(pen, place, width, scale);
+    this.measures(pen, place, scale);
+    this.walker(pen, place, scale);
+  }
+
+  // The ground with strokes that stand still in the world, so that walking shows, and the footprints.
+  ground(pen, place, width, scale) {
+    const [sx, sy] = this.stride;
+    const length = Math.hypot(sx, sy) || 1;
+    const along = sx > 0 ? [sx / length, sy / length] : [1, 0];
+    const at = (s, below = 0) => place([s * along[0] + below * along[1], s * along[1] - below * along[0]]);
+    const reach = width / scale;
+    pen.strokeStyle = styled("ink-soft");
+    pen.lineWidth = 1.5;
+    segment(pen, ...at(-reach), ...at(reach));
+    pen.strokeStyle = styled("line");
+    pen.lineWidth = 1;
+    const gap = 0.05;
+    const walked = this.step * length;
+    for (let i = Math.floor((walked - reach) / gap); i * gap < walked + reach; i++) {
+      segment(pen, ...at(i * gap - walked), ...at(i * gap - walked - 0.03, 0.035));
+    }
+    pen.fillStyle = styled("ink-soft");
+    for (let i = -Math.ceil(reach / length); i <= 0; i++) disc(pen, at(i * length), 2.5);
+  }
+
+  walker(pen, place, scale) {
+    const { lines, positions, masses, foot } = this.seen;
+    pen.lineCap = "round";
+    pen.lineJoin = "round";
+    const isFoot = (point) => foot !== null && distance(point, foot) < 1e-9;
+    for (const { name, spring } of model.lines) {
+      const points = lines[name];
+      for (let i = 1; i < points.length; i++) {
+        const swing = isFoot(points[i]) || isFoot(points[i - 1]);
+        pen.strokeStyle = styled(spring ? "spring" : swing ? "swing" : "ink");
+        pen.lineWidth = spring ? 2 : swing ? 4 : 5;
+        if (spring) coil(pen, place(points[i - 1]), place(points[i]));
+        else segment(pen, ...place(points[i - 1]), ...place(points[i]));
+      }
+    }
+    const coiled = new Set(model.lines.filter((l) => l.spring).map((l) => String(lines[l.name].at(-1))));
+    positions.forEach((position, i) => {
+      const radius = Math.max(3, 0.085 * scale * Math.sqrt(Math.abs(masses[i])));
+      pen.fillStyle = styled(coiled.has(String(position)) ? "spring" : isFoot(position) ? "swing" : "ink");
+      disc(pen, place(position), radius);
+      pen.strokeStyle = styled("card");
+      pen.lineWidth = 1.5;
+      pen.stroke();
+    });
+  }
+
+  // Centre of mass, zero moment point with its distance from the foot, and ground force.
+  measures(pen, place, scale) {
+    const { com, zmp, force } = this.seen;
+    const footAt = place([0, 0]);
+    if (zmp !== null) {
+      const point = place([zmp, 0]);
+      pen.strokeStyle = pen.fillStyle = styled("zmp");
+      pen.lineWidth = 2;
+      segment(pen, footAt[0], footAt[1] + 16, point[0], footAt[1] + 16);
+      segment(pen, footAt[0], footAt[1] + 11, footAt[0], footAt[1] + 21);
+      pen.lineWidth = 1;
+      if (com !== null) {
+        pen.setLineDash([2, 4]);
+        segment(pen, ...point, ...place(com));
+        pen.setLineDash([]);
+      }
+      triangle(pen, [point[0], point[1] + 4], 8);
+    }
+    if (force !== null) {
+      const tip = place(force.map((f) => 0.4 * f));
+      pen.strokeStyle = pen.fillStyle = styled("force");
+      pen.lineWidth = 3;
+      arrow(pen, footAt, tip, 9);
+    }
+    if (com !== null) {
+      pen.fillStyle = styled("card");
+      disc(pen, place(com), 5.5);
+      pen.strokeStyle = styled("zmp");
+      pen.lineWidth = 2;
+      pen.stroke();
+    }
+  }
+}
+
+function disc(pen, [x, y], radius) {
+  pen.beginPath();
+  pen.arc(x, y, radius, 0, 2 * Math.PI);
+  pen.fill();
+}
+
+function triangle(pen, [x, y], size) {
+  pen.beginPath();
+  pen.moveTo(x, y);
+  pen.lineTo(x - size * 0.75, y + size * 1.3);
+  pen.lineTo(x + size * 0.75, y + size * 1.3);
+  pen.fill();
+}
+
+function arrow(pen, from, to, head) {
+  const angle = Math.atan2(to[1] - from[1], to[0] - from[0]);
+  const length = Math.hypot(to[0] - from[0], to[1] - from[1]);
+  if (length < 1) return;
+  const back = Math.max(0, 1 - head / length);
+  segment(pen, ...from, from[0] + back * (to[0] - from[0]), from[1] + back * (to[1] - from[1]));
+  pen.beginPath();
+  pen.moveTo(...to);
+  for (const side of [-1, 1]) {
+    pen.lineTo(to[0] - head * Math.cos(angle + side * 0.45), to[1] - head * Math.sin(angle + side * 0.45));
+  }
+  pen.fill();
+}
+
+// A spring between two points: a zigzag whose teeth keep their height.
+function coil(pen, from, to, teeth = 8, height = 6) {
+  const along = [(to[0] - from[0]), (to[1] - from[1])];
+  const length = Math.hypot(...along) || 1;
+  const across = [(-along[1] / length) * height, (along[0] / length) * height];
+  pen.beginPath();
+  pen.moveTo(...from);
+  for (let i = 1; i < 2 * teeth; i++) {
+    const share = 0.1 + (0.8 * (i - 0.5)) / (2 * teeth - 1);
+    const side = i % 2 ? 1 : -1;
+    pen.lineTo(from[0] + share * along[0] + side * across[0], from[1] + share * along[1] + side * across[1]);
+  }
+  pen.lineTo(...to);
+  pen.stroke();
+}
