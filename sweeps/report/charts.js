@@ -18,7 +18,7 @@ function html(tag, attributes = {}, ...children) {
 }
 
 const SAMPLES = 241;
-const CHART = { width: 340, height: 178, left: 52, right: 34, top: 10, bottom: 34 };
+const CHART = { width: 340, height: 184, left: 52, right: 46, top: 10, bottom: 40 };
 
 // The charts of a path: coordinates and rates by their units, then what acts at the foot and the hip.
 function chartsOf(samples) {
@@ -68,7 +68,7 @@ function lineChart({ title, unit, series, measure, zero }, times, row) {
   for (const value of ticks(0, period, 4)) {
     root.append(svg("text", { x: x(value), y: height - bottom + 15, class: "tick middle" }, brief(value)));
   }
-  root.append(svg("text", { x: width - right, y: height - 4, class: "tick end" }, "t [√(L/g)]"));
+  root.append(svg("text", { x: width - right, y: height - 9, class: "tick end" }, "t [√(L/g)]"));
   for (const side of bound === null ? [] : [-bound, bound].filter((v) => v > low && v < high)) {
     root.append(svg("line", { x1: left, x2: width - right, y1: y(side), y2: y(side), class: "bound" }));
     root.append(svg("text", { x: width - right + 4, y: y(side), class: "tick" }, side < 0 ? `${MINUS}d_max` : "d_max"));

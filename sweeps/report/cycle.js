@@ -12,7 +12,7 @@ class CycleView {
   }
 
   show(cell, row) {
-    byId("cell-name").textContent = grid.axes.map((axis, i) => `${axis.symbol} = ${plain(axis.values[grid.indices(cell)[i]])}`).join(", ");
+    byId("cell-name").textContent = grid.axes.map((axis, i) => `${axis.symbol} = ${brief(axis.values[grid.indices(cell)[i]], 6)}`).join(", ");
     this.list(cell, row);
     const found = row !== null;
     byId("cycle").hidden = byId("numbers").hidden = byId("profiles-card").hidden = !found;

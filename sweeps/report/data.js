@@ -108,9 +108,6 @@ function brief(value, digits = 4) {
   return signed(String(Number(value.toPrecision(digits))));
 }
 
-// A parameter value or tick: the shortest text that is the number again.
-const plain = (value) => signed(String(value));
-
 function entryText(name, row) {
   const value = orbits.entry(name, row);
   if (value === null) return "none";

@@ -20,7 +20,7 @@ const scales = new Map();
 
 function scaleOf(name) {
   if (!scales.has(name)) {
-    const values = name === COUNT ? grid.axes.length && Array.from({ length: cells.length }, (_, c) => first[c + 1] - first[c]) : orbits.numbers(name);
+    const values = name === COUNT ? Array.from({ length: cells.length }, (_, c) => first[c + 1] - first[c]) : orbits.numbers(name);
     scales.set(name, new ValueScale(values));
   }
   return scales.get(name);
@@ -67,6 +67,8 @@ const stage = new Stage(byId("stage"), (time, seen) => {
 const view = new CycleView(stage, (row) => choose(state.cell, row));
 const map = new GridMap(byId("map"), (cell) => cell !== null && choose(cell), (cell, spoken) => readOut(cell ?? state.cell, spoken));
 
+const slice = new Slice(byId("slice"), (row) => choose(orbits.numbers("cell")[row], row));
+
 function choose(cell, row) {
   const before = state.row;
   state.cell = cell;
@@ -81,13 +83,27 @@ function choose(cell, row) {
 }
 
 function redraw() {
+  byId("map").classList.toggle("strip", state.up === null);
   map.show({ across: state.across, up: state.up, indices: state.indices, look, chosen: state.cell });
   legend();
+  showSlice();
   for (const [i, output] of sliders) output(state.indices[i]);
 }
 
+// The measure that colours the map, or the largest multiplier, along the horizontal axis.
+function showSlice() {
+  const named = (name) => report.measures.find((m) => m.name === name);
+  const measure = named(state.colour) ?? named("spectral_radius");
+  const at = grid.axes.flatMap((axis, i) => (i === state.across ? [] : [`${axis.symbol} = ${brief(axis.values[state.indices[i]], 6)}`]));
+  byId("slice-name").textContent = `${withUnit(measure.label, measure.unit)} along ${grid.axes[state.across].symbol}${at.length ? ` at ${at.join(", ")}` : ""}`;
+  slice.show({
+    across: state.across, indices: state.indices, keep: wanted, measure, scale: scaleOf(measure.name),
+    level: measure.name === "spectral_radius" ? 1 : null, chosen: state.row,
+  });
+}
+
 function readOut(cell, spoken) {
-  const place = [state.across, state.up].filter((i) => i !== null).map((i) => `${grid.axes[i].symbol} = ${plain(grid.axes[i].values[grid.indices(cell)[i]])}`);
+  const place = [state.across, state.up].filter((i) => i !== null).map((i) => `${grid.axes[i].symbol} = ${brief(grid.axes[i].values[grid.indices(cell)[i]], 6)}`);
   const rows = wanted(cell);
   const row = representative(rows);
   const measure = colours.find(({ name }) => name === state.colour);
@@ -117,11 +133,11 @@ function legend() {
   const stops = Array.from({ length: 17 }, (_, i) => colourAt(i / 16)).join(", ");
   const bar = html("div", { class: "bar", style: `background: linear-gradient(to right, ${stops})` });
   const inside = scale.ticks(5).map((value) => html("span", { style: `left: ${100 * scale.unit(value)}%` }, brief(value)));
-  const beyond = [scale.below ? `below ${brief(scale.low, 3)} as its end` : "", scale.above ? `above ${brief(scale.high, 3)} as its end` : ""].filter(Boolean).join(", ");
+  const beyond = [scale.below ? "below" : "", scale.above ? "above" : ""].filter(Boolean).join(" and ");
   box.replaceChildren(
     html("div", { class: "scale" }, html("span", { class: "name" }, withUnit(measure.label, measure.unit)), bar, html("div", { class: "ticks" }, ...inside)),
     ...(state.colour === COUNT ? [] : [swatch("unstable-only", "hatched: unstable")]),
-    ...(beyond ? [html("span", { class: "key note" }, beyond)] : []),
+    ...(beyond ? [html("span", { class: "key" }, `values ${beyond} have the colour of the end`)] : []),
   );
 }
 
@@ -151,7 +167,7 @@ function buildSliders() {
     input.addEventListener("input", () => choose(grid.cell(state.indices.map((at, j) => (j === i ? Number(input.value) : at)))));
     const show = (index) => {
       input.value = String(index);
-      output.textContent = withUnit(plain(axis.values[index]), axis.unit);
+      output.textContent = `${brief(axis.values[index], 6)} ${axis.unit}`.trim();
       input.setAttribute("aria-valuetext", output.textContent);
     };
     const label = html("label", { class: "slider", title: axis.meaning }, html("span", {}, axis.symbol), input, output);
@@ -243,12 +259,8 @@ buildSliders();
 choose(startingCell, startingRow);
 buildPlayer();
 
-const redrawAll = () => {
-  map.draw();
-  stage.draw();
-};
-new ResizeObserver(redrawAll).observe(byId("map"));
-new ResizeObserver(redrawAll).observe(byId("stage"));
+// Canvases are drawn anew when their size or the colours change.
+for (const [id, drawn] of [["map", map], ["slice", slice], ["stage", stage]]) new ResizeObserver(() => drawn.draw()).observe(byId(id));
 matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
   redraw();
   stage.draw();

@@ -30,7 +30,7 @@ def text(value: Any) -> str:
 def lead(model: Model, provenance: Mapping[str, Any], orbits: pd.DataFrame, cells: pd.DataFrame) -> str:
     """Say what the page shows."""
     varied = [
-        f"<i>{text(symbol(axis.name))}</i> ({text(axis.meaning)})"
+        f"<i>{text(symbol(axis.name))}</i> ({text(axis.meaning.split(';')[0])})"
         for axis in axes(model, provenance["configuration"])
     ]
     return (

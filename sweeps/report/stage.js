@@ -15,8 +15,9 @@ class Stage {
 
   load(path) {
     this.path = path;
-    const touchdown = path.seen(path.period);
-    this.stride = touchdown.foot ?? [0, 0];
+    this.stride = path.seen(path.period).foot;
+    const extents = path.samples(49).flatMap(({ lines }) => model.lines.filter((l) => l.spring).map((l) => distance(lines[l.name][0], lines[l.name].at(-1))));
+    this.extent = Math.max(0, ...extents);
     [this.time, this.step] = [0, 0];
     this.show();
   }
@@ -56,15 +57,16 @@ class Stage {
   draw() {
     if (!this.path) return;
     const { pen, width, height } = prepared(this.canvas);
-    const scale = Math.min(width / 1.9, height / 1.62);
+    const scale = Math.min(width / 1.5, height / 1.4);
     // The camera follows at the mean speed; the world lies from the present stance foot.
     const share = this.time / this.path.period - 0.5;
     const centre = [share * this.stride[0], share * this.stride[1]];
-    const place = ([x, y]) => [width / 2 + (x - centre[0]) * scale, height - 0.24 * scale - (y - centre[1]) * scale];
+    const place = ([x, y]) => [width / 2 + (x - centre[0]) * scale, height - 0.2 * scale - (y - centre[1]) * scale];
     this.place = place;
     this.ground(pen, place, width, scale);
     this.measures(pen, place, scale);
     this.walker(pen, place, scale);
+    this.lenses(pen, width, height, scale);
   }
 
   // The ground with strokes that stand still in the world, so that walking shows, and the footprints.
@@ -105,12 +107,41 @@ class Stage {
     }
     const coiled = new Set(model.lines.filter((l) => l.spring).map((l) => String(lines[l.name].at(-1))));
     positions.forEach((position, i) => {
-      const radius = Math.max(3, 0.085 * scale * Math.sqrt(Math.abs(masses[i])));
+      const radius = Math.max(3, 0.05 * scale * Math.sqrt(Math.abs(masses[i])));
       pen.fillStyle = styled(coiled.has(String(position)) ? "spring" : isFoot(position) ? "swing" : "ink");
       disc(pen, place(position), radius);
       pen.strokeStyle = styled("card");
       pen.lineWidth = 1.5;
       pen.stroke();
+    });
+  }
+
+  // Springs move little: each is drawn once more under a magnifying glass, in the upper corner.
+  lenses(pen, width, height, scale) {
+    const radius = Math.min(0.16 * height, 0.16 * width, 60);
+    const larger = lensPower((0.72 * radius) / (scale * this.extent));
+    if (!(larger > 1)) return;
+    model.lines.filter((line) => line.spring).forEach(({ name }, i) => {
+      const points = this.seen.lines[name];
+      const middle = [width - radius - 6 - i * (2 * radius + 12), radius + 6];
+      const tip = points.at(-1).map((v, j) => middle[j] + (j ? -1 : 1) * larger * scale * (v - points[0][j]));
+      pen.fillStyle = styled("card");
+      pen.strokeStyle = styled("line");
+      pen.lineWidth = 1.5;
+      disc(pen, middle, radius);
+      pen.stroke();
+      pen.strokeStyle = styled("spring");
+      pen.lineWidth = 2;
+      coil(pen, middle, tip);
+      pen.fillStyle = styled("ink");
+      disc(pen, middle, 5);
+      pen.fillStyle = styled("spring");
+      disc(pen, tip, 6);
+      pen.fillStyle = styled("ink-soft");
+      pen.font = `12px ${styled("font")}`;
+      pen.textAlign = "center";
+      pen.textBaseline = "top";
+      pen.fillText(`${name} \u00d7${larger}`, middle[0], middle[1] + radius + 4);
     });
   }
 
@@ -146,6 +177,13 @@ class Stage {
       pen.stroke();
     }
   }
+}
+
+// The largest round number that is not above what fits.
+function lensPower(fits) {
+  if (!Number.isFinite(fits)) return 0;
+  const unit = 10 ** Math.floor(Math.log10(fits));
+  return Math.max(...[1, 2, 5].map((m) => m * unit).filter((m) => m <= fits));
 }
 
 function disc(pen, [x, y], radius) {

@@ -17,7 +17,7 @@ from stridemap.sweeps.report.javascript import equations
 from stridemap.sweeps.report.payload import NEEDED, functions, payload
 from stridemap.sweeps.store import read_cells, read_orbits, read_provenance
 
-SCRIPTS = ("data.js", "walker.js", "scale.js", "map.js", "charts.js", "stage.js", "cycle.js", "page.js")
+SCRIPTS = ("data.js", "walker.js", "scale.js", "map.js", "slice.js", "charts.js", "stage.js", "cycle.js", "page.js")
 """The page's own programs, in the order in which they build on each other."""
 
 LARGEST = 200e6

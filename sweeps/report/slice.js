@@ -1,0 +1,99 @@
+// The slice: a measure of all cycles along the map's horizontal axis, through the chosen cell. Filled marks are
+// stable cycles, open ones unstable.
+
+const SLICE = { top: 12, bottom: 30 };
+
+class Slice {
+  // `onChoose(row)` is called when the reader presses near a cycle.
+  constructor(canvas, onChoose) {
+    this.canvas = canvas;
+    canvas.addEventListener("click", (event) => {
+      const row = this.near(event);
+      if (row !== null) onChoose(row);
+    });
+  }
+
+  // Draw `measure` of the cycles that `keep(cell)` gives; `level` is a value to mark with a line, or null.
+  show({ across, indices, keep, measure, scale, level, chosen }) {
+    Object.assign(this, { across, measure, scale, level, chosen });
+    this.columns = new CellScale(grid.axes[across]);
+    this.rows = grid.axes[across].values.flatMap((_, column) => {
+      const at = [...indices];
+      at[across] = column;
+      return keep(grid.cell(at)).map((row) => [column, row]);
+    });
+    this.draw();
+  }
+
+  place(column, row, width, height) {
+    const value = orbits.numbers(this.measure.name)[row];
+    const unit = this.scale.unit(value);
+    const x = INSET.left + this.columns.place(column) * (width - INSET.left - INSET.right);
+    const y = height - SLICE.bottom - Math.max(0, Math.min(1, unit)) * (height - SLICE.top - SLICE.bottom);
+    return { x, y, beyond: unit > 1 ? 1 : unit < 0 ? -1 : 0, missing: Number.isNaN(value) };
+  }
+
+  near(event) {
+    const { width, height, left, top } = this.canvas.getBoundingClientRect();
+    const away = ([column, row]) => {
+      const { x, y, missing } = this.place(column, row, width, height);
+      return missing ? Infinity : Math.hypot(event.clientX - left - x, event.clientY - top - y);
+    };
+    const best = this.rows.reduce((found, pair) => (found === null || away(pair) < away(found) ? pair : found), null);
+    return best !== null && away(best) < 30 ? best[1] : null;
+  }
+
+  draw() {
+    if (!this.rows) return;
+    const { pen, width, height } = prepared(this.canvas);
+    const [right, bottom] = [width - INSET.right, height - SLICE.bottom];
+    const y = (value) => bottom - this.scale.unit(value) * (bottom - SLICE.top);
+    pen.font = `12px ${styled("font")}`;
+    pen.textAlign = "right";
+    pen.textBaseline = "middle";
+    for (const value of this.scale.ticks(5)) {
+      pen.strokeStyle = styled("line");
+      pen.lineWidth = 1;
+      segment(pen, INSET.left, y(value), right, y(value));
+      pen.fillStyle = styled("ink-soft");
+      pen.fillText(brief(value), INSET.left - 8, y(value));
+    }
+    if (this.level !== null && this.scale.unit(this.level) >= 0 && this.scale.unit(this.level) <= 1) {
+      pen.strokeStyle = styled("ink");
+      segment(pen, INSET.left, y(this.level), right, y(this.level));
+    }
+    this.axis(pen, right, bottom);
+    for (const [column, row] of this.rows) this.dot(pen, this.place(column, row, width, height), row);
+  }
+
+  axis(pen, right, bottom) {
+    pen.strokeStyle = styled("line");
+    pen.strokeRect(INSET.left - 0.5, SLICE.top - 0.5, right - INSET.left + 1, bottom - SLICE.top + 1);
+    pen.textAlign = "center";
+    pen.textBaseline = "top";
+    for (const [unit, text] of this.columns.ticks(right < 500 ? 5 : 8)) {
+      const x = INSET.left + unit * (right - INSET.left);
+      segment(pen, x, bottom, x, bottom + 5);
+      pen.fillText(text, x, bottom + 8);
+    }
+  }
+
+  // Beyond the scale a mark becomes a triangle at its edge.
+  dot(pen, { x, y, beyond, missing }, row) {
+    if (missing) return;
+    const [stable, chosen] = [stableColumn[row] === 1, row === this.chosen];
+    const size = chosen ? 6 : 3;
+    pen.beginPath();
+    if (beyond) {
+      pen.moveTo(x, y - beyond * (size + 2));
+      pen.lineTo(x + size, y + beyond * 2);
+      pen.lineTo(x - size, y + beyond * 2);
+      pen.closePath();
+    } else pen.arc(x, y, size, 0, 2 * Math.PI);
+    pen.fillStyle = styled(stable ? "map-stable" : "card");
+    pen.strokeStyle = styled(chosen ? "ink" : stable ? "map-stable" : "open");
+    pen.lineWidth = chosen ? 2.5 : 1.3;
+    pen.fill();
+    pen.stroke();
+  }
+}
