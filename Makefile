@@ -8,6 +8,8 @@ JOBS   = 2
 WORKERS =
 CELLS   =
 STARTS  =
+REPORT  = results/report.html
+CLAIMS  = $(wildcard results/claims.json)
 ARGS    =
 
 VENV := .venv
@@ -29,7 +31,7 @@ SOUND := $(shell [ -x $(BIN)/python ] && [ "$$(cat $(MADE) 2>/dev/null)" = "$$(p
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help derive sweep test lint format bench recall docs lock clean FORCE
+.PHONY: help derive sweep report test lint format bench recall docs lock clean FORCE
 
 help: ## this list
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "make %-8s %s\n", $$1, $$2 }' Makefile
@@ -39,6 +41,11 @@ derive: $(RUN) ## write the equations, the C and the kernels of all models into 
 
 sweep: $(RUN) ## find all limit cycles of a grid, or go on with what is unfinished (CONFIG=, OUT=, WORKERS=)
 	$(BIN)/stridemap sweep "$(CONFIG)" --out "$(OUT)" --resume $(if $(WORKERS),--workers $(WORKERS)) $(ARGS)
+
+report: $(RUN) ## write the sweep as one HTML page to explore, after the sweep if need be (CONFIG=, OUT=, REPORT=, CLAIMS=)
+	@[ -e "$(OUT)/orbits.parquet" ] && [ -e "$(OUT)/cells.parquet" ] && [ ! -e "$(OUT)/parts" ] || \
+	  $(BIN)/stridemap sweep "$(CONFIG)" --out "$(OUT)" --resume $(if $(WORKERS),--workers $(WORKERS))
+	$(BIN)/stridemap report "$(OUT)" --out "$(REPORT)" $(if $(CLAIMS),--claims "$(CLAIMS)") $(ARGS)
 
 test: $(DEV) ## run all tests (JOBS=2 at a time; ARGS="-k word" for some)
 	$(BIN)/python -m pytest -n $(JOBS) $(ARGS)

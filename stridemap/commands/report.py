@@ -5,12 +5,13 @@ from typing import Annotated
 
 import typer
 
+PAPER = Path("results/paper")
+
 
 def report(
-    folder: Annotated[
-        Path, typer.Argument(metavar="[SWEEP_DIR]", help="Output folder of a sweep.", show_default=True)
-    ] = Path("results/paper"),
-    out: Annotated[Path, typer.Option(metavar="FILE.html", help="The file to write.")] = ...,  # type: ignore[assignment]
+    folder: Annotated[Path, typer.Argument(metavar="SWEEP_DIR", help="Output folder of a sweep.")] = PAPER,
+    *,
+    out: Annotated[Path, typer.Option(metavar="FILE.html", help="The file to write.")],
     claims: Annotated[
         Path | None, typer.Option(metavar="FILE", help="What `stridemap claims --json` printed.")
     ] = None,

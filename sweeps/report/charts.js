@@ -71,7 +71,7 @@ function lineChart({ title, unit, series, measure, zero }, times, row) {
   root.append(svg("text", { x: width - right, y: height - 9, class: "tick end" }, "t [√(L/g)]"));
   for (const side of bound === null ? [] : [-bound, bound].filter((v) => v > low && v < high)) {
     root.append(svg("line", { x1: left, x2: width - right, y1: y(side), y2: y(side), class: "bound" }));
-    root.append(svg("text", { x: width - right + 4, y: y(side), class: "tick" }, side < 0 ? `${MINUS}d_max` : "d_max"));
+    root.append(svg("text", { x: width - right + 4, y: y(side), class: "tick" }, side < 0 ? `${MINUS}max` : "d_max"));
   }
   root.append(...lines(series, times, x, y));
   const mark = svg("line", { y1: top, y2: height - bottom, class: "now" });

@@ -92,7 +92,7 @@ function multipliers(row) {
 }
 
 const MINUS = "\u2212";
-const signed = (text) => text.replace("-", MINUS);
+const signed = (text) => text.replaceAll("-", MINUS);
 
 // A number with so many decimals that columns stand under each other, as the command line prints it.
 function exact(value, decimals = 10) {

@@ -16,14 +16,24 @@ const colours = report.measures.filter(({ name }) => orbits.words(name) === null
 
 const state = { across: 0, up: null, indices: [], colour: STABILITY, choice: "any", group: "", of: "radius", cell: 0, row: null };
 
+// What happens near 1 decides; how far beyond a multiplier lies matters little.
+const MOST = { spectral_radius: 2 };
+
+// Scales span the whole sweep, so that colours stay when a slider moves: that of the slice all cycles of the
+// choice, that of the map those which stand for their cells.
 const scales = new Map();
 
-function scaleOf(name) {
-  if (!scales.has(name)) {
-    const values = name === COUNT ? Array.from({ length: cells.length }, (_, c) => first[c + 1] - first[c]) : orbits.numbers(name);
-    scales.set(name, new ValueScale(values));
-  }
-  return scales.get(name);
+function scaleOf(name, place) {
+  const key = [place, name, state.choice, state.group, state.of].join();
+  if (!scales.has(key)) scales.set(key, new ValueScale(valuesOf(name, place), MOST[name]));
+  return scales.get(key);
+}
+
+function valuesOf(name, place) {
+  const chosen = Array.from({ length: cells.length }, (_, cell) => wanted(cell));
+  if (name === COUNT) return chosen.map((rows) => rows.length);
+  const rows = place === "map" ? chosen.map(representative).filter((row) => row !== null) : chosen.flat();
+  return rows.map((row) => orbits.numbers(name)[row]);
 }
 
 // The cycles of a cell that the reader wants to see.
@@ -50,7 +60,7 @@ function look(cell) {
   const letter = orbits.has("group") ? orbits.entry("group", row) : null;
   if (state.colour === STABILITY) return { fill: styled(stable ? "map-stable" : "map-unstable"), hatch: !stable, letter };
   const value = state.colour === COUNT ? rows.length : orbits.numbers(state.colour)[row];
-  return { fill: Number.isNaN(value) ? null : colourAt(scaleOf(state.colour).unit(value)), hatch: !stable && state.colour !== COUNT, cross: Number.isNaN(value) };
+  return { fill: Number.isNaN(value) ? null : colourAt(scaleOf(state.colour, "map").unit(value)), hatch: !stable && state.colour !== COUNT, cross: Number.isNaN(value) };
 }
 
 // ---- what follows from a choice ----
@@ -97,7 +107,7 @@ function showSlice() {
   const at = grid.axes.flatMap((axis, i) => (i === state.across ? [] : [`${axis.symbol} = ${brief(axis.values[state.indices[i]], 6)}`]));
   byId("slice-name").textContent = `${withUnit(measure.label, measure.unit)} along ${grid.axes[state.across].symbol}${at.length ? ` at ${at.join(", ")}` : ""}`;
   slice.show({
-    across: state.across, indices: state.indices, keep: wanted, measure, scale: scaleOf(measure.name),
+    across: state.across, indices: state.indices, keep: wanted, measure, scale: scaleOf(measure.name, "slice"),
     level: measure.name === "spectral_radius" ? 1 : null, chosen: state.row,
   });
 }
@@ -129,7 +139,7 @@ function legend() {
     return;
   }
   const measure = colours.find(({ name }) => name === state.colour) ?? { label: "number of cycles", unit: "" };
-  const scale = scaleOf(state.colour);
+  const scale = scaleOf(state.colour, "map");
   const stops = Array.from({ length: 17 }, (_, i) => colourAt(i / 16)).join(", ");
   const bar = html("div", { class: "bar", style: `background: linear-gradient(to right, ${stops})` });
   const inside = scale.ticks(5).map((value) => html("span", { style: `left: ${100 * scale.unit(value)}%` }, brief(value)));

@@ -86,14 +86,16 @@ function colourAt(unit) {
   return `rgb(${mixed.join(" ")})`;
 }
 
-// From the values of a measure to colour or height. It spans most of the whole sweep, not of what is seen of
-// it, so that colours stay when a slider moves; the few values beyond count as its ends.
+// From the values of a measure to colour or height. It spans most of them; the few beyond count as its ends.
 class ValueScale {
-  constructor(values) {
-    const sorted = Float64Array.from(values.filter((value) => Number.isFinite(value))).sort();
+  // `most` is where it ends at the latest.
+  constructor(values, most = Infinity) {
+    const finite = Float64Array.from(values.filter(Number.isFinite)).sort();
+    const sorted = finite.length ? finite : [0];
     const at = (share) => sorted[Math.round(share * (sorted.length - 1))];
     const whole = sorted.length < 50;
     [this.low, this.high] = whole ? [at(0), at(1)] : [at(0.01), at(0.97)];
+    if (this.low < most) this.high = Math.min(this.high, most);
     [this.below, this.above] = [sorted[0] < this.low, sorted.at(-1) > this.high];
     this.log = this.low > 0 && this.high / this.low > 30;
     if (!(this.high > this.low)) [this.low, this.high] = [this.low - 0.5, this.low + 0.5];

@@ -62,7 +62,7 @@ def read_claims(path: str | Path) -> list[dict[str, Any]]:
     for i, claim in enumerate(claims, 1):
         if not isinstance(claim, dict) or not isinstance(claim.get("id"), str):
             raise InputError(f"claim {i} in {path} has no id; {wanted}")
-        if claim.get("verdict") not in VERDICTS:
+        if claim.get("verdict") not in list(VERDICTS):
             raise InputError(
                 f"the verdict of {claim['id']} in {path} is {claim.get('verdict')!r}, not one of "
                 f"{', '.join(VERDICTS)}; {wanted}"

@@ -125,9 +125,8 @@ def _write(path: Path, page: bytes) -> None:
         os.chmod(temporary, 0o666 & ~mask)  # mkstemp makes files that only their owner reads
         os.replace(temporary, path)
     except OSError as error:
-        raise InputError(
-            f"cannot write {path} ({error.strerror or error}); give a file in a folder that can be written"
-        ) from None
+        reason = "a folder on the way is a file" if isinstance(error, FileExistsError) else error.strerror or error
+        raise InputError(f"cannot write {path} ({reason}); give a file in a folder that can be written") from None
     finally:
         if temporary is not None:
             with contextlib.suppress(OSError):
