@@ -27,14 +27,21 @@ from stridemap.sweeps.store import read_cells, read_provenance
 CLAIMS = {
     "claims": [
         {"id": "C1", "statement": "k < 7 & </script>", "verdict": "holds", "evidence": {"k": [0.5, 6.0]}},
-        {"id": "C2", "statement": "order", "verdict": "in part", "evidence": {"rows": [{"n": 1, "ok": True}]}},
+        {
+            "id": "C2",
+            "statement": "order",
+            "verdict": "in part",
+            "evidence": {"rows": [{"n": 1, "ok": True}]},
+        },
         {"id": "C3", "verdict": "differs", "evidence": None},
     ]
 }
 
 
 def data_of(page):
-    return json.loads(re.search(r'<script type="application/json" id="data">(.*?)</script>', page, re.DOTALL)[1])
+    return json.loads(
+        re.search(r'<script type="application/json" id="data">(.*?)</script>', page, re.DOTALL)[1]
+    )
 
 
 def decoded(column):
@@ -73,7 +80,9 @@ def test_it_holds_the_tables_to_the_last_bit(done, page):
 def test_cells_are_numbered_as_in_the_tables(tmp_path):
     """The provenance sorts its keys; cells are numbered in the model's order."""
     config = tmp_path / "two.toml"
-    config.write_text('model = "wobbling"\n[grid]\nk = [6, 7, 8]\nalpha = [0.2, 0.25]\n[search]\nstarts = 4\n')
+    config.write_text(
+        'model = "wobbling"\n[grid]\nk = [6, 7, 8]\nalpha = [0.2, 0.25]\n[search]\nstarts = 4\n'
+    )
     sweep(config, tmp_path / "out", executor=Inline())
     write_report(tmp_path / "out", tmp_path / "page.html")
     data, cells = data_of((tmp_path / "page.html").read_text()), read_cells(tmp_path / "out")
@@ -92,7 +101,9 @@ def test_it_says_where_the_numbers_come_from(done, page):
 
 
 def test_it_needs_nothing_else(page):
-    assert set(re.findall(r"https?://[^\s\"'<)]*", page)) == {"http://www.w3.org/2000/svg"}  # a name, no address
+    assert set(re.findall(r"https?://[^\s\"'<)]*", page)) == {
+        "http://www.w3.org/2000/svg"
+    }  # a name, no address
     assert re.findall(r"(?:src|href)\s*=\s*\"(?!#)([^\"]*)\"", page) == ["data:,"]
     assert "@import" not in page
     assert "url(" not in page
@@ -114,7 +125,7 @@ def test_verdicts_are_shown_as_text(done):
     assert "3 statements: 1 holds, 1 in part, 1 differs." in page
     assert "k &lt; 7 &amp; &lt;/script&gt;" in page
     assert page.count("</script>") == page.count("<script") == 2
-    assert '<dt>k</dt><dd>0.5, 6</dd>' in page
+    assert "<dt>k</dt><dd>0.5, 6</dd>" in page
     assert "No verdicts were given" not in page
 
 
@@ -122,7 +133,9 @@ def test_without_verdicts_it_says_how_to_get_them(page):
     assert "No verdicts were given to this report." in page
 
 
-@pytest.mark.parametrize(("light", "start"), [(True, ":root {"), (False, "@media (prefers-color-scheme: dark)")])
+@pytest.mark.parametrize(
+    ("light", "start"), [(True, ":root {"), (False, "@media (prefers-color-scheme: dark)")]
+)
 def test_text_stands_out_from_its_ground(page, light, start):
     """Contrast of WCAG 2.1, at least 4.5."""
 
@@ -139,7 +152,8 @@ def test_text_stands_out_from_its_ground(page, light, start):
 
 
 @pytest.mark.parametrize(
-    ("name", "shown"), [("theta1", "θ₁"), ("alpha", "α"), ("k", "k"), ("Kp", "Kp"), ("x2", "x₂"), ("leg_1", "leg_1")]
+    ("name", "shown"),
+    [("theta1", "θ₁"), ("alpha", "α"), ("k", "k"), ("Kp", "Kp"), ("x2", "x₂"), ("leg_1", "leg_1")],
 )
 def test_symbols(name, shown):
     assert symbol(name) == shown
@@ -203,9 +217,13 @@ def test_no_sweep(tmp_path, refused):
 
 def test_a_sweep_that_found_nothing(tmp_path, refused):
     config = tmp_path / "none.toml"
-    config.write_text('model = "compass"\n[params]\nKp = 0\nKd = 0\n[grid]\nomega = [3.0]\n[search]\nstarts = 4\n')
+    config.write_text(
+        'model = "compass"\n[params]\nKp = 0\nKd = 0\n[grid]\nomega = [3.0]\n[search]\nstarts = 4\n'
+    )
     sweep(config, tmp_path / "out", executor=Inline())
-    refused(f"report {tmp_path}/out --out {tmp_path}/a.html", "found no limit cycle, so there is nothing to show")
+    refused(
+        f"report {tmp_path}/out --out {tmp_path}/a.html", "found no limit cycle, so there is nothing to show"
+    )
 
 
 def altered(folder, change):
@@ -249,7 +267,9 @@ def test_where_it_cannot_be_written(done, refused):
 
 def test_a_failed_write_leaves_what_was_there(done, monkeypatch):
     (done / "page.html").write_text("before")
-    monkeypatch.setattr("os.replace", lambda *_: (_ for _ in ()).throw(OSError(28, "No space left on device")))
+    monkeypatch.setattr(
+        "os.replace", lambda *_: (_ for _ in ()).throw(OSError(28, "No space left on device"))
+    )
     with pytest.raises(InputError, match="No space left on device"):
         write_report(done / "out", done / "page.html")
     assert (done / "page.html").read_text() == "before"

@@ -16,7 +16,17 @@ FUNCTIONS = frozenset({"sin", "cos", "tan", "exp", "log", "sqrt"})
 """Functions that NumPy and JavaScript's ``Math`` have under one name; the generator uses no others."""
 
 _ALLOWED = (
-    *(ast.Name, ast.Load, ast.Store, ast.Constant, ast.List, ast.Dict, ast.Subscript, ast.Call, ast.Attribute),
+    *(
+        ast.Name,
+        ast.Load,
+        ast.Store,
+        ast.Constant,
+        ast.List,
+        ast.Dict,
+        ast.Subscript,
+        ast.Call,
+        ast.Attribute,
+    ),
     *(ast.BinOp, ast.Add, ast.Sub, ast.Mult, ast.Div, ast.UnaryOp, ast.USub, ast.UAdd),
 )
 

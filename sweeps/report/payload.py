@@ -82,7 +82,12 @@ def _model(model: Model) -> dict[str, Any]:
         "title": model.title,
         "parameters": [{"name": p.name, "symbol": symbol(p.name)} for p in model.parameters],
         "coordinates": [
-            {**c, "unit": _unit(c["unit"]), "symbol": symbol(c["name"]), "rate_symbol": rate_symbol(c["name"])}
+            {
+                **c,
+                "unit": _unit(c["unit"]),
+                "symbol": symbol(c["name"]),
+                "rate_symbol": rate_symbol(c["name"]),
+            }
             for c in manifest["coordinates"]
         ],
         "section": [
@@ -90,7 +95,9 @@ def _model(model: Model) -> dict[str, Any]:
         ],
         "masses": manifest["masses"],
         "lines": manifest["lines"],
-        "inputs": {name: [a["name"] for a in manifest["functions"][name]["inputs"]] for name in functions(model)},
+        "inputs": {
+            name: [a["name"] for a in manifest["functions"][name]["inputs"]] for name in functions(model)
+        },
     }
 
 

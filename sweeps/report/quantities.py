@@ -49,10 +49,14 @@ MEASURES = {
         "cost per speed", "√(L/g)", "Work per weight and mean speed, the formula that the paper prints."
     ),
     "min_vertical_force": Quantity(
-        "least ground force", "M g", "Smallest vertical ground force; where it is negative the foot would lift."
+        "least ground force",
+        "M g",
+        "Smallest vertical ground force; where it is negative the foot would lift.",
     ),
     "friction": Quantity("friction needed", "", "Largest ratio of horizontal to vertical ground force."),
-    "clearance": Quantity("foot clearance", "L", "Lowest height of the swing foot; negative where it scuffs."),
+    "clearance": Quantity(
+        "foot clearance", "L", "Lowest height of the swing foot; negative where it scuffs."
+    ),
     "peaks": Quantity("peaks", "", "Local maxima of the stance angle's rate within the step."),
     "x_zero_crossings": Quantity(
         "crossings of x", "", "Sign changes of the wobbling mass's position within the step."
@@ -63,7 +67,9 @@ MEASURES = {
     ),
     "status": Quantity("status", "", "How the search for the cycle ended."),
     "stable": Quantity("stable", "", "Whether the largest multiplier is below 1."),
-    "group": Quantity("group", "", "Whole oscillations of the spring mode in one period: A is 0, B is 1, ..."),
+    "group": Quantity(
+        "group", "", "Whole oscillations of the spring mode in one period: A is 0, B is 1, ..."
+    ),
 }
 """Known columns; a column that is not here is shown under its own name."""
 

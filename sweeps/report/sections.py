@@ -102,7 +102,8 @@ def provenance(model: Model, found: Mapping[str, Any]) -> str:
         "model hash": f"<code>{text(found['model_hash'])}</code>",
         "configuration hash": f"<code>{text(found['configuration_hash'])}</code>",
         "grid": "<br>".join(_axis(a.name, configuration["grid"][a.name]) for a in axes(model, configuration)),
-        "fixed": text(", ".join(f"{name} = {fixed[name]!r}" for name in model.preset if name in fixed)) or "nothing",
+        "fixed": text(", ".join(f"{name} = {fixed[name]!r}" for name in model.preset if name in fixed))
+        or "nothing",
         "search": text(", ".join(f"{name} = {_plain(v)}" for name, v in configuration["search"].items())),
         "versions": text(", ".join(f"{name} {version}" for name, version in found["versions"].items())),
         "compiler": text(found["compiler"] or "none: CasADi's virtual machine"),

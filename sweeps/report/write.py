@@ -17,7 +17,17 @@ from stridemap.sweeps.report.javascript import equations
 from stridemap.sweeps.report.payload import NEEDED, functions, payload
 from stridemap.sweeps.store import read_cells, read_orbits, read_provenance
 
-SCRIPTS = ("data.js", "walker.js", "scale.js", "map.js", "slice.js", "charts.js", "stage.js", "cycle.js", "page.js")
+SCRIPTS = (
+    "data.js",
+    "walker.js",
+    "scale.js",
+    "map.js",
+    "slice.js",
+    "charts.js",
+    "stage.js",
+    "cycle.js",
+    "page.js",
+)
 """The page's own programs, in the order in which they build on each other."""
 
 LARGEST = 200e6
@@ -113,7 +123,9 @@ def _page(**parts: str) -> str:
 def _write(path: Path, page: bytes) -> None:
     """Write the file whole or not at all."""
     if path.is_dir():
-        raise InputError(f"{path} is a folder; give the name of a file to write, such as {path / 'report.html'}")
+        raise InputError(
+            f"{path} is a folder; give the name of a file to write, such as {path / 'report.html'}"
+        )
     temporary = None
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
@@ -125,8 +137,12 @@ def _write(path: Path, page: bytes) -> None:
         os.chmod(temporary, 0o666 & ~mask)  # mkstemp makes files that only their owner reads
         os.replace(temporary, path)
     except OSError as error:
-        reason = "a folder on the way is a file" if isinstance(error, FileExistsError) else error.strerror or error
-        raise InputError(f"cannot write {path} ({reason}); give a file in a folder that can be written") from None
+        reason = (
+            "a folder on the way is a file" if isinstance(error, FileExistsError) else error.strerror or error
+        )
+        raise InputError(
+            f"cannot write {path} ({reason}); give a file in a folder that can be written"
+        ) from None
     finally:
         if temporary is not None:
             with contextlib.suppress(OSError):
