@@ -13,7 +13,7 @@ def example(walker: Walker, programs: list[Program], first_lines: list[str]) -> 
     by_name = {p.name: p for p in programs}
     preset = ", ".join(repr(a.default) for a in walker.parameters)
     names = ", ".join(a.name for a in walker.parameters)
-    start = [_inside(walker.search_box[s]) for s in walker.section]
+    start = [_inside(walker.search_box[s]) for s in walker.section_names]
 
     def call(function: str, *outputs: str) -> str:
         inputs = [a.name for a in by_name[function].arguments]
@@ -32,8 +32,8 @@ def example(walker: Walker, programs: list[Program], first_lines: list[str]) -> 
         "{",
         f"    /* the preset: {names} */",
         f"    const double p[{len(walker.parameters)}] = {{{preset}}};",
-        f"    /* a state just after touchdown: {', '.join(walker.section)} */",
-        f"    const double z[{len(walker.section)}] = {{{', '.join(f'{v:g}' for v in start)}}};",
+        f"    /* a state just after touchdown: {', '.join(walker.section_names)} */",
+        f"    const double z[{len(walker.section_names)}] = {{{', '.join(f'{v:g}' for v in start)}}};",
         "    const double t = 0.0, dt = 1e-3;",
         f"    double q[{n}], v[{n}], M[{n * n}], dq[{n}], dv[{n}], kinetic[1], potential[1];",
         f"    double force[2], q_plus[{n}], v_plus[{n}];",
@@ -105,7 +105,7 @@ def readme(walker: Walker, programs: list[Program], generator: str) -> str:
         f"| `q[{len(walker.coordinates)}]` | {_list(c.name for c in walker.coordinates)} |",
         f"| `v[{len(walker.coordinates)}]` | {_list('d' + c.name for c in walker.coordinates)} |",
         f"| `p[{len(walker.parameters)}]` | {_list(a.name for a in walker.parameters)} |",
-        f"| `z[{len(walker.section)}]` | {_list(walker.section)} (just after touchdown) |",
+        f"| `z[{len(walker.section_names)}]` | {_list(walker.section_names)} (just after touchdown) |",
         "| `t` | time since touchdown |",
         "",
         "## Functions",

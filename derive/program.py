@@ -99,6 +99,15 @@ class Program:
         return set().union(*(e.free_symbols for e in terms))
 
 
+@dataclass(frozen=True)
+class Factors:
+    """Factors ``L D U`` of a matrix: unit triangular `lower` and `upper`, and the diagonal `pivots`."""
+
+    lower: sp.Matrix
+    pivots: list[sp.Expr]
+    upper: sp.Matrix
+
+
 @dataclass
 class Builder:
     """Collects named intermediate terms and closes them into a `Program`."""
@@ -128,22 +137,37 @@ class Builder:
                 named[i, j] = named[j, i] = self.let(f"{name}_{j + 1}{i + 1}", matrix[i, j])
         return named
 
-    def factor(self, name: str, matrix: sp.Matrix) -> tuple[sp.Matrix, list[sp.Expr]]:
-        """Factor a symmetric positive definite matrix as ``L D L^T``, unrolled (L unit lower triangular)."""
+    def let_matrix(self, name: str, matrix: sp.Matrix, symmetric: bool = True) -> sp.Matrix:
+        """Name the entries of a square matrix, those of a symmetric one once each."""
+        if symmetric:
+            return self.let_symmetric(name, matrix)
+        return sp.Matrix(*matrix.shape, lambda i, j: self.let(f"{name}_{i + 1}{j + 1}", matrix[i, j]))
+
+    def factor(self, name: str, matrix: sp.Matrix, symmetric: bool = True) -> "Factors":
+        """Factor a matrix as ``L D U``, unrolled, with unit triangular L and U (U is L^T if symmetric).
+
+        There is no pivoting: the matrices here are positive definite, or triangular in blocks that are.
+        """
         n = matrix.rows
-        lower = sp.eye(n)
+        lower, upper = sp.eye(n), sp.eye(n)
         pivots: list[sp.Expr] = []
         for j in range(n):
-            pivot = matrix[j, j] - sum(lower[j, m] ** 2 * pivots[m] for m in range(j))
+            done = range(j)
+            pivot = matrix[j, j] - sum(lower[j, m] * upper[m, j] * pivots[m] for m in done)
             pivots.append(self.let(f"{name}_D{j + 1}", pivot))
             for i in range(j + 1, n):
-                rest = matrix[i, j] - sum(lower[i, m] * lower[j, m] * pivots[m] for m in range(j))
+                rest = matrix[i, j] - sum(lower[i, m] * upper[m, j] * pivots[m] for m in done)
                 lower[i, j] = self.let(f"{name}_L{i + 1}{j + 1}", rest / pivots[j])
-        return lower, pivots
+                if symmetric:
+                    upper[j, i] = lower[i, j]
+                else:
+                    rest = matrix[j, i] - sum(lower[j, m] * upper[m, i] * pivots[m] for m in done)
+                    upper[j, i] = self.let(f"{name}_U{j + 1}{i + 1}", rest / pivots[j])
+        return Factors(lower, pivots, upper)
 
-    def solve(self, name: str, factors: tuple[sp.Matrix, list[sp.Expr]], right: sp.Matrix) -> sp.Matrix:
-        """Solve ``L D L^T y = right`` by substitution, unrolled; the unknowns are named ``<name>_i``."""
-        lower, pivots = factors
+    def solve(self, name: str, factors: "Factors", right: sp.Matrix) -> sp.Matrix:
+        """Solve ``L D U y = right`` by substitution, unrolled; the unknowns are named ``<name>_i``."""
+        lower, upper = factors.lower, factors.upper
         n = lower.rows
         forward: list[sp.Expr] = []
         for i in range(n):
@@ -151,7 +175,7 @@ class Builder:
             forward.append(self.let(f"{name}_f{i + 1}", term))
         solution = sp.zeros(n, 1)
         for i in reversed(range(n)):
-            term = forward[i] / pivots[i] - sum(lower[m, i] * solution[m] for m in range(i + 1, n))
+            term = forward[i] / factors.pivots[i] - sum(upper[i, m] * solution[m] for m in range(i + 1, n))
             solution[i] = self.let(f"{name}_{i + 1}", term)
         return solution
 
