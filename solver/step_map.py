@@ -37,6 +37,7 @@ class StepMap:
         self.n = len(model.coordinates)
         self.nz = len(model.section)
         self.n_params = len(model.parameters)
+        self._whole: dict[str, ca.Function] = {}
 
     # -- pieces ------------------------------------------------------------------------------------------
 
@@ -191,18 +192,31 @@ class StepMap:
 
     def residual(self, steps: int) -> ca.Function:
         """(u, p) -> R with u = (z, T) and a step of the walker cut into `steps` Runge-Kutta steps."""
-        u, p = ca.MX.sym("u", self.nz + 1), ca.MX.sym("p", self.n_params)
-        z, period = u[: self.nz], u[self.nz]
-        y = self._flow(self._plain_block, self.start(z)[0], period, p, steps)
-        return ca.Function(f"residual_{steps}", [u, p], [self.landing(y, z, p)], ["u", "p"], ["R"])
+
+        def outputs(z: ca.MX, period: ca.MX, p: ca.MX) -> list[ca.MX]:
+            y = self._flow(self._plain_block, self.start(z)[0], period, p, steps)
+            return [self.landing(y, z, p)]
+
+        return self._of_whole_step(f"residual_{steps}", outputs, ["R"])
 
     def jacobian(self, steps: int) -> ca.Function:
         """(u, p) -> (dR/du, R), by forward sensitivities through every stage."""
-        u, p = ca.MX.sym("u", self.nz + 1), ca.MX.sym("p", self.n_params)
-        z, period = u[: self.nz], u[self.nz]
-        y = self._flow(self._variational_block, ca.horzcat(*self.start(z)), period, p, steps)
-        outputs = self.landing_with_derivative(y, z, period, p)
-        return ca.Function(f"jacobian_{steps}", [u, p], list(outputs), ["u", "p"], ["J", "R"])
+
+        def outputs(z: ca.MX, period: ca.MX, p: ca.MX) -> list[ca.MX]:
+            y = self._flow(self._variational_block, ca.horzcat(*self.start(z)), period, p, steps)
+            return list(self.landing_with_derivative(y, z, period, p))
+
+        return self._of_whole_step(f"jacobian_{steps}", outputs, ["J", "R"])
+
+    def _of_whole_step(
+        self, name: str, outputs: Callable[[ca.MX, ca.MX, ca.MX], list[ca.MX]], names: list[str]
+    ) -> ca.Function:
+        """A function of (u, p), given as one of (z, T, p). Built once a name, so that it is printed once."""
+        if name not in self._whole:
+            u, p = ca.MX.sym("u", self.nz + 1), ca.MX.sym("p", self.n_params)
+            out = outputs(u[: self.nz], u[self.nz], p)
+            self._whole[name] = ca.Function(f"{self.model.name}_{name}", [u, p], out, ["u", "p"], names)
+        return self._whole[name]
 
     def rootfinder(
         self,

@@ -100,20 +100,7 @@
 #define casadi_f72 CASADI_PREFIX(f72)
 #define casadi_f73 CASADI_PREFIX(f73)
 #define casadi_f74 CASADI_PREFIX(f74)
-#define casadi_f75 CASADI_PREFIX(f75)
-#define casadi_f76 CASADI_PREFIX(f76)
-#define casadi_f77 CASADI_PREFIX(f77)
-#define casadi_f78 CASADI_PREFIX(f78)
-#define casadi_f79 CASADI_PREFIX(f79)
 #define casadi_f8 CASADI_PREFIX(f8)
-#define casadi_f80 CASADI_PREFIX(f80)
-#define casadi_f81 CASADI_PREFIX(f81)
-#define casadi_f82 CASADI_PREFIX(f82)
-#define casadi_f83 CASADI_PREFIX(f83)
-#define casadi_f84 CASADI_PREFIX(f84)
-#define casadi_f85 CASADI_PREFIX(f85)
-#define casadi_f86 CASADI_PREFIX(f86)
-#define casadi_f87 CASADI_PREFIX(f87)
 #define casadi_f9 CASADI_PREFIX(f9)
 #define casadi_fabs CASADI_PREFIX(fabs)
 #define casadi_fmax CASADI_PREFIX(fmax)
@@ -4980,7 +4967,7 @@ static int casadi_f8(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   return 0;
 }
 
-/* jacobian_12:(u[4],p[6])->(J[4x4],R[4]) */
+/* compass_jacobian_12:(u[4],p[6])->(J[4x4],R[4]) */
 static int casadi_f2(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+305, *w04=w+317, w05, w06, w07, *w08=w+333, *w09=w+339;
@@ -6579,7 +6566,7 @@ static int casadi_f12(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* residual_12:(u[4],p[6])->(R[4]) */
+/* compass_residual_12:(u[4],p[6])->(R[4]) */
 static int casadi_f9(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, w3, w4, w5, *w6=w+129, *w7=w+135;
   const casadi_real **arg1=arg+2, *cs;
@@ -6641,7 +6628,7 @@ static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   if (casadi_f1(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 4, res[0]);
-  /* #4: @0 = residual_12(@2, @1) */
+  /* #4: @0 = compass_residual_12(@2, @1) */
   arg1[0]=w2;
   arg1[1]=w1;
   res1[0]=w0;
@@ -6726,7 +6713,7 @@ CASADI_SYMBOL_EXPORT int compass_search_12_work_bytes(casadi_int *sz_arg, casadi
   return 0;
 }
 
-/* jacobian_24:(u[4],p[6])->(J[4x4],R[4]) */
+/* compass_jacobian_24:(u[4],p[6])->(J[4x4],R[4]) */
 static int casadi_f15(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+305, *w04=w+317, w05, w06, w07, *w08=w+333, *w09=w+339;
@@ -6830,7 +6817,7 @@ static int casadi_f14(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* residual_24:(u[4],p[6])->(R[4]) */
+/* compass_residual_24:(u[4],p[6])->(R[4]) */
 static int casadi_f16(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, w3, w4, w5, *w6=w+129, *w7=w+135;
   const casadi_real **arg1=arg+2, *cs;
@@ -6904,7 +6891,7 @@ static int casadi_f13(const casadi_real** arg, casadi_real** res, casadi_int* iw
   if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 4, res[0]);
-  /* #4: @0 = residual_24(@2, @1) */
+  /* #4: @0 = compass_residual_24(@2, @1) */
   arg1[0]=w2;
   arg1[1]=w1;
   res1[0]=w0;
@@ -6989,7 +6976,7 @@ CASADI_SYMBOL_EXPORT int compass_search_24_work_bytes(casadi_int *sz_arg, casadi
   return 0;
 }
 
-/* jacobian_48:(u[4],p[6])->(J[4x4],R[4]) */
+/* compass_jacobian_48:(u[4],p[6])->(J[4x4],R[4]) */
 static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+305, *w04=w+317, w05, w06, w07, *w08=w+333, *w09=w+339;
@@ -7117,7 +7104,7 @@ static int casadi_f18(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* residual_48:(u[4],p[6])->(R[4]) */
+/* compass_residual_48:(u[4],p[6])->(R[4]) */
 static int casadi_f20(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, w3, w4, w5, *w6=w+129, *w7=w+135;
   const casadi_real **arg1=arg+2, *cs;
@@ -7215,7 +7202,7 @@ static int casadi_f17(const casadi_real** arg, casadi_real** res, casadi_int* iw
   if (casadi_f18(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 4, res[0]);
-  /* #4: @0 = residual_48(@2, @1) */
+  /* #4: @0 = compass_residual_48(@2, @1) */
   arg1[0]=w2;
   arg1[1]=w1;
   res1[0]=w0;
@@ -7300,122 +7287,6 @@ CASADI_SYMBOL_EXPORT int compass_search_48_work_bytes(casadi_int *sz_arg, casadi
   return 0;
 }
 
-/* jacobian_12:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f24(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+305, *w04=w+317, w05, w06, w07, *w08=w+333, *w09=w+339;
-  casadi_real *w10=w+363;
-  const casadi_real **arg1=arg+2, *cs;
-  /* #0: @0 = input[0][0] */
-  casadi_copy(arg[0], 4, w00);
-  /* #1: @1 = @0[:3] */
-  for (rr=w01, cs=w00+0; cs!=w00+3; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
-  arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<4; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<12; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[3] */
-  for (rr=(&w06), cs=w00+3; cs!=w00+4; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 12 */
-  w07 = 12.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  casadi_copy(arg[1], 6, w08);
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=w08;
-  res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: {@4, @0} = landing_with_derivative(@10, @1, @6, @8) */
-  arg1[0]=w10;
-  arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=w08;
-  res1[0]=w04;
-  res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
-  /* #12: output[0][0] = @4 */
-  casadi_copy(w04, 16, res[0]);
-  /* #13: output[1][0] = @0 */
-  casadi_copy(w00, 4, res[1]);
-  return 0;
-}
-
-/* residual_24:(u[4],p[6])->(R[4]) */
-static int casadi_f25(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, w3, w4, w5, *w6=w+129, *w7=w+135;
-  const casadi_real **arg1=arg+2, *cs;
-  /* #0: @0 = input[0][0] */
-  casadi_copy(arg[0], 4, w0);
-  /* #1: @1 = @0[:3] */
-  for (rr=w1, cs=w0+0; cs!=w0+3; cs+=1) *rr++ = *cs;
-  /* #2: {@2, NULL} = start(@1) */
-  arg1[0]=w1;
-  res1[0]=w2;
-  res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @3 = 0 */
-  w3 = 0.;
-  /* #4: @4 = @0[3] */
-  for (rr=(&w4), cs=w0+3; cs!=w0+4; cs+=1) *rr++ = *cs;
-  /* #5: @5 = 24 */
-  w5 = 24.;
-  /* #6: @5 = (@4/@5) */
-  w5  = (w4/w5);
-  /* #7: @6 = input[1][0] */
-  casadi_copy(arg[1], 6, w6);
-  /* #8: @7 = turns(@5, @6) */
-  arg1[0]=(&w5);
-  arg1[1]=w6;
-  res1[0]=w7;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #9: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
-  arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @3 = 0.5 */
-  w3 = 5.0000000000000000e-01;
-  /* #11: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #12: @2 = plain_steps(@0, @3, @7, @5, @6) */
-  arg1[0]=w0;
-  arg1[1]=(&w3);
-  arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #13: @0 = landing(@2, @1, @6) */
-  arg1[0]=w2;
-  arg1[1]=w1;
-  arg1[2]=w6;
-  res1[0]=w0;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
-  /* #14: output[0][0] = @0 */
-  casadi_copy(w0, 4, res[0]);
-  return 0;
-}
-
 /* coarse_jacobian_24:(u[4],p[6])->(J[4x4],R[4]) */
 static int casadi_f23(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+382, *w1=w+386, *w2=w+392, *w3=w+408;
@@ -7424,19 +7295,19 @@ static int casadi_f23(const casadi_real** arg, casadi_real** res, casadi_int* iw
   casadi_copy(arg[0], 4, w0);
   /* #1: @1 = input[1][0] */
   casadi_copy(arg[1], 6, w1);
-  /* #2: {@2, NULL} = jacobian_12(@0, @1) */
+  /* #2: {@2, NULL} = compass_jacobian_12(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f24(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f2(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 16, res[0]);
-  /* #4: @3 = residual_24(@0, @1) */
+  /* #4: @3 = compass_residual_24(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w3;
-  if (casadi_f25(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f16(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 4, res[1]);
   return 0;
@@ -7477,75 +7348,6 @@ static int casadi_f22(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* jacobian_24:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f26(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+305, *w04=w+317, w05, w06, w07, *w08=w+333, *w09=w+339;
-  casadi_real *w10=w+363;
-  const casadi_real **arg1=arg+2, *cs;
-  /* #0: @0 = input[0][0] */
-  casadi_copy(arg[0], 4, w00);
-  /* #1: @1 = @0[:3] */
-  for (rr=w01, cs=w00+0; cs!=w00+3; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
-  arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<4; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<12; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[3] */
-  for (rr=(&w06), cs=w00+3; cs!=w00+4; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 24 */
-  w07 = 24.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  casadi_copy(arg[1], 6, w08);
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=w08;
-  res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: @5 = 0.5 */
-  w05 = 5.0000000000000000e-01;
-  /* #12: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #13: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #14: {@10, @0} = landing_with_derivative(@4, @1, @6, @8) */
-  arg1[0]=w04;
-  arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=w08;
-  res1[0]=w10;
-  res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
-  /* #15: output[0][0] = @10 */
-  casadi_copy(w10, 16, res[0]);
-  /* #16: output[1][0] = @0 */
-  casadi_copy(w00, 4, res[1]);
-  return 0;
-}
-
 /* compass_limit_cycle_24:(u0[4],p[6])->(u[4],J[4x4],R[4]) */
 static int casadi_f21(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+3, *w0=w+476, *w1=w+480, *w2=w+486, *w3=w+490;
@@ -7561,12 +7363,12 @@ static int casadi_f21(const casadi_real** arg, casadi_real** res, casadi_int* iw
   if (casadi_f22(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 4, res[0]);
-  /* #4: {@3, @0} = jacobian_24(@2, @1) */
+  /* #4: {@3, @0} = compass_jacobian_24(@2, @1) */
   arg1[0]=w2;
   arg1[1]=w1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f26(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f15(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 16, res[1]);
   /* #6: output[2][0] = @0 */
@@ -7651,65 +7453,8 @@ CASADI_SYMBOL_EXPORT int compass_limit_cycle_24_work_bytes(casadi_int *sz_arg, c
   return 0;
 }
 
-/* jacobian_12:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f30(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+305, *w04=w+317, w05, w06, w07, *w08=w+333, *w09=w+339;
-  casadi_real *w10=w+363;
-  const casadi_real **arg1=arg+2, *cs;
-  /* #0: @0 = input[0][0] */
-  casadi_copy(arg[0], 4, w00);
-  /* #1: @1 = @0[:3] */
-  for (rr=w01, cs=w00+0; cs!=w00+3; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
-  arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<4; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<12; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[3] */
-  for (rr=(&w06), cs=w00+3; cs!=w00+4; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 12 */
-  w07 = 12.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  casadi_copy(arg[1], 6, w08);
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=w08;
-  res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: {@4, @0} = landing_with_derivative(@10, @1, @6, @8) */
-  arg1[0]=w10;
-  arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=w08;
-  res1[0]=w04;
-  res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
-  /* #12: output[0][0] = @4 */
-  casadi_copy(w04, 16, res[0]);
-  /* #13: output[1][0] = @0 */
-  casadi_copy(w00, 4, res[1]);
-  return 0;
-}
-
-/* residual_36:(u[4],p[6])->(R[4]) */
-static int casadi_f31(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+/* compass_residual_36:(u[4],p[6])->(R[4]) */
+static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, w3, w4, w5, *w6=w+129, *w7=w+135;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
@@ -7780,33 +7525,33 @@ static int casadi_f31(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* coarse_jacobian_36:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f29(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f26(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+382, *w1=w+386, *w2=w+392, *w3=w+408;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w0);
   /* #1: @1 = input[1][0] */
   casadi_copy(arg[1], 6, w1);
-  /* #2: {@2, NULL} = jacobian_12(@0, @1) */
+  /* #2: {@2, NULL} = compass_jacobian_12(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f30(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f2(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 16, res[0]);
-  /* #4: @3 = residual_36(@0, @1) */
+  /* #4: @3 = compass_residual_36(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w3;
-  if (casadi_f31(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f27(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 4, res[1]);
   return 0;
 }
 
 /* newton_36:(u0[4],p[6])->(u[4]) */
-static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f25(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 4;
@@ -7832,7 +7577,7 @@ static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f29(arg+2, res+1, iw, w+56, 0)) return 1;
+    if (casadi_f26(arg+2, res+1, iw, w+56, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -7840,8 +7585,8 @@ static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* jacobian_36:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f32(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+/* compass_jacobian_36:(u[4],p[6])->(J[4x4],R[4]) */
+static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+305, *w04=w+317, w05, w06, w07, *w08=w+333, *w09=w+339;
   casadi_real *w10=w+363;
@@ -7922,7 +7667,7 @@ static int casadi_f32(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* compass_limit_cycle_36:(u0[4],p[6])->(u[4],J[4x4],R[4]) */
-static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f24(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+3, *w0=w+476, *w1=w+480, *w2=w+486, *w3=w+490;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
@@ -7933,15 +7678,15 @@ static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w2;
-  if (casadi_f28(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f25(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 4, res[0]);
-  /* #4: {@3, @0} = jacobian_36(@2, @1) */
+  /* #4: {@3, @0} = compass_jacobian_36(@2, @1) */
   arg1[0]=w2;
   arg1[1]=w1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f32(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f28(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 16, res[1]);
   /* #6: output[2][0] = @0 */
@@ -7950,7 +7695,7 @@ static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_36(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f27(arg, res, iw, w, mem);
+  return casadi_f24(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_36_checkout(void) {
@@ -8026,186 +7771,34 @@ CASADI_SYMBOL_EXPORT int compass_limit_cycle_36_work_bytes(casadi_int *sz_arg, c
   return 0;
 }
 
-/* jacobian_24:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+305, *w04=w+317, w05, w06, w07, *w08=w+333, *w09=w+339;
-  casadi_real *w10=w+363;
-  const casadi_real **arg1=arg+2, *cs;
-  /* #0: @0 = input[0][0] */
-  casadi_copy(arg[0], 4, w00);
-  /* #1: @1 = @0[:3] */
-  for (rr=w01, cs=w00+0; cs!=w00+3; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
-  arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<4; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<12; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[3] */
-  for (rr=(&w06), cs=w00+3; cs!=w00+4; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 24 */
-  w07 = 24.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  casadi_copy(arg[1], 6, w08);
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=w08;
-  res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: @5 = 0.5 */
-  w05 = 5.0000000000000000e-01;
-  /* #12: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #13: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #14: {@10, @0} = landing_with_derivative(@4, @1, @6, @8) */
-  arg1[0]=w04;
-  arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=w08;
-  res1[0]=w10;
-  res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
-  /* #15: output[0][0] = @10 */
-  casadi_copy(w10, 16, res[0]);
-  /* #16: output[1][0] = @0 */
-  casadi_copy(w00, 4, res[1]);
-  return 0;
-}
-
-/* residual_48:(u[4],p[6])->(R[4]) */
-static int casadi_f37(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, w3, w4, w5, *w6=w+129, *w7=w+135;
-  const casadi_real **arg1=arg+2, *cs;
-  /* #0: @0 = input[0][0] */
-  casadi_copy(arg[0], 4, w0);
-  /* #1: @1 = @0[:3] */
-  for (rr=w1, cs=w0+0; cs!=w0+3; cs+=1) *rr++ = *cs;
-  /* #2: {@2, NULL} = start(@1) */
-  arg1[0]=w1;
-  res1[0]=w2;
-  res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @3 = 0 */
-  w3 = 0.;
-  /* #4: @4 = @0[3] */
-  for (rr=(&w4), cs=w0+3; cs!=w0+4; cs+=1) *rr++ = *cs;
-  /* #5: @5 = 48 */
-  w5 = 48.;
-  /* #6: @5 = (@4/@5) */
-  w5  = (w4/w5);
-  /* #7: @6 = input[1][0] */
-  casadi_copy(arg[1], 6, w6);
-  /* #8: @7 = turns(@5, @6) */
-  arg1[0]=(&w5);
-  arg1[1]=w6;
-  res1[0]=w7;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #9: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
-  arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @3 = 0.25 */
-  w3 = 2.5000000000000000e-01;
-  /* #11: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #12: @2 = plain_steps(@0, @3, @7, @5, @6) */
-  arg1[0]=w0;
-  arg1[1]=(&w3);
-  arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #13: @3 = 0.5 */
-  w3 = 5.0000000000000000e-01;
-  /* #14: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #15: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
-  arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #16: @3 = 0.75 */
-  w3 = 7.5000000000000000e-01;
-  /* #17: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #18: @2 = plain_steps(@0, @3, @7, @5, @6) */
-  arg1[0]=w0;
-  arg1[1]=(&w3);
-  arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #19: @0 = landing(@2, @1, @6) */
-  arg1[0]=w2;
-  arg1[1]=w1;
-  arg1[2]=w6;
-  res1[0]=w0;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
-  /* #20: output[0][0] = @0 */
-  casadi_copy(w0, 4, res[0]);
-  return 0;
-}
-
 /* coarse_jacobian_48:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f31(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+382, *w1=w+386, *w2=w+392, *w3=w+408;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w0);
   /* #1: @1 = input[1][0] */
   casadi_copy(arg[1], 6, w1);
-  /* #2: {@2, NULL} = jacobian_24(@0, @1) */
+  /* #2: {@2, NULL} = compass_jacobian_24(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f36(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f15(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 16, res[0]);
-  /* #4: @3 = residual_48(@0, @1) */
+  /* #4: @3 = compass_residual_48(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w3;
-  if (casadi_f37(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f20(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 4, res[1]);
   return 0;
 }
 
 /* newton_48:(u0[4],p[6])->(u[4]) */
-static int casadi_f34(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f30(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 4;
@@ -8231,7 +7824,7 @@ static int casadi_f34(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f35(arg+2, res+1, iw, w+56, 0)) return 1;
+    if (casadi_f31(arg+2, res+1, iw, w+56, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -8239,101 +7832,8 @@ static int casadi_f34(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* jacobian_48:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f38(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+305, *w04=w+317, w05, w06, w07, *w08=w+333, *w09=w+339;
-  casadi_real *w10=w+363;
-  const casadi_real **arg1=arg+2, *cs;
-  /* #0: @0 = input[0][0] */
-  casadi_copy(arg[0], 4, w00);
-  /* #1: @1 = @0[:3] */
-  for (rr=w01, cs=w00+0; cs!=w00+3; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
-  arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<4; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<12; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[3] */
-  for (rr=(&w06), cs=w00+3; cs!=w00+4; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 48 */
-  w07 = 48.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  casadi_copy(arg[1], 6, w08);
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=w08;
-  res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: @5 = 0.25 */
-  w05 = 2.5000000000000000e-01;
-  /* #12: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #13: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #14: @5 = 0.5 */
-  w05 = 5.0000000000000000e-01;
-  /* #15: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #16: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #17: @5 = 0.75 */
-  w05 = 7.5000000000000000e-01;
-  /* #18: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #19: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #20: {@10, @0} = landing_with_derivative(@4, @1, @6, @8) */
-  arg1[0]=w04;
-  arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=w08;
-  res1[0]=w10;
-  res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
-  /* #21: output[0][0] = @10 */
-  casadi_copy(w10, 16, res[0]);
-  /* #22: output[1][0] = @0 */
-  casadi_copy(w00, 4, res[1]);
-  return 0;
-}
-
 /* compass_limit_cycle_48:(u0[4],p[6])->(u[4],J[4x4],R[4]) */
-static int casadi_f33(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f29(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+3, *w0=w+476, *w1=w+480, *w2=w+486, *w3=w+490;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
@@ -8344,15 +7844,15 @@ static int casadi_f33(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w2;
-  if (casadi_f34(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f30(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 4, res[0]);
-  /* #4: {@3, @0} = jacobian_48(@2, @1) */
+  /* #4: {@3, @0} = compass_jacobian_48(@2, @1) */
   arg1[0]=w2;
   arg1[1]=w1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f38(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f19(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 16, res[1]);
   /* #6: output[2][0] = @0 */
@@ -8361,7 +7861,7 @@ static int casadi_f33(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f33(arg, res, iw, w, mem);
+  return casadi_f29(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_48_checkout(void) {
@@ -8437,89 +7937,8 @@ CASADI_SYMBOL_EXPORT int compass_limit_cycle_48_work_bytes(casadi_int *sz_arg, c
   return 0;
 }
 
-/* jacobian_36:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f42(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+305, *w04=w+317, w05, w06, w07, *w08=w+333, *w09=w+339;
-  casadi_real *w10=w+363;
-  const casadi_real **arg1=arg+2, *cs;
-  /* #0: @0 = input[0][0] */
-  casadi_copy(arg[0], 4, w00);
-  /* #1: @1 = @0[:3] */
-  for (rr=w01, cs=w00+0; cs!=w00+3; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
-  arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<4; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<12; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[3] */
-  for (rr=(&w06), cs=w00+3; cs!=w00+4; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 36 */
-  w07 = 36.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  casadi_copy(arg[1], 6, w08);
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=w08;
-  res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: @5 = 0.333333 */
-  w05 = 3.3333333333333331e-01;
-  /* #12: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #13: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #14: @5 = 0.666667 */
-  w05 = 6.6666666666666663e-01;
-  /* #15: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #16: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #17: {@4, @0} = landing_with_derivative(@10, @1, @6, @8) */
-  arg1[0]=w10;
-  arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=w08;
-  res1[0]=w04;
-  res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
-  /* #18: output[0][0] = @4 */
-  casadi_copy(w04, 16, res[0]);
-  /* #19: output[1][0] = @0 */
-  casadi_copy(w00, 4, res[1]);
-  return 0;
-}
-
-/* residual_72:(u[4],p[6])->(R[4]) */
-static int casadi_f43(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+/* compass_residual_72:(u[4],p[6])->(R[4]) */
+static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, w3, w4, w5, *w6=w+129, *w7=w+135;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
@@ -8626,33 +8045,33 @@ static int casadi_f43(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* coarse_jacobian_72:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f34(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+382, *w1=w+386, *w2=w+392, *w3=w+408;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w0);
   /* #1: @1 = input[1][0] */
   casadi_copy(arg[1], 6, w1);
-  /* #2: {@2, NULL} = jacobian_36(@0, @1) */
+  /* #2: {@2, NULL} = compass_jacobian_36(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f42(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f28(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 16, res[0]);
-  /* #4: @3 = residual_72(@0, @1) */
+  /* #4: @3 = compass_residual_72(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w3;
-  if (casadi_f43(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f35(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 4, res[1]);
   return 0;
 }
 
 /* newton_72:(u0[4],p[6])->(u[4]) */
-static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f33(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 4;
@@ -8678,7 +8097,7 @@ static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f41(arg+2, res+1, iw, w+56, 0)) return 1;
+    if (casadi_f34(arg+2, res+1, iw, w+56, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -8686,8 +8105,8 @@ static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* jacobian_72:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f44(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+/* compass_jacobian_72:(u[4],p[6])->(J[4x4],R[4]) */
+static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+305, *w04=w+317, w05, w06, w07, *w08=w+333, *w09=w+339;
   casadi_real *w10=w+363;
@@ -8804,7 +8223,7 @@ static int casadi_f44(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* compass_limit_cycle_72:(u0[4],p[6])->(u[4],J[4x4],R[4]) */
-static int casadi_f39(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f32(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+3, *w0=w+476, *w1=w+480, *w2=w+486, *w3=w+490;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
@@ -8815,15 +8234,15 @@ static int casadi_f39(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w2;
-  if (casadi_f40(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f33(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 4, res[0]);
-  /* #4: {@3, @0} = jacobian_72(@2, @1) */
+  /* #4: {@3, @0} = compass_jacobian_72(@2, @1) */
   arg1[0]=w2;
   arg1[1]=w1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f44(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f36(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 16, res[1]);
   /* #6: output[2][0] = @0 */
@@ -8832,7 +8251,7 @@ static int casadi_f39(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_72(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f39(arg, res, iw, w, mem);
+  return casadi_f32(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_72_checkout(void) {
@@ -8908,101 +8327,8 @@ CASADI_SYMBOL_EXPORT int compass_limit_cycle_72_work_bytes(casadi_int *sz_arg, c
   return 0;
 }
 
-/* jacobian_48:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+305, *w04=w+317, w05, w06, w07, *w08=w+333, *w09=w+339;
-  casadi_real *w10=w+363;
-  const casadi_real **arg1=arg+2, *cs;
-  /* #0: @0 = input[0][0] */
-  casadi_copy(arg[0], 4, w00);
-  /* #1: @1 = @0[:3] */
-  for (rr=w01, cs=w00+0; cs!=w00+3; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
-  arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<4; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<12; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[3] */
-  for (rr=(&w06), cs=w00+3; cs!=w00+4; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 48 */
-  w07 = 48.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  casadi_copy(arg[1], 6, w08);
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=w08;
-  res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: @5 = 0.25 */
-  w05 = 2.5000000000000000e-01;
-  /* #12: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #13: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #14: @5 = 0.5 */
-  w05 = 5.0000000000000000e-01;
-  /* #15: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #16: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #17: @5 = 0.75 */
-  w05 = 7.5000000000000000e-01;
-  /* #18: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #19: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #20: {@10, @0} = landing_with_derivative(@4, @1, @6, @8) */
-  arg1[0]=w04;
-  arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=w08;
-  res1[0]=w10;
-  res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
-  /* #21: output[0][0] = @10 */
-  casadi_copy(w10, 16, res[0]);
-  /* #22: output[1][0] = @0 */
-  casadi_copy(w00, 4, res[1]);
-  return 0;
-}
-
-/* residual_96:(u[4],p[6])->(R[4]) */
-static int casadi_f49(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+/* compass_residual_96:(u[4],p[6])->(R[4]) */
+static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, w3, w4, w5, *w6=w+129, *w7=w+135;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
@@ -9133,33 +8459,33 @@ static int casadi_f49(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* coarse_jacobian_96:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f47(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f39(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+382, *w1=w+386, *w2=w+392, *w3=w+408;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w0);
   /* #1: @1 = input[1][0] */
   casadi_copy(arg[1], 6, w1);
-  /* #2: {@2, NULL} = jacobian_48(@0, @1) */
+  /* #2: {@2, NULL} = compass_jacobian_48(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f48(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f19(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 16, res[0]);
-  /* #4: @3 = residual_96(@0, @1) */
+  /* #4: @3 = compass_residual_96(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w3;
-  if (casadi_f49(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f40(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 4, res[1]);
   return 0;
 }
 
 /* newton_96:(u0[4],p[6])->(u[4]) */
-static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f38(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 4;
@@ -9185,7 +8511,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f47(arg+2, res+1, iw, w+56, 0)) return 1;
+    if (casadi_f39(arg+2, res+1, iw, w+56, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -9193,8 +8519,8 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* jacobian_96:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+/* compass_jacobian_96:(u[4],p[6])->(J[4x4],R[4]) */
+static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+305, *w04=w+317, w05, w06, w07, *w08=w+333, *w09=w+339;
   casadi_real *w10=w+363;
@@ -9335,7 +8661,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* compass_limit_cycle_96:(u0[4],p[6])->(u[4],J[4x4],R[4]) */
-static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f37(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+3, *w0=w+476, *w1=w+480, *w2=w+486, *w3=w+490;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
@@ -9346,15 +8672,15 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w2;
-  if (casadi_f46(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f38(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 4, res[0]);
-  /* #4: {@3, @0} = jacobian_96(@2, @1) */
+  /* #4: {@3, @0} = compass_jacobian_96(@2, @1) */
   arg1[0]=w2;
   arg1[1]=w1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f50(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f41(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 16, res[1]);
   /* #6: output[2][0] = @0 */
@@ -9363,7 +8689,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_96(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f45(arg, res, iw, w, mem);
+  return casadi_f37(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_96_checkout(void) {
@@ -9439,125 +8765,8 @@ CASADI_SYMBOL_EXPORT int compass_limit_cycle_96_work_bytes(casadi_int *sz_arg, c
   return 0;
 }
 
-/* jacobian_72:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f54(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+305, *w04=w+317, w05, w06, w07, *w08=w+333, *w09=w+339;
-  casadi_real *w10=w+363;
-  const casadi_real **arg1=arg+2, *cs;
-  /* #0: @0 = input[0][0] */
-  casadi_copy(arg[0], 4, w00);
-  /* #1: @1 = @0[:3] */
-  for (rr=w01, cs=w00+0; cs!=w00+3; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
-  arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<4; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<12; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[3] */
-  for (rr=(&w06), cs=w00+3; cs!=w00+4; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 72 */
-  w07 = 72.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  casadi_copy(arg[1], 6, w08);
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=w08;
-  res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: @5 = 0.166667 */
-  w05 = 1.6666666666666666e-01;
-  /* #12: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #13: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #14: @5 = 0.333333 */
-  w05 = 3.3333333333333331e-01;
-  /* #15: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #16: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #17: @5 = 0.5 */
-  w05 = 5.0000000000000000e-01;
-  /* #18: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #19: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #20: @5 = 0.666667 */
-  w05 = 6.6666666666666663e-01;
-  /* #21: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #22: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #23: @5 = 0.833333 */
-  w05 = 8.3333333333333337e-01;
-  /* #24: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #25: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #26: {@10, @0} = landing_with_derivative(@4, @1, @6, @8) */
-  arg1[0]=w04;
-  arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=w08;
-  res1[0]=w10;
-  res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
-  /* #27: output[0][0] = @10 */
-  casadi_copy(w10, 16, res[0]);
-  /* #28: output[1][0] = @0 */
-  casadi_copy(w00, 4, res[1]);
-  return 0;
-}
-
-/* residual_144:(u[4],p[6])->(R[4]) */
-static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+/* compass_residual_144:(u[4],p[6])->(R[4]) */
+static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, w3, w4, w5, *w6=w+129, *w7=w+135;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
@@ -9736,33 +8945,33 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* coarse_jacobian_144:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f53(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f44(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+382, *w1=w+386, *w2=w+392, *w3=w+408;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w0);
   /* #1: @1 = input[1][0] */
   casadi_copy(arg[1], 6, w1);
-  /* #2: {@2, NULL} = jacobian_72(@0, @1) */
+  /* #2: {@2, NULL} = compass_jacobian_72(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f54(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f36(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 16, res[0]);
-  /* #4: @3 = residual_144(@0, @1) */
+  /* #4: @3 = compass_residual_144(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w3;
-  if (casadi_f55(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f45(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 4, res[1]);
   return 0;
 }
 
 /* newton_144:(u0[4],p[6])->(u[4]) */
-static int casadi_f52(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f43(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 4;
@@ -9788,7 +8997,7 @@ static int casadi_f52(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f53(arg+2, res+1, iw, w+56, 0)) return 1;
+    if (casadi_f44(arg+2, res+1, iw, w+56, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -9796,8 +9005,8 @@ static int casadi_f52(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* jacobian_144:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+/* compass_jacobian_144:(u[4],p[6])->(J[4x4],R[4]) */
+static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+305, *w04=w+317, w05, w06, w07, *w08=w+333, *w09=w+339;
   casadi_real *w10=w+363;
@@ -9986,7 +9195,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* compass_limit_cycle_144:(u0[4],p[6])->(u[4],J[4x4],R[4]) */
-static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f42(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+3, *w0=w+476, *w1=w+480, *w2=w+486, *w3=w+490;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
@@ -9997,15 +9206,15 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w2;
-  if (casadi_f52(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f43(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 4, res[0]);
-  /* #4: {@3, @0} = jacobian_144(@2, @1) */
+  /* #4: {@3, @0} = compass_jacobian_144(@2, @1) */
   arg1[0]=w2;
   arg1[1]=w1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f56(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f46(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 16, res[1]);
   /* #6: output[2][0] = @0 */
@@ -10014,7 +9223,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_144(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f51(arg, res, iw, w, mem);
+  return casadi_f42(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_144_checkout(void) {
@@ -10090,149 +9299,8 @@ CASADI_SYMBOL_EXPORT int compass_limit_cycle_144_work_bytes(casadi_int *sz_arg, 
   return 0;
 }
 
-/* jacobian_96:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+305, *w04=w+317, w05, w06, w07, *w08=w+333, *w09=w+339;
-  casadi_real *w10=w+363;
-  const casadi_real **arg1=arg+2, *cs;
-  /* #0: @0 = input[0][0] */
-  casadi_copy(arg[0], 4, w00);
-  /* #1: @1 = @0[:3] */
-  for (rr=w01, cs=w00+0; cs!=w00+3; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
-  arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<4; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<12; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[3] */
-  for (rr=(&w06), cs=w00+3; cs!=w00+4; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 96 */
-  w07 = 96.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  casadi_copy(arg[1], 6, w08);
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=w08;
-  res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: @5 = 0.125 */
-  w05 = 1.2500000000000000e-01;
-  /* #12: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #13: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #14: @5 = 0.25 */
-  w05 = 2.5000000000000000e-01;
-  /* #15: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #16: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #17: @5 = 0.375 */
-  w05 = 3.7500000000000000e-01;
-  /* #18: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #19: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #20: @5 = 0.5 */
-  w05 = 5.0000000000000000e-01;
-  /* #21: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #22: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #23: @5 = 0.625 */
-  w05 = 6.2500000000000000e-01;
-  /* #24: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #25: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #26: @5 = 0.75 */
-  w05 = 7.5000000000000000e-01;
-  /* #27: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #28: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #29: @5 = 0.875 */
-  w05 = 8.7500000000000000e-01;
-  /* #30: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #31: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #32: {@10, @0} = landing_with_derivative(@4, @1, @6, @8) */
-  arg1[0]=w04;
-  arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=w08;
-  res1[0]=w10;
-  res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
-  /* #33: output[0][0] = @10 */
-  casadi_copy(w10, 16, res[0]);
-  /* #34: output[1][0] = @0 */
-  casadi_copy(w00, 4, res[1]);
-  return 0;
-}
-
-/* residual_192:(u[4],p[6])->(R[4]) */
-static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+/* compass_residual_192:(u[4],p[6])->(R[4]) */
+static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, w3, w4, w5, *w6=w+129, *w7=w+135;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
@@ -10459,33 +9527,33 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* coarse_jacobian_192:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f59(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f49(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+382, *w1=w+386, *w2=w+392, *w3=w+408;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w0);
   /* #1: @1 = input[1][0] */
   casadi_copy(arg[1], 6, w1);
-  /* #2: {@2, NULL} = jacobian_96(@0, @1) */
+  /* #2: {@2, NULL} = compass_jacobian_96(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f60(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f41(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 16, res[0]);
-  /* #4: @3 = residual_192(@0, @1) */
+  /* #4: @3 = compass_residual_192(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w3;
-  if (casadi_f61(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f50(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 4, res[1]);
   return 0;
 }
 
 /* newton_192:(u0[4],p[6])->(u[4]) */
-static int casadi_f58(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 4;
@@ -10511,7 +9579,7 @@ static int casadi_f58(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f59(arg+2, res+1, iw, w+56, 0)) return 1;
+    if (casadi_f49(arg+2, res+1, iw, w+56, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -10519,8 +9587,8 @@ static int casadi_f58(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* jacobian_192:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+/* compass_jacobian_192:(u[4],p[6])->(J[4x4],R[4]) */
+static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+305, *w04=w+317, w05, w06, w07, *w08=w+333, *w09=w+339;
   casadi_real *w10=w+363;
@@ -10757,7 +9825,7 @@ static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* compass_limit_cycle_192:(u0[4],p[6])->(u[4],J[4x4],R[4]) */
-static int casadi_f57(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f47(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+3, *w0=w+476, *w1=w+480, *w2=w+486, *w3=w+490;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
@@ -10768,15 +9836,15 @@ static int casadi_f57(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w2;
-  if (casadi_f58(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f48(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 4, res[0]);
-  /* #4: {@3, @0} = jacobian_192(@2, @1) */
+  /* #4: {@3, @0} = compass_jacobian_192(@2, @1) */
   arg1[0]=w2;
   arg1[1]=w1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f62(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f51(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 16, res[1]);
   /* #6: output[2][0] = @0 */
@@ -10785,7 +9853,7 @@ static int casadi_f57(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_192(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f57(arg, res, iw, w, mem);
+  return casadi_f47(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_192_checkout(void) {
@@ -10861,197 +9929,8 @@ CASADI_SYMBOL_EXPORT int compass_limit_cycle_192_work_bytes(casadi_int *sz_arg, 
   return 0;
 }
 
-/* jacobian_144:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+305, *w04=w+317, w05, w06, w07, *w08=w+333, *w09=w+339;
-  casadi_real *w10=w+363;
-  const casadi_real **arg1=arg+2, *cs;
-  /* #0: @0 = input[0][0] */
-  casadi_copy(arg[0], 4, w00);
-  /* #1: @1 = @0[:3] */
-  for (rr=w01, cs=w00+0; cs!=w00+3; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
-  arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<4; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<12; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[3] */
-  for (rr=(&w06), cs=w00+3; cs!=w00+4; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 144 */
-  w07 = 144.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  casadi_copy(arg[1], 6, w08);
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=w08;
-  res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: @5 = 0.0833333 */
-  w05 = 8.3333333333333329e-02;
-  /* #12: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #13: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #14: @5 = 0.166667 */
-  w05 = 1.6666666666666666e-01;
-  /* #15: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #16: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #17: @5 = 0.25 */
-  w05 = 2.5000000000000000e-01;
-  /* #18: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #19: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #20: @5 = 0.333333 */
-  w05 = 3.3333333333333331e-01;
-  /* #21: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #22: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #23: @5 = 0.416667 */
-  w05 = 4.1666666666666669e-01;
-  /* #24: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #25: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #26: @5 = 0.5 */
-  w05 = 5.0000000000000000e-01;
-  /* #27: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #28: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #29: @5 = 0.583333 */
-  w05 = 5.8333333333333337e-01;
-  /* #30: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #31: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #32: @5 = 0.666667 */
-  w05 = 6.6666666666666663e-01;
-  /* #33: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #34: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #35: @5 = 0.75 */
-  w05 = 7.5000000000000000e-01;
-  /* #36: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #37: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #38: @5 = 0.833333 */
-  w05 = 8.3333333333333337e-01;
-  /* #39: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #40: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #41: @5 = 0.916667 */
-  w05 = 9.1666666666666663e-01;
-  /* #42: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #43: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #44: {@10, @0} = landing_with_derivative(@4, @1, @6, @8) */
-  arg1[0]=w04;
-  arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=w08;
-  res1[0]=w10;
-  res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
-  /* #45: output[0][0] = @10 */
-  casadi_copy(w10, 16, res[0]);
-  /* #46: output[1][0] = @0 */
-  casadi_copy(w00, 4, res[1]);
-  return 0;
-}
-
-/* residual_288:(u[4],p[6])->(R[4]) */
-static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+/* compass_residual_288:(u[4],p[6])->(R[4]) */
+static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, w3, w4, w5, *w6=w+129, *w7=w+135;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
@@ -11374,33 +10253,33 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* coarse_jacobian_288:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f65(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f54(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+382, *w1=w+386, *w2=w+392, *w3=w+408;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w0);
   /* #1: @1 = input[1][0] */
   casadi_copy(arg[1], 6, w1);
-  /* #2: {@2, NULL} = jacobian_144(@0, @1) */
+  /* #2: {@2, NULL} = compass_jacobian_144(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f66(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f46(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 16, res[0]);
-  /* #4: @3 = residual_288(@0, @1) */
+  /* #4: @3 = compass_residual_288(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w3;
-  if (casadi_f67(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f55(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 4, res[1]);
   return 0;
 }
 
 /* newton_288:(u0[4],p[6])->(u[4]) */
-static int casadi_f64(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f53(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 4;
@@ -11426,7 +10305,7 @@ static int casadi_f64(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f65(arg+2, res+1, iw, w+56, 0)) return 1;
+    if (casadi_f54(arg+2, res+1, iw, w+56, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -11434,8 +10313,8 @@ static int casadi_f64(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* jacobian_288:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+/* compass_jacobian_288:(u[4],p[6])->(J[4x4],R[4]) */
+static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+305, *w04=w+317, w05, w06, w07, *w08=w+333, *w09=w+339;
   casadi_real *w10=w+363;
@@ -11768,7 +10647,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* compass_limit_cycle_288:(u0[4],p[6])->(u[4],J[4x4],R[4]) */
-static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f52(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+3, *w0=w+476, *w1=w+480, *w2=w+486, *w3=w+490;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
@@ -11779,15 +10658,15 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w2;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f53(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 4, res[0]);
-  /* #4: {@3, @0} = jacobian_288(@2, @1) */
+  /* #4: {@3, @0} = compass_jacobian_288(@2, @1) */
   arg1[0]=w2;
   arg1[1]=w1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f68(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f56(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 16, res[1]);
   /* #6: output[2][0] = @0 */
@@ -11796,7 +10675,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_288(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f63(arg, res, iw, w, mem);
+  return casadi_f52(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_288_checkout(void) {
@@ -11872,245 +10751,8 @@ CASADI_SYMBOL_EXPORT int compass_limit_cycle_288_work_bytes(casadi_int *sz_arg, 
   return 0;
 }
 
-/* jacobian_192:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+305, *w04=w+317, w05, w06, w07, *w08=w+333, *w09=w+339;
-  casadi_real *w10=w+363;
-  const casadi_real **arg1=arg+2, *cs;
-  /* #0: @0 = input[0][0] */
-  casadi_copy(arg[0], 4, w00);
-  /* #1: @1 = @0[:3] */
-  for (rr=w01, cs=w00+0; cs!=w00+3; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
-  arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<4; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<12; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[3] */
-  for (rr=(&w06), cs=w00+3; cs!=w00+4; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 192 */
-  w07 = 192.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  casadi_copy(arg[1], 6, w08);
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=w08;
-  res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: @5 = 0.0625 */
-  w05 = 6.2500000000000000e-02;
-  /* #12: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #13: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #14: @5 = 0.125 */
-  w05 = 1.2500000000000000e-01;
-  /* #15: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #16: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #17: @5 = 0.1875 */
-  w05 = 1.8750000000000000e-01;
-  /* #18: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #19: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #20: @5 = 0.25 */
-  w05 = 2.5000000000000000e-01;
-  /* #21: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #22: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #23: @5 = 0.3125 */
-  w05 = 3.1250000000000000e-01;
-  /* #24: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #25: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #26: @5 = 0.375 */
-  w05 = 3.7500000000000000e-01;
-  /* #27: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #28: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #29: @5 = 0.4375 */
-  w05 = 4.3750000000000000e-01;
-  /* #30: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #31: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #32: @5 = 0.5 */
-  w05 = 5.0000000000000000e-01;
-  /* #33: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #34: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #35: @5 = 0.5625 */
-  w05 = 5.6250000000000000e-01;
-  /* #36: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #37: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #38: @5 = 0.625 */
-  w05 = 6.2500000000000000e-01;
-  /* #39: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #40: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #41: @5 = 0.6875 */
-  w05 = 6.8750000000000000e-01;
-  /* #42: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #43: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #44: @5 = 0.75 */
-  w05 = 7.5000000000000000e-01;
-  /* #45: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #46: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #47: @5 = 0.8125 */
-  w05 = 8.1250000000000000e-01;
-  /* #48: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #49: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #50: @5 = 0.875 */
-  w05 = 8.7500000000000000e-01;
-  /* #51: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #52: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #53: @5 = 0.9375 */
-  w05 = 9.3750000000000000e-01;
-  /* #54: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #55: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #56: {@10, @0} = landing_with_derivative(@4, @1, @6, @8) */
-  arg1[0]=w04;
-  arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=w08;
-  res1[0]=w10;
-  res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
-  /* #57: output[0][0] = @10 */
-  casadi_copy(w10, 16, res[0]);
-  /* #58: output[1][0] = @0 */
-  casadi_copy(w00, 4, res[1]);
-  return 0;
-}
-
-/* residual_384:(u[4],p[6])->(R[4]) */
-static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+/* compass_residual_384:(u[4],p[6])->(R[4]) */
+static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, w3, w4, w5, *w6=w+129, *w7=w+135;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
@@ -12529,33 +11171,33 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* coarse_jacobian_384:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f59(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+382, *w1=w+386, *w2=w+392, *w3=w+408;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w0);
   /* #1: @1 = input[1][0] */
   casadi_copy(arg[1], 6, w1);
-  /* #2: {@2, NULL} = jacobian_192(@0, @1) */
+  /* #2: {@2, NULL} = compass_jacobian_192(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f72(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f51(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 16, res[0]);
-  /* #4: @3 = residual_384(@0, @1) */
+  /* #4: @3 = compass_residual_384(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w3;
-  if (casadi_f73(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f60(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 4, res[1]);
   return 0;
 }
 
 /* newton_384:(u0[4],p[6])->(u[4]) */
-static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f58(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 4;
@@ -12581,7 +11223,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f71(arg+2, res+1, iw, w+56, 0)) return 1;
+    if (casadi_f59(arg+2, res+1, iw, w+56, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -12589,8 +11231,8 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* jacobian_384:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f74(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+/* compass_jacobian_384:(u[4],p[6])->(J[4x4],R[4]) */
+static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+305, *w04=w+317, w05, w06, w07, *w08=w+333, *w09=w+339;
   casadi_real *w10=w+363;
@@ -13019,7 +11661,7 @@ static int casadi_f74(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* compass_limit_cycle_384:(u0[4],p[6])->(u[4],J[4x4],R[4]) */
-static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f57(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+3, *w0=w+476, *w1=w+480, *w2=w+486, *w3=w+490;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
@@ -13030,15 +11672,15 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w2;
-  if (casadi_f70(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f58(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 4, res[0]);
-  /* #4: {@3, @0} = jacobian_384(@2, @1) */
+  /* #4: {@3, @0} = compass_jacobian_384(@2, @1) */
   arg1[0]=w2;
   arg1[1]=w1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f74(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f61(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 16, res[1]);
   /* #6: output[2][0] = @0 */
@@ -13047,7 +11689,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_384(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f69(arg, res, iw, w, mem);
+  return casadi_f57(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_384_checkout(void) {
@@ -13123,8 +11765,1488 @@ CASADI_SYMBOL_EXPORT int compass_limit_cycle_384_work_bytes(casadi_int *sz_arg, 
   return 0;
 }
 
+CASADI_SYMBOL_EXPORT int compass_residual_12(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f9(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_12_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void compass_residual_12_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_residual_12_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_residual_12_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_residual_12_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_residual_12_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real compass_residual_12_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_residual_12_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_residual_12_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_residual_12_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_residual_12_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_12_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 3;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 159;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_12_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 3*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 159*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_24(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f16(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_24_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void compass_residual_24_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_residual_24_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_residual_24_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_residual_24_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_residual_24_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real compass_residual_24_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_residual_24_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_residual_24_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_residual_24_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_residual_24_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_24_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 3;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 159;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_24_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 3*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 159*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_36(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f27(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_36_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void compass_residual_36_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_residual_36_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_residual_36_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_residual_36_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_residual_36_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real compass_residual_36_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_residual_36_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_residual_36_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_residual_36_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_residual_36_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_36_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 3;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 159;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_36_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 3*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 159*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f20(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_48_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void compass_residual_48_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_residual_48_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_residual_48_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_residual_48_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_residual_48_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real compass_residual_48_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_residual_48_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_residual_48_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_residual_48_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_residual_48_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_48_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 3;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 159;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_48_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 3*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 159*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_72(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f35(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_72_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void compass_residual_72_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_residual_72_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_residual_72_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_residual_72_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_residual_72_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real compass_residual_72_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_residual_72_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_residual_72_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_residual_72_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_residual_72_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_72_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 3;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 159;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_72_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 3*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 159*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_96(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f40(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_96_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void compass_residual_96_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_residual_96_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_residual_96_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_residual_96_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_residual_96_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real compass_residual_96_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_residual_96_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_residual_96_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_residual_96_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_residual_96_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_96_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 3;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 159;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_96_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 3*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 159*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_144(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f45(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_144_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void compass_residual_144_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_residual_144_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_residual_144_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_residual_144_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_residual_144_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real compass_residual_144_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_residual_144_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_residual_144_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_residual_144_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_residual_144_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_144_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 3;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 159;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_144_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 3*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 159*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_192(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f50(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_192_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void compass_residual_192_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_residual_192_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_residual_192_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_residual_192_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_residual_192_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real compass_residual_192_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_residual_192_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_residual_192_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_residual_192_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_residual_192_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_192_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 3;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 159;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_192_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 3*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 159*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_288(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f55(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_288_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void compass_residual_288_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_residual_288_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_residual_288_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_residual_288_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_residual_288_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real compass_residual_288_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_residual_288_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_residual_288_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_residual_288_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_residual_288_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_288_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 3;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 159;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_288_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 3*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 159*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_384(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f60(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_384_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void compass_residual_384_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_residual_384_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_residual_384_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_residual_384_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_residual_384_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real compass_residual_384_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_residual_384_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_residual_384_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_residual_384_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_residual_384_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_384_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 3;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 159;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_384_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 3*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 159*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_12(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f2(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_12_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void compass_jacobian_12_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_jacobian_12_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_jacobian_12_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_jacobian_12_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_jacobian_12_n_out(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_real compass_jacobian_12_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_jacobian_12_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_jacobian_12_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "J";
+    case 1: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_jacobian_12_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_jacobian_12_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s6;
+    case 1: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_12_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 4;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 379;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_12_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 4*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 379*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_24(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f15(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_24_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void compass_jacobian_24_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_jacobian_24_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_jacobian_24_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_jacobian_24_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_jacobian_24_n_out(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_real compass_jacobian_24_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_jacobian_24_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_jacobian_24_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "J";
+    case 1: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_jacobian_24_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_jacobian_24_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s6;
+    case 1: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_24_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 4;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 379;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_24_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 4*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 379*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_36(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f28(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_36_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void compass_jacobian_36_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_jacobian_36_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_jacobian_36_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_jacobian_36_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_jacobian_36_n_out(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_real compass_jacobian_36_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_jacobian_36_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_jacobian_36_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "J";
+    case 1: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_jacobian_36_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_jacobian_36_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s6;
+    case 1: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_36_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 4;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 379;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_36_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 4*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 379*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f19(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_48_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void compass_jacobian_48_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_jacobian_48_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_jacobian_48_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_jacobian_48_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_jacobian_48_n_out(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_real compass_jacobian_48_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_jacobian_48_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_jacobian_48_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "J";
+    case 1: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_jacobian_48_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_jacobian_48_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s6;
+    case 1: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_48_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 4;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 379;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_48_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 4*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 379*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_72(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f36(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_72_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void compass_jacobian_72_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_jacobian_72_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_jacobian_72_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_jacobian_72_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_jacobian_72_n_out(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_real compass_jacobian_72_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_jacobian_72_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_jacobian_72_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "J";
+    case 1: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_jacobian_72_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_jacobian_72_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s6;
+    case 1: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_72_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 4;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 379;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_72_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 4*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 379*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_96(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f41(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_96_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void compass_jacobian_96_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_jacobian_96_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_jacobian_96_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_jacobian_96_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_jacobian_96_n_out(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_real compass_jacobian_96_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_jacobian_96_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_jacobian_96_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "J";
+    case 1: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_jacobian_96_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_jacobian_96_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s6;
+    case 1: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_96_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 4;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 379;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_96_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 4*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 379*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_144(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f46(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_144_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void compass_jacobian_144_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_jacobian_144_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_jacobian_144_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_jacobian_144_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_jacobian_144_n_out(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_real compass_jacobian_144_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_jacobian_144_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_jacobian_144_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "J";
+    case 1: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_jacobian_144_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_jacobian_144_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s6;
+    case 1: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_144_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 4;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 379;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_144_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 4*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 379*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_192(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f51(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_192_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void compass_jacobian_192_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_jacobian_192_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_jacobian_192_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_jacobian_192_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_jacobian_192_n_out(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_real compass_jacobian_192_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_jacobian_192_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_jacobian_192_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "J";
+    case 1: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_jacobian_192_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_jacobian_192_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s6;
+    case 1: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_192_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 4;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 379;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_192_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 4*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 379*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_288(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f56(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_288_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void compass_jacobian_288_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_jacobian_288_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_jacobian_288_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_jacobian_288_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_jacobian_288_n_out(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_real compass_jacobian_288_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_jacobian_288_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_jacobian_288_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "J";
+    case 1: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_jacobian_288_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_jacobian_288_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s6;
+    case 1: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_288_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 4;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 379;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_288_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 4*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 379*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_384(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f61(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_384_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void compass_jacobian_384_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_jacobian_384_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_jacobian_384_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_jacobian_384_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_jacobian_384_n_out(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_real compass_jacobian_384_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_jacobian_384_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_jacobian_384_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "J";
+    case 1: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_jacobian_384_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_jacobian_384_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s6;
+    case 1: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_384_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 4;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 379;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_384_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 4*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 379*sizeof(casadi_real);
+  return 0;
+}
+
 /* working_step:(y[5],phase[2],turns[2x12],h,p[6])->(y_end[5]) */
-static int casadi_f77(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f64(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
@@ -14378,7 +14500,7 @@ static int casadi_f77(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* observe:(t,y[4],p[6])->(g[8],dg[8]) */
-static int casadi_f78(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f65(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
@@ -14698,7 +14820,7 @@ static int casadi_f78(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* working_steps:(t,turns[2x12],w[5],h,p[6])->(w_end[5],nodes[5x12],g[8x12],dg[8x12]) */
-static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+4, *rr, *w00=w+81, w01, *w02=w+86, *w03=w+92, w05, *w06=w+94, w07, *w08=w+99, *w09=w+104, *w10=w+109;
   casadi_real *w11=w+114, *w12=w+119, *w13=w+124, *w14=w+129, *w15=w+134, *w16=w+139, *w17=w+144, *w18=w+149, *w19=w+154, *w20=w+158, *w21=w+166, *w22=w+174;
   casadi_real *w23=w+182, *w24=w+190, *w25=w+198, *w26=w+206, *w27=w+214, *w28=w+222, *w29=w+230, *w30=w+238, *w31=w+246, *w32=w+254;
@@ -14725,7 +14847,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=w02;
   res1[0]=w06;
-  if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #7: @7 = (@1+@5) */
   w07  = (w01+w05);
   /* #8: @3 = phase(@7, @2) */
@@ -14740,7 +14862,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=w02;
   res1[0]=w08;
-  if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #10: @7 = (2.*@5) */
   w07 = (2.* w05 );
   /* #11: @7 = (@1+@7) */
@@ -14757,7 +14879,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=w02;
   res1[0]=w09;
-  if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #14: @7 = 3 */
   w07 = 3.;
   /* #15: @7 = (@7*@5) */
@@ -14776,7 +14898,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #19: @7 = 4 */
   w07 = 4.;
   /* #20: @7 = (@7*@5) */
@@ -14795,7 +14917,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=w02;
   res1[0]=w11;
-  if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #24: @7 = 5 */
   w07 = 5.;
   /* #25: @7 = (@7*@5) */
@@ -14814,7 +14936,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=w02;
   res1[0]=w12;
-  if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #29: @7 = 6 */
   w07 = 6.;
   /* #30: @7 = (@7*@5) */
@@ -14833,7 +14955,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=w02;
   res1[0]=w13;
-  if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #34: @7 = 7 */
   w07 = 7.;
   /* #35: @7 = (@7*@5) */
@@ -14852,7 +14974,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=w02;
   res1[0]=w14;
-  if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #39: @7 = 8 */
   w07 = 8.;
   /* #40: @7 = (@7*@5) */
@@ -14871,7 +14993,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=w02;
   res1[0]=w15;
-  if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #44: @7 = 9 */
   w07 = 9.;
   /* #45: @7 = (@7*@5) */
@@ -14890,7 +15012,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=w02;
   res1[0]=w16;
-  if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #49: @7 = 10 */
   w07 = 10.;
   /* #50: @7 = (@7*@5) */
@@ -14909,7 +15031,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=w02;
   res1[0]=w17;
-  if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #54: @7 = 11 */
   w07 = 11.;
   /* #55: @7 = (@7*@5) */
@@ -14928,7 +15050,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=w02;
   res1[0]=w18;
-  if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #59: output[0][0] = @18 */
   casadi_copy(w18, 5, res[0]);
   /* #60: output[1][0] = @0 */
@@ -14963,7 +15085,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w02;
   res1[0]=w20;
   res1[1]=w21;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #74: output[2][0] = @20 */
   casadi_copy(w20, 8, res[2]);
   /* #75: @7 = (@1+@5) */
@@ -14976,7 +15098,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w02;
   res1[0]=w20;
   res1[1]=w22;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #78: output[2][1] = @20 */
   if (res[2]) casadi_copy(w20, 8, res[2]+8);
   /* #79: @7 = (2.*@5) */
@@ -14991,7 +15113,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w02;
   res1[0]=w20;
   res1[1]=w23;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #83: output[2][2] = @20 */
   if (res[2]) casadi_copy(w20, 8, res[2]+16);
   /* #84: @7 = 3 */
@@ -15008,7 +15130,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w02;
   res1[0]=w20;
   res1[1]=w24;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #89: output[2][3] = @20 */
   if (res[2]) casadi_copy(w20, 8, res[2]+24);
   /* #90: @7 = 4 */
@@ -15025,7 +15147,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w02;
   res1[0]=w20;
   res1[1]=w25;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #95: output[2][4] = @20 */
   if (res[2]) casadi_copy(w20, 8, res[2]+32);
   /* #96: @7 = 5 */
@@ -15042,7 +15164,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w02;
   res1[0]=w20;
   res1[1]=w26;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #101: output[2][5] = @20 */
   if (res[2]) casadi_copy(w20, 8, res[2]+40);
   /* #102: @7 = 6 */
@@ -15059,7 +15181,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w02;
   res1[0]=w20;
   res1[1]=w27;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #107: output[2][6] = @20 */
   if (res[2]) casadi_copy(w20, 8, res[2]+48);
   /* #108: @7 = 7 */
@@ -15076,7 +15198,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w02;
   res1[0]=w20;
   res1[1]=w28;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #113: output[2][7] = @20 */
   if (res[2]) casadi_copy(w20, 8, res[2]+56);
   /* #114: @7 = 8 */
@@ -15093,7 +15215,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w02;
   res1[0]=w20;
   res1[1]=w29;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #119: output[2][8] = @20 */
   if (res[2]) casadi_copy(w20, 8, res[2]+64);
   /* #120: @7 = 9 */
@@ -15110,7 +15232,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w02;
   res1[0]=w20;
   res1[1]=w30;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #125: output[2][9] = @20 */
   if (res[2]) casadi_copy(w20, 8, res[2]+72);
   /* #126: @7 = 10 */
@@ -15127,7 +15249,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w02;
   res1[0]=w20;
   res1[1]=w31;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #131: output[2][10] = @20 */
   if (res[2]) casadi_copy(w20, 8, res[2]+80);
   /* #132: @7 = 11 */
@@ -15144,7 +15266,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w02;
   res1[0]=w20;
   res1[1]=w32;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #137: output[2][11] = @20 */
   if (res[2]) casadi_copy(w20, 8, res[2]+88);
   /* #138: output[3][0] = @21 */
@@ -15175,7 +15297,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* compass_trace_48:(u[4],p[6])->(w[5x49],g[8x49],dg[8x49],R[4]) */
-static int casadi_f75(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w00, *w01=w+289, w02, w03, *w04=w+293, *w05=w+299, *w06=w+323, w07, *w08=w+326, *w09=w+331;
   casadi_real *w10=w+336, *w11=w+396, *w12=w+492, *w13=w+588, *w14=w+684, *w15=w+780, *w16=w+876, *w17=w+972, *w18=w+1068, *w19=w+1164, *w20=w+1172, *w21=w+1180;
@@ -15220,7 +15342,7 @@ static int casadi_f75(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w11;
   res1[3]=w12;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w10, 60, res[0]);
   /* #13: @0 = 0.25 */
@@ -15237,7 +15359,7 @@ static int casadi_f75(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w13;
   res1[3]=w14;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+60);
   /* #17: @0 = 0.5 */
@@ -15254,7 +15376,7 @@ static int casadi_f75(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w15;
   res1[3]=w16;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+120);
   /* #21: @0 = 0.75 */
@@ -15271,7 +15393,7 @@ static int casadi_f75(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w17;
   res1[3]=w18;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+180);
   /* #25: output[0][4] = @8 */
@@ -15292,7 +15414,7 @@ static int casadi_f75(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w04;
   res1[0]=w19;
   res1[1]=w20;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[1][4] = @19 */
   if (res[1]) casadi_copy(w19, 8, res[1]+384);
   /* #33: output[2][0] = @12 */
@@ -15319,7 +15441,7 @@ static int casadi_f75(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f75(arg, res, iw, w, mem);
+  return casadi_f62(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_48_checkout(void) {
@@ -15398,7 +15520,7 @@ CASADI_SYMBOL_EXPORT int compass_trace_48_work_bytes(casadi_int *sz_arg, casadi_
 }
 
 /* compass_trace_72:(u[4],p[6])->(w[5x73],g[8x73],dg[8x73],R[4]) */
-static int casadi_f79(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w00, *w01=w+289, w02, w03, *w04=w+293, *w05=w+299, *w06=w+323, w07, *w08=w+326, *w09=w+331;
   casadi_real *w10=w+336, *w11=w+396, *w12=w+492, *w13=w+588, *w14=w+684, *w15=w+780, *w16=w+876, *w17=w+972, *w18=w+1068, *w19=w+1164, *w20=w+1260, *w21=w+1356;
@@ -15444,7 +15566,7 @@ static int casadi_f79(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w11;
   res1[3]=w12;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w10, 60, res[0]);
   /* #13: @0 = 0.166667 */
@@ -15461,7 +15583,7 @@ static int casadi_f79(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w13;
   res1[3]=w14;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+60);
   /* #17: @0 = 0.333333 */
@@ -15478,7 +15600,7 @@ static int casadi_f79(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w15;
   res1[3]=w16;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+120);
   /* #21: @0 = 0.5 */
@@ -15495,7 +15617,7 @@ static int casadi_f79(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w17;
   res1[3]=w18;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+180);
   /* #25: @0 = 0.666667 */
@@ -15512,7 +15634,7 @@ static int casadi_f79(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w19;
   res1[3]=w20;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+240);
   /* #29: @0 = 0.833333 */
@@ -15529,7 +15651,7 @@ static int casadi_f79(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w21;
   res1[3]=w22;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+300);
   /* #33: output[0][6] = @8 */
@@ -15554,7 +15676,7 @@ static int casadi_f79(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w04;
   res1[0]=w23;
   res1[1]=w24;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #42: output[1][6] = @23 */
   if (res[1]) casadi_copy(w23, 8, res[1]+576);
   /* #43: output[2][0] = @12 */
@@ -15585,7 +15707,7 @@ static int casadi_f79(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_72(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f79(arg, res, iw, w, mem);
+  return casadi_f66(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_72_checkout(void) {
@@ -15664,7 +15786,7 @@ CASADI_SYMBOL_EXPORT int compass_trace_72_work_bytes(casadi_int *sz_arg, casadi_
 }
 
 /* compass_trace_96:(u[4],p[6])->(w[5x97],g[8x97],dg[8x97],R[4]) */
-static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w00, *w01=w+289, w02, w03, *w04=w+293, *w05=w+299, *w06=w+323, w07, *w08=w+326, *w09=w+331;
   casadi_real *w10=w+336, *w11=w+396, *w12=w+492, *w13=w+588, *w14=w+684, *w15=w+780, *w16=w+876, *w17=w+972, *w18=w+1068, *w19=w+1164, *w20=w+1260, *w21=w+1356;
@@ -15710,7 +15832,7 @@ static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w11;
   res1[3]=w12;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w10, 60, res[0]);
   /* #13: @0 = 0.125 */
@@ -15727,7 +15849,7 @@ static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w13;
   res1[3]=w14;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+60);
   /* #17: @0 = 0.25 */
@@ -15744,7 +15866,7 @@ static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w15;
   res1[3]=w16;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+120);
   /* #21: @0 = 0.375 */
@@ -15761,7 +15883,7 @@ static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w17;
   res1[3]=w18;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+180);
   /* #25: @0 = 0.5 */
@@ -15778,7 +15900,7 @@ static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w19;
   res1[3]=w20;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+240);
   /* #29: @0 = 0.625 */
@@ -15795,7 +15917,7 @@ static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w21;
   res1[3]=w22;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+300);
   /* #33: @0 = 0.75 */
@@ -15812,7 +15934,7 @@ static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w23;
   res1[3]=w24;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[0][6] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+360);
   /* #37: @0 = 0.875 */
@@ -15829,7 +15951,7 @@ static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w25;
   res1[3]=w26;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[0][7] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+420);
   /* #41: output[0][8] = @8 */
@@ -15858,7 +15980,7 @@ static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w04;
   res1[0]=w27;
   res1[1]=w28;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[1][8] = @27 */
   if (res[1]) casadi_copy(w27, 8, res[1]+768);
   /* #53: output[2][0] = @12 */
@@ -15893,7 +16015,7 @@ static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_96(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f80(arg, res, iw, w, mem);
+  return casadi_f67(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_96_checkout(void) {
@@ -15972,7 +16094,7 @@ CASADI_SYMBOL_EXPORT int compass_trace_96_work_bytes(casadi_int *sz_arg, casadi_
 }
 
 /* compass_trace_144:(u[4],p[6])->(w[5x145],g[8x145],dg[8x145],R[4]) */
-static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w00, *w01=w+289, w02, w03, *w04=w+293, *w05=w+299, *w06=w+323, w07, *w08=w+326, *w09=w+331;
   casadi_real *w10=w+336, *w11=w+396, *w12=w+492, *w13=w+588, *w14=w+684, *w15=w+780, *w16=w+876, *w17=w+972, *w18=w+1068, *w19=w+1164, *w20=w+1260, *w21=w+1356;
@@ -16019,7 +16141,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w11;
   res1[3]=w12;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w10, 60, res[0]);
   /* #13: @0 = 0.0833333 */
@@ -16036,7 +16158,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w13;
   res1[3]=w14;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+60);
   /* #17: @0 = 0.166667 */
@@ -16053,7 +16175,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w15;
   res1[3]=w16;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+120);
   /* #21: @0 = 0.25 */
@@ -16070,7 +16192,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w17;
   res1[3]=w18;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+180);
   /* #25: @0 = 0.333333 */
@@ -16087,7 +16209,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w19;
   res1[3]=w20;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+240);
   /* #29: @0 = 0.416667 */
@@ -16104,7 +16226,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w21;
   res1[3]=w22;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+300);
   /* #33: @0 = 0.5 */
@@ -16121,7 +16243,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w23;
   res1[3]=w24;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[0][6] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+360);
   /* #37: @0 = 0.583333 */
@@ -16138,7 +16260,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w25;
   res1[3]=w26;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[0][7] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+420);
   /* #41: @0 = 0.666667 */
@@ -16155,7 +16277,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w27;
   res1[3]=w28;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #44: output[0][8] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+480);
   /* #45: @0 = 0.75 */
@@ -16172,7 +16294,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w29;
   res1[3]=w30;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #48: output[0][9] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+540);
   /* #49: @0 = 0.833333 */
@@ -16189,7 +16311,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w31;
   res1[3]=w32;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[0][10] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+600);
   /* #53: @0 = 0.916667 */
@@ -16206,7 +16328,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w33;
   res1[3]=w34;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #56: output[0][11] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+660);
   /* #57: output[0][12] = @8 */
@@ -16243,7 +16365,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w04;
   res1[0]=w35;
   res1[1]=w36;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #72: output[1][12] = @35 */
   if (res[1]) casadi_copy(w35, 8, res[1]+1152);
   /* #73: output[2][0] = @12 */
@@ -16286,7 +16408,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_144(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f81(arg, res, iw, w, mem);
+  return casadi_f68(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_144_checkout(void) {
@@ -16365,7 +16487,7 @@ CASADI_SYMBOL_EXPORT int compass_trace_144_work_bytes(casadi_int *sz_arg, casadi
 }
 
 /* compass_trace_192:(u[4],p[6])->(w[5x193],g[8x193],dg[8x193],R[4]) */
-static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w00, *w01=w+289, w02, w03, *w04=w+293, *w05=w+299, *w06=w+323, w07, *w08=w+326, *w09=w+331;
   casadi_real *w10=w+336, *w11=w+396, *w12=w+492, *w13=w+588, *w14=w+684, *w15=w+780, *w16=w+876, *w17=w+972, *w18=w+1068, *w19=w+1164, *w20=w+1260, *w21=w+1356;
@@ -16412,7 +16534,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w11;
   res1[3]=w12;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w10, 60, res[0]);
   /* #13: @0 = 0.0625 */
@@ -16429,7 +16551,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w13;
   res1[3]=w14;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+60);
   /* #17: @0 = 0.125 */
@@ -16446,7 +16568,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w15;
   res1[3]=w16;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+120);
   /* #21: @0 = 0.1875 */
@@ -16463,7 +16585,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w17;
   res1[3]=w18;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+180);
   /* #25: @0 = 0.25 */
@@ -16480,7 +16602,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w19;
   res1[3]=w20;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+240);
   /* #29: @0 = 0.3125 */
@@ -16497,7 +16619,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w21;
   res1[3]=w22;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+300);
   /* #33: @0 = 0.375 */
@@ -16514,7 +16636,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w23;
   res1[3]=w24;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[0][6] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+360);
   /* #37: @0 = 0.4375 */
@@ -16531,7 +16653,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w25;
   res1[3]=w26;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[0][7] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+420);
   /* #41: @0 = 0.5 */
@@ -16548,7 +16670,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w27;
   res1[3]=w28;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #44: output[0][8] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+480);
   /* #45: @0 = 0.5625 */
@@ -16565,7 +16687,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w29;
   res1[3]=w30;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #48: output[0][9] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+540);
   /* #49: @0 = 0.625 */
@@ -16582,7 +16704,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w31;
   res1[3]=w32;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[0][10] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+600);
   /* #53: @0 = 0.6875 */
@@ -16599,7 +16721,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w33;
   res1[3]=w34;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #56: output[0][11] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+660);
   /* #57: @0 = 0.75 */
@@ -16616,7 +16738,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w35;
   res1[3]=w36;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #60: output[0][12] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+720);
   /* #61: @0 = 0.8125 */
@@ -16633,7 +16755,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w37;
   res1[3]=w38;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #64: output[0][13] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+780);
   /* #65: @0 = 0.875 */
@@ -16650,7 +16772,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w39;
   res1[3]=w40;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #68: output[0][14] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+840);
   /* #69: @0 = 0.9375 */
@@ -16667,7 +16789,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w41;
   res1[3]=w42;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #72: output[0][15] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+900);
   /* #73: output[0][16] = @8 */
@@ -16712,7 +16834,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w04;
   res1[0]=w43;
   res1[1]=w44;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #92: output[1][16] = @43 */
   if (res[1]) casadi_copy(w43, 8, res[1]+1536);
   /* #93: output[2][0] = @12 */
@@ -16763,7 +16885,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_192(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f82(arg, res, iw, w, mem);
+  return casadi_f69(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_192_checkout(void) {
@@ -16842,7 +16964,7 @@ CASADI_SYMBOL_EXPORT int compass_trace_192_work_bytes(casadi_int *sz_arg, casadi
 }
 
 /* compass_trace_288:(u[4],p[6])->(w[5x289],g[8x289],dg[8x289],R[4]) */
-static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w00, *w01=w+289, w02, w03, *w04=w+293, *w05=w+299, *w06=w+323, w07, *w08=w+326, *w09=w+331;
   casadi_real *w10=w+336, *w11=w+396, *w12=w+492, *w13=w+588, *w14=w+684, *w15=w+780, *w16=w+876, *w17=w+972, *w18=w+1068, *w19=w+1164, *w20=w+1260, *w21=w+1356;
@@ -16891,7 +17013,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w11;
   res1[3]=w12;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w10, 60, res[0]);
   /* #13: @0 = 0.0416667 */
@@ -16908,7 +17030,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w13;
   res1[3]=w14;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+60);
   /* #17: @0 = 0.0833333 */
@@ -16925,7 +17047,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w15;
   res1[3]=w16;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+120);
   /* #21: @0 = 0.125 */
@@ -16942,7 +17064,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w17;
   res1[3]=w18;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+180);
   /* #25: @0 = 0.166667 */
@@ -16959,7 +17081,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w19;
   res1[3]=w20;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+240);
   /* #29: @0 = 0.208333 */
@@ -16976,7 +17098,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w21;
   res1[3]=w22;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+300);
   /* #33: @0 = 0.25 */
@@ -16993,7 +17115,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w23;
   res1[3]=w24;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[0][6] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+360);
   /* #37: @0 = 0.291667 */
@@ -17010,7 +17132,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w25;
   res1[3]=w26;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[0][7] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+420);
   /* #41: @0 = 0.333333 */
@@ -17027,7 +17149,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w27;
   res1[3]=w28;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #44: output[0][8] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+480);
   /* #45: @0 = 0.375 */
@@ -17044,7 +17166,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w29;
   res1[3]=w30;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #48: output[0][9] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+540);
   /* #49: @0 = 0.416667 */
@@ -17061,7 +17183,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w31;
   res1[3]=w32;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[0][10] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+600);
   /* #53: @0 = 0.458333 */
@@ -17078,7 +17200,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w33;
   res1[3]=w34;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #56: output[0][11] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+660);
   /* #57: @0 = 0.5 */
@@ -17095,7 +17217,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w35;
   res1[3]=w36;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #60: output[0][12] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+720);
   /* #61: @0 = 0.541667 */
@@ -17112,7 +17234,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w37;
   res1[3]=w38;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #64: output[0][13] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+780);
   /* #65: @0 = 0.583333 */
@@ -17129,7 +17251,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w39;
   res1[3]=w40;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #68: output[0][14] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+840);
   /* #69: @0 = 0.625 */
@@ -17146,7 +17268,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w41;
   res1[3]=w42;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #72: output[0][15] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+900);
   /* #73: @0 = 0.666667 */
@@ -17163,7 +17285,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w43;
   res1[3]=w44;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #76: output[0][16] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+960);
   /* #77: @0 = 0.708333 */
@@ -17180,7 +17302,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w45;
   res1[3]=w46;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #80: output[0][17] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1020);
   /* #81: @0 = 0.75 */
@@ -17197,7 +17319,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w47;
   res1[3]=w48;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #84: output[0][18] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1080);
   /* #85: @0 = 0.791667 */
@@ -17214,7 +17336,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w49;
   res1[3]=w50;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #88: output[0][19] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1140);
   /* #89: @0 = 0.833333 */
@@ -17231,7 +17353,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w51;
   res1[3]=w52;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #92: output[0][20] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1200);
   /* #93: @0 = 0.875 */
@@ -17248,7 +17370,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w53;
   res1[3]=w54;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #96: output[0][21] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1260);
   /* #97: @0 = 0.916667 */
@@ -17265,7 +17387,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w55;
   res1[3]=w56;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #100: output[0][22] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1320);
   /* #101: @0 = 0.958333 */
@@ -17282,7 +17404,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w57;
   res1[3]=w58;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #104: output[0][23] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1380);
   /* #105: output[0][24] = @8 */
@@ -17343,7 +17465,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w04;
   res1[0]=w59;
   res1[1]=w60;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #132: output[1][24] = @59 */
   if (res[1]) casadi_copy(w59, 8, res[1]+2304);
   /* #133: output[2][0] = @12 */
@@ -17410,7 +17532,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_288(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f83(arg, res, iw, w, mem);
+  return casadi_f70(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_288_checkout(void) {
@@ -17489,7 +17611,7 @@ CASADI_SYMBOL_EXPORT int compass_trace_288_work_bytes(casadi_int *sz_arg, casadi
 }
 
 /* compass_trace_384:(u[4],p[6])->(w[5x385],g[8x385],dg[8x385],R[4]) */
-static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w00, *w01=w+289, w02, w03, *w04=w+293, *w05=w+299, *w06=w+323, w07, *w08=w+326, *w09=w+331;
   casadi_real *w10=w+336, *w11=w+396, *w12=w+492, *w13=w+588, *w14=w+684, *w15=w+780, *w16=w+876, *w17=w+972, *w18=w+1068, *w19=w+1164, *w20=w+1260, *w21=w+1356;
@@ -17539,7 +17661,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w11;
   res1[3]=w12;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w10, 60, res[0]);
   /* #13: @0 = 0.03125 */
@@ -17556,7 +17678,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w13;
   res1[3]=w14;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+60);
   /* #17: @0 = 0.0625 */
@@ -17573,7 +17695,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w15;
   res1[3]=w16;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+120);
   /* #21: @0 = 0.09375 */
@@ -17590,7 +17712,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w17;
   res1[3]=w18;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+180);
   /* #25: @0 = 0.125 */
@@ -17607,7 +17729,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w19;
   res1[3]=w20;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+240);
   /* #29: @0 = 0.15625 */
@@ -17624,7 +17746,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w21;
   res1[3]=w22;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+300);
   /* #33: @0 = 0.1875 */
@@ -17641,7 +17763,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w23;
   res1[3]=w24;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[0][6] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+360);
   /* #37: @0 = 0.21875 */
@@ -17658,7 +17780,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w25;
   res1[3]=w26;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[0][7] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+420);
   /* #41: @0 = 0.25 */
@@ -17675,7 +17797,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w27;
   res1[3]=w28;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #44: output[0][8] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+480);
   /* #45: @0 = 0.28125 */
@@ -17692,7 +17814,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w29;
   res1[3]=w30;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #48: output[0][9] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+540);
   /* #49: @0 = 0.3125 */
@@ -17709,7 +17831,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w31;
   res1[3]=w32;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[0][10] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+600);
   /* #53: @0 = 0.34375 */
@@ -17726,7 +17848,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w33;
   res1[3]=w34;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #56: output[0][11] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+660);
   /* #57: @0 = 0.375 */
@@ -17743,7 +17865,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w35;
   res1[3]=w36;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #60: output[0][12] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+720);
   /* #61: @0 = 0.40625 */
@@ -17760,7 +17882,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w37;
   res1[3]=w38;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #64: output[0][13] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+780);
   /* #65: @0 = 0.4375 */
@@ -17777,7 +17899,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w39;
   res1[3]=w40;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #68: output[0][14] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+840);
   /* #69: @0 = 0.46875 */
@@ -17794,7 +17916,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w41;
   res1[3]=w42;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #72: output[0][15] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+900);
   /* #73: @0 = 0.5 */
@@ -17811,7 +17933,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w43;
   res1[3]=w44;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #76: output[0][16] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+960);
   /* #77: @0 = 0.53125 */
@@ -17828,7 +17950,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w45;
   res1[3]=w46;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #80: output[0][17] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1020);
   /* #81: @0 = 0.5625 */
@@ -17845,7 +17967,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w47;
   res1[3]=w48;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #84: output[0][18] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1080);
   /* #85: @0 = 0.59375 */
@@ -17862,7 +17984,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w49;
   res1[3]=w50;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #88: output[0][19] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1140);
   /* #89: @0 = 0.625 */
@@ -17879,7 +18001,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w51;
   res1[3]=w52;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #92: output[0][20] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1200);
   /* #93: @0 = 0.65625 */
@@ -17896,7 +18018,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w53;
   res1[3]=w54;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #96: output[0][21] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1260);
   /* #97: @0 = 0.6875 */
@@ -17913,7 +18035,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w55;
   res1[3]=w56;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #100: output[0][22] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1320);
   /* #101: @0 = 0.71875 */
@@ -17930,7 +18052,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w57;
   res1[3]=w58;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #104: output[0][23] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1380);
   /* #105: @0 = 0.75 */
@@ -17947,7 +18069,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w59;
   res1[3]=w60;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #108: output[0][24] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1440);
   /* #109: @0 = 0.78125 */
@@ -17964,7 +18086,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w61;
   res1[3]=w62;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #112: output[0][25] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1500);
   /* #113: @0 = 0.8125 */
@@ -17981,7 +18103,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w63;
   res1[3]=w64;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #116: output[0][26] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1560);
   /* #117: @0 = 0.84375 */
@@ -17998,7 +18120,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w65;
   res1[3]=w66;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #120: output[0][27] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1620);
   /* #121: @0 = 0.875 */
@@ -18015,7 +18137,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w67;
   res1[3]=w68;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #124: output[0][28] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1680);
   /* #125: @0 = 0.90625 */
@@ -18032,7 +18154,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w69;
   res1[3]=w70;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #128: output[0][29] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1740);
   /* #129: @0 = 0.9375 */
@@ -18049,7 +18171,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w71;
   res1[3]=w72;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #132: output[0][30] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1800);
   /* #133: @0 = 0.96875 */
@@ -18066,7 +18188,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w73;
   res1[3]=w74;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #136: output[0][31] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1860);
   /* #137: output[0][32] = @8 */
@@ -18143,7 +18265,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w04;
   res1[0]=w75;
   res1[1]=w76;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #172: output[1][32] = @75 */
   if (res[1]) casadi_copy(w75, 8, res[1]+3072);
   /* #173: output[2][0] = @12 */
@@ -18226,7 +18348,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_384(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f84(arg, res, iw, w, mem);
+  return casadi_f71(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_384_checkout(void) {
@@ -18305,7 +18427,7 @@ CASADI_SYMBOL_EXPORT int compass_trace_384_work_bytes(casadi_int *sz_arg, casadi
 }
 
 /* compass_trace_576:(u[4],p[6])->(w[5x577],g[8x577],dg[8x577],R[4]) */
-static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w000, *w001=w+289, w002, w003, *w004=w+293, *w005=w+299, *w006=w+323, w007, *w008=w+326, *w009=w+331;
   casadi_real *w010=w+336, *w011=w+396, *w012=w+492, *w013=w+588, *w014=w+684, *w015=w+780, *w016=w+876, *w017=w+972, *w018=w+1068, *w019=w+1164, *w020=w+1260, *w021=w+1356;
@@ -18358,7 +18480,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w011;
   res1[3]=w012;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w010, 60, res[0]);
   /* #13: @0 = 0.0208333 */
@@ -18375,7 +18497,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w013;
   res1[3]=w014;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+60);
   /* #17: @0 = 0.0416667 */
@@ -18392,7 +18514,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w015;
   res1[3]=w016;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+120);
   /* #21: @0 = 0.0625 */
@@ -18409,7 +18531,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w017;
   res1[3]=w018;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+180);
   /* #25: @0 = 0.0833333 */
@@ -18426,7 +18548,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w019;
   res1[3]=w020;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+240);
   /* #29: @0 = 0.104167 */
@@ -18443,7 +18565,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w021;
   res1[3]=w022;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+300);
   /* #33: @0 = 0.125 */
@@ -18460,7 +18582,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w023;
   res1[3]=w024;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[0][6] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+360);
   /* #37: @0 = 0.145833 */
@@ -18477,7 +18599,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w025;
   res1[3]=w026;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[0][7] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+420);
   /* #41: @0 = 0.166667 */
@@ -18494,7 +18616,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w027;
   res1[3]=w028;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #44: output[0][8] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+480);
   /* #45: @0 = 0.1875 */
@@ -18511,7 +18633,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w029;
   res1[3]=w030;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #48: output[0][9] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+540);
   /* #49: @0 = 0.208333 */
@@ -18528,7 +18650,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w031;
   res1[3]=w032;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[0][10] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+600);
   /* #53: @0 = 0.229167 */
@@ -18545,7 +18667,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w033;
   res1[3]=w034;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #56: output[0][11] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+660);
   /* #57: @0 = 0.25 */
@@ -18562,7 +18684,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w035;
   res1[3]=w036;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #60: output[0][12] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+720);
   /* #61: @0 = 0.270833 */
@@ -18579,7 +18701,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w037;
   res1[3]=w038;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #64: output[0][13] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+780);
   /* #65: @0 = 0.291667 */
@@ -18596,7 +18718,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w039;
   res1[3]=w040;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #68: output[0][14] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+840);
   /* #69: @0 = 0.3125 */
@@ -18613,7 +18735,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w041;
   res1[3]=w042;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #72: output[0][15] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+900);
   /* #73: @0 = 0.333333 */
@@ -18630,7 +18752,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w043;
   res1[3]=w044;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #76: output[0][16] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+960);
   /* #77: @0 = 0.354167 */
@@ -18647,7 +18769,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w045;
   res1[3]=w046;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #80: output[0][17] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1020);
   /* #81: @0 = 0.375 */
@@ -18664,7 +18786,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w047;
   res1[3]=w048;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #84: output[0][18] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1080);
   /* #85: @0 = 0.395833 */
@@ -18681,7 +18803,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w049;
   res1[3]=w050;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #88: output[0][19] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1140);
   /* #89: @0 = 0.416667 */
@@ -18698,7 +18820,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w051;
   res1[3]=w052;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #92: output[0][20] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1200);
   /* #93: @0 = 0.4375 */
@@ -18715,7 +18837,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w053;
   res1[3]=w054;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #96: output[0][21] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1260);
   /* #97: @0 = 0.458333 */
@@ -18732,7 +18854,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w055;
   res1[3]=w056;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #100: output[0][22] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1320);
   /* #101: @0 = 0.479167 */
@@ -18749,7 +18871,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w057;
   res1[3]=w058;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #104: output[0][23] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1380);
   /* #105: @0 = 0.5 */
@@ -18766,7 +18888,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w059;
   res1[3]=w060;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #108: output[0][24] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1440);
   /* #109: @0 = 0.520833 */
@@ -18783,7 +18905,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w061;
   res1[3]=w062;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #112: output[0][25] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1500);
   /* #113: @0 = 0.541667 */
@@ -18800,7 +18922,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w063;
   res1[3]=w064;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #116: output[0][26] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1560);
   /* #117: @0 = 0.5625 */
@@ -18817,7 +18939,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w065;
   res1[3]=w066;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #120: output[0][27] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1620);
   /* #121: @0 = 0.583333 */
@@ -18834,7 +18956,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w067;
   res1[3]=w068;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #124: output[0][28] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1680);
   /* #125: @0 = 0.604167 */
@@ -18851,7 +18973,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w069;
   res1[3]=w070;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #128: output[0][29] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1740);
   /* #129: @0 = 0.625 */
@@ -18868,7 +18990,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w071;
   res1[3]=w072;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #132: output[0][30] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1800);
   /* #133: @0 = 0.645833 */
@@ -18885,7 +19007,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w073;
   res1[3]=w074;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #136: output[0][31] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1860);
   /* #137: @0 = 0.666667 */
@@ -18902,7 +19024,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w075;
   res1[3]=w076;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #140: output[0][32] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1920);
   /* #141: @0 = 0.6875 */
@@ -18919,7 +19041,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w077;
   res1[3]=w078;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #144: output[0][33] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1980);
   /* #145: @0 = 0.708333 */
@@ -18936,7 +19058,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w079;
   res1[3]=w080;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #148: output[0][34] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2040);
   /* #149: @0 = 0.729167 */
@@ -18953,7 +19075,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w081;
   res1[3]=w082;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #152: output[0][35] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2100);
   /* #153: @0 = 0.75 */
@@ -18970,7 +19092,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w083;
   res1[3]=w084;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #156: output[0][36] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2160);
   /* #157: @0 = 0.770833 */
@@ -18987,7 +19109,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w085;
   res1[3]=w086;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #160: output[0][37] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2220);
   /* #161: @0 = 0.791667 */
@@ -19004,7 +19126,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w087;
   res1[3]=w088;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #164: output[0][38] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2280);
   /* #165: @0 = 0.8125 */
@@ -19021,7 +19143,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w089;
   res1[3]=w090;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #168: output[0][39] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2340);
   /* #169: @0 = 0.833333 */
@@ -19038,7 +19160,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w091;
   res1[3]=w092;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #172: output[0][40] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2400);
   /* #173: @0 = 0.854167 */
@@ -19055,7 +19177,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w093;
   res1[3]=w094;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #176: output[0][41] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2460);
   /* #177: @0 = 0.875 */
@@ -19072,7 +19194,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w095;
   res1[3]=w096;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #180: output[0][42] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2520);
   /* #181: @0 = 0.895833 */
@@ -19089,7 +19211,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w097;
   res1[3]=w098;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #184: output[0][43] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2580);
   /* #185: @0 = 0.916667 */
@@ -19106,7 +19228,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w099;
   res1[3]=w100;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #188: output[0][44] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2640);
   /* #189: @0 = 0.9375 */
@@ -19123,7 +19245,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w101;
   res1[3]=w102;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #192: output[0][45] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2700);
   /* #193: @0 = 0.958333 */
@@ -19140,7 +19262,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w103;
   res1[3]=w104;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #196: output[0][46] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2760);
   /* #197: @0 = 0.979167 */
@@ -19157,7 +19279,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w105;
   res1[3]=w106;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #200: output[0][47] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2820);
   /* #201: output[0][48] = @8 */
@@ -19266,7 +19388,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w004;
   res1[0]=w107;
   res1[1]=w108;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #252: output[1][48] = @107 */
   if (res[1]) casadi_copy(w107, 8, res[1]+4608);
   /* #253: output[2][0] = @12 */
@@ -19381,7 +19503,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_576(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f85(arg, res, iw, w, mem);
+  return casadi_f72(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_576_checkout(void) {
@@ -19460,7 +19582,7 @@ CASADI_SYMBOL_EXPORT int compass_trace_576_work_bytes(casadi_int *sz_arg, casadi
 }
 
 /* compass_trace_768:(u[4],p[6])->(w[5x769],g[8x769],dg[8x769],R[4]) */
-static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w000, *w001=w+289, w002, w003, *w004=w+293, *w005=w+299, *w006=w+323, w007, *w008=w+326, *w009=w+331;
   casadi_real *w010=w+336, *w011=w+396, *w012=w+492, *w013=w+588, *w014=w+684, *w015=w+780, *w016=w+876, *w017=w+972, *w018=w+1068, *w019=w+1164, *w020=w+1260, *w021=w+1356;
@@ -19515,7 +19637,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w011;
   res1[3]=w012;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w010, 60, res[0]);
   /* #13: @0 = 0.015625 */
@@ -19532,7 +19654,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w013;
   res1[3]=w014;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+60);
   /* #17: @0 = 0.03125 */
@@ -19549,7 +19671,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w015;
   res1[3]=w016;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+120);
   /* #21: @0 = 0.046875 */
@@ -19566,7 +19688,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w017;
   res1[3]=w018;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+180);
   /* #25: @0 = 0.0625 */
@@ -19583,7 +19705,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w019;
   res1[3]=w020;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+240);
   /* #29: @0 = 0.078125 */
@@ -19600,7 +19722,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w021;
   res1[3]=w022;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+300);
   /* #33: @0 = 0.09375 */
@@ -19617,7 +19739,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w023;
   res1[3]=w024;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[0][6] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+360);
   /* #37: @0 = 0.109375 */
@@ -19634,7 +19756,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w025;
   res1[3]=w026;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[0][7] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+420);
   /* #41: @0 = 0.125 */
@@ -19651,7 +19773,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w027;
   res1[3]=w028;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #44: output[0][8] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+480);
   /* #45: @0 = 0.140625 */
@@ -19668,7 +19790,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w029;
   res1[3]=w030;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #48: output[0][9] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+540);
   /* #49: @0 = 0.15625 */
@@ -19685,7 +19807,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w031;
   res1[3]=w032;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[0][10] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+600);
   /* #53: @0 = 0.171875 */
@@ -19702,7 +19824,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w033;
   res1[3]=w034;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #56: output[0][11] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+660);
   /* #57: @0 = 0.1875 */
@@ -19719,7 +19841,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w035;
   res1[3]=w036;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #60: output[0][12] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+720);
   /* #61: @0 = 0.203125 */
@@ -19736,7 +19858,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w037;
   res1[3]=w038;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #64: output[0][13] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+780);
   /* #65: @0 = 0.21875 */
@@ -19753,7 +19875,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w039;
   res1[3]=w040;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #68: output[0][14] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+840);
   /* #69: @0 = 0.234375 */
@@ -19770,7 +19892,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w041;
   res1[3]=w042;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #72: output[0][15] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+900);
   /* #73: @0 = 0.25 */
@@ -19787,7 +19909,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w043;
   res1[3]=w044;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #76: output[0][16] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+960);
   /* #77: @0 = 0.265625 */
@@ -19804,7 +19926,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w045;
   res1[3]=w046;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #80: output[0][17] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1020);
   /* #81: @0 = 0.28125 */
@@ -19821,7 +19943,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w047;
   res1[3]=w048;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #84: output[0][18] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1080);
   /* #85: @0 = 0.296875 */
@@ -19838,7 +19960,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w049;
   res1[3]=w050;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #88: output[0][19] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1140);
   /* #89: @0 = 0.3125 */
@@ -19855,7 +19977,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w051;
   res1[3]=w052;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #92: output[0][20] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1200);
   /* #93: @0 = 0.328125 */
@@ -19872,7 +19994,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w053;
   res1[3]=w054;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #96: output[0][21] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1260);
   /* #97: @0 = 0.34375 */
@@ -19889,7 +20011,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w055;
   res1[3]=w056;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #100: output[0][22] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1320);
   /* #101: @0 = 0.359375 */
@@ -19906,7 +20028,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w057;
   res1[3]=w058;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #104: output[0][23] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1380);
   /* #105: @0 = 0.375 */
@@ -19923,7 +20045,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w059;
   res1[3]=w060;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #108: output[0][24] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1440);
   /* #109: @0 = 0.390625 */
@@ -19940,7 +20062,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w061;
   res1[3]=w062;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #112: output[0][25] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1500);
   /* #113: @0 = 0.40625 */
@@ -19957,7 +20079,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w063;
   res1[3]=w064;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #116: output[0][26] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1560);
   /* #117: @0 = 0.421875 */
@@ -19974,7 +20096,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w065;
   res1[3]=w066;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #120: output[0][27] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1620);
   /* #121: @0 = 0.4375 */
@@ -19991,7 +20113,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w067;
   res1[3]=w068;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #124: output[0][28] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1680);
   /* #125: @0 = 0.453125 */
@@ -20008,7 +20130,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w069;
   res1[3]=w070;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #128: output[0][29] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1740);
   /* #129: @0 = 0.46875 */
@@ -20025,7 +20147,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w071;
   res1[3]=w072;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #132: output[0][30] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1800);
   /* #133: @0 = 0.484375 */
@@ -20042,7 +20164,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w073;
   res1[3]=w074;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #136: output[0][31] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1860);
   /* #137: @0 = 0.5 */
@@ -20059,7 +20181,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w075;
   res1[3]=w076;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #140: output[0][32] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1920);
   /* #141: @0 = 0.515625 */
@@ -20076,7 +20198,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w077;
   res1[3]=w078;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #144: output[0][33] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1980);
   /* #145: @0 = 0.53125 */
@@ -20093,7 +20215,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w079;
   res1[3]=w080;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #148: output[0][34] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2040);
   /* #149: @0 = 0.546875 */
@@ -20110,7 +20232,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w081;
   res1[3]=w082;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #152: output[0][35] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2100);
   /* #153: @0 = 0.5625 */
@@ -20127,7 +20249,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w083;
   res1[3]=w084;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #156: output[0][36] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2160);
   /* #157: @0 = 0.578125 */
@@ -20144,7 +20266,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w085;
   res1[3]=w086;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #160: output[0][37] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2220);
   /* #161: @0 = 0.59375 */
@@ -20161,7 +20283,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w087;
   res1[3]=w088;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #164: output[0][38] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2280);
   /* #165: @0 = 0.609375 */
@@ -20178,7 +20300,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w089;
   res1[3]=w090;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #168: output[0][39] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2340);
   /* #169: @0 = 0.625 */
@@ -20195,7 +20317,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w091;
   res1[3]=w092;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #172: output[0][40] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2400);
   /* #173: @0 = 0.640625 */
@@ -20212,7 +20334,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w093;
   res1[3]=w094;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #176: output[0][41] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2460);
   /* #177: @0 = 0.65625 */
@@ -20229,7 +20351,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w095;
   res1[3]=w096;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #180: output[0][42] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2520);
   /* #181: @0 = 0.671875 */
@@ -20246,7 +20368,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w097;
   res1[3]=w098;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #184: output[0][43] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2580);
   /* #185: @0 = 0.6875 */
@@ -20263,7 +20385,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w099;
   res1[3]=w100;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #188: output[0][44] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2640);
   /* #189: @0 = 0.703125 */
@@ -20280,7 +20402,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w101;
   res1[3]=w102;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #192: output[0][45] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2700);
   /* #193: @0 = 0.71875 */
@@ -20297,7 +20419,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w103;
   res1[3]=w104;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #196: output[0][46] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2760);
   /* #197: @0 = 0.734375 */
@@ -20314,7 +20436,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w105;
   res1[3]=w106;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #200: output[0][47] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2820);
   /* #201: @0 = 0.75 */
@@ -20331,7 +20453,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w107;
   res1[3]=w108;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #204: output[0][48] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2880);
   /* #205: @0 = 0.765625 */
@@ -20348,7 +20470,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w109;
   res1[3]=w110;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #208: output[0][49] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2940);
   /* #209: @0 = 0.78125 */
@@ -20365,7 +20487,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w111;
   res1[3]=w112;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #212: output[0][50] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+3000);
   /* #213: @0 = 0.796875 */
@@ -20382,7 +20504,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w113;
   res1[3]=w114;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #216: output[0][51] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+3060);
   /* #217: @0 = 0.8125 */
@@ -20399,7 +20521,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w115;
   res1[3]=w116;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #220: output[0][52] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+3120);
   /* #221: @0 = 0.828125 */
@@ -20416,7 +20538,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w117;
   res1[3]=w118;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #224: output[0][53] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+3180);
   /* #225: @0 = 0.84375 */
@@ -20433,7 +20555,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w119;
   res1[3]=w120;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #228: output[0][54] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+3240);
   /* #229: @0 = 0.859375 */
@@ -20450,7 +20572,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w121;
   res1[3]=w122;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #232: output[0][55] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+3300);
   /* #233: @0 = 0.875 */
@@ -20467,7 +20589,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w123;
   res1[3]=w124;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #236: output[0][56] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+3360);
   /* #237: @0 = 0.890625 */
@@ -20484,7 +20606,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w125;
   res1[3]=w126;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #240: output[0][57] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+3420);
   /* #241: @0 = 0.90625 */
@@ -20501,7 +20623,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w127;
   res1[3]=w128;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #244: output[0][58] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+3480);
   /* #245: @0 = 0.921875 */
@@ -20518,7 +20640,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w129;
   res1[3]=w130;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #248: output[0][59] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+3540);
   /* #249: @0 = 0.9375 */
@@ -20535,7 +20657,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w131;
   res1[3]=w132;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #252: output[0][60] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+3600);
   /* #253: @0 = 0.953125 */
@@ -20552,7 +20674,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w133;
   res1[3]=w134;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #256: output[0][61] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+3660);
   /* #257: @0 = 0.96875 */
@@ -20569,7 +20691,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w135;
   res1[3]=w136;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #260: output[0][62] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+3720);
   /* #261: @0 = 0.984375 */
@@ -20586,7 +20708,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w137;
   res1[3]=w138;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #264: output[0][63] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+3780);
   /* #265: output[0][64] = @8 */
@@ -20727,7 +20849,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w004;
   res1[0]=w139;
   res1[1]=w140;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #332: output[1][64] = @139 */
   if (res[1]) casadi_copy(w139, 8, res[1]+6144);
   /* #333: output[2][0] = @12 */
@@ -20874,7 +20996,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_768(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f86(arg, res, iw, w, mem);
+  return casadi_f73(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_768_checkout(void) {
@@ -20953,7 +21075,7 @@ CASADI_SYMBOL_EXPORT int compass_trace_768_work_bytes(casadi_int *sz_arg, casadi
 }
 
 /* compass_advance:(t,w[5],h,p[6])->(w_end[5],g[8],dg[8]) */
-static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f74(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+3, *rr, *w0=w+81, w1, *w2=w+86, *w3=w+92, w4, *w5=w+94, *w6=w+118, *w7=w+123, *w8=w+127, *w9=w+135;
   const casadi_real **arg1=arg+4, *cs;
   /* #0: @0 = input[1][0] */
@@ -20981,7 +21103,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w4);
   arg1[4]=w2;
   res1[0]=w6;
-  if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #7: output[0][0] = @6 */
   casadi_copy(w6, 5, res[0]);
   /* #8: @1 = (@1+@4) */
@@ -20994,7 +21116,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w2;
   res1[0]=w8;
   res1[1]=w9;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #11: output[1][0] = @8 */
   casadi_copy(w8, 8, res[1]);
   /* #12: output[2][0] = @9 */
@@ -21003,7 +21125,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int compass_advance(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f87(arg, res, iw, w, mem);
+  return casadi_f74(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_advance_checkout(void) {
@@ -21096,10 +21218,10 @@ CASADI_SYMBOL_EXPORT int compass_map(compass_kernel kernel, const casadi_int* wo
     casadi_int n_in, const double* const* in, const casadi_int* in_size,
     casadi_int n_out, double* const* out, const casadi_int* out_size, int* failed)
 {
-    const double** arg = malloc((size_t) work_size[0] * sizeof(double*));
-    double** res = malloc((size_t) work_size[1] * sizeof(double*));
-    casadi_int* iw = malloc((size_t) (work_size[2] + 1) * sizeof(casadi_int));
-    double* w = malloc((size_t) (work_size[3] + 1) * sizeof(double));
+    const double** arg = (const double**) malloc((size_t) work_size[0] * sizeof(double*));
+    double** res = (double**) malloc((size_t) work_size[1] * sizeof(double*));
+    casadi_int* iw = (casadi_int*) malloc((size_t) (work_size[2] + 1) * sizeof(casadi_int));
+    double* w = (double*) malloc((size_t) (work_size[3] + 1) * sizeof(double));
     const int ready = arg && res && iw && w;
     casadi_int i, j;
     if (ready) {

@@ -100,20 +100,7 @@
 #define casadi_f72 CASADI_PREFIX(f72)
 #define casadi_f73 CASADI_PREFIX(f73)
 #define casadi_f74 CASADI_PREFIX(f74)
-#define casadi_f75 CASADI_PREFIX(f75)
-#define casadi_f76 CASADI_PREFIX(f76)
-#define casadi_f77 CASADI_PREFIX(f77)
-#define casadi_f78 CASADI_PREFIX(f78)
-#define casadi_f79 CASADI_PREFIX(f79)
 #define casadi_f8 CASADI_PREFIX(f8)
-#define casadi_f80 CASADI_PREFIX(f80)
-#define casadi_f81 CASADI_PREFIX(f81)
-#define casadi_f82 CASADI_PREFIX(f82)
-#define casadi_f83 CASADI_PREFIX(f83)
-#define casadi_f84 CASADI_PREFIX(f84)
-#define casadi_f85 CASADI_PREFIX(f85)
-#define casadi_f86 CASADI_PREFIX(f86)
-#define casadi_f87 CASADI_PREFIX(f87)
 #define casadi_f9 CASADI_PREFIX(f9)
 #define casadi_fabs CASADI_PREFIX(fabs)
 #define casadi_fmax CASADI_PREFIX(fmax)
@@ -9759,7 +9746,7 @@ static int casadi_f8(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   return 0;
 }
 
-/* jacobian_12:(u[6],p[8])->(J[6x6],R[6]) */
+/* wobbling_jacobian_12:(u[6],p[8])->(J[6x6],R[6]) */
 static int casadi_f2(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w02=w+433, *w03=w+439, *w04=w+469, w05, w06, w07, *w09=w+505, *w10=w+529;
@@ -11898,7 +11885,7 @@ static int casadi_f12(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* residual_12:(u[6],p[8])->(R[6]) */
+/* wobbling_residual_12:(u[6],p[8])->(R[6]) */
 static int casadi_f9(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+158, *w1=w+164, *w2=w+169, w3, w4, w5, *w7=w+175;
   const casadi_real **arg1=arg+2, *cs, *wr6;
@@ -11960,7 +11947,7 @@ static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   if (casadi_f1(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 6, res[0]);
-  /* #4: @0 = residual_12(@2, @1) */
+  /* #4: @0 = wobbling_residual_12(@2, @1) */
   arg1[0]=w2;
   arg1[1]=wr1;
   res1[0]=w0;
@@ -12045,7 +12032,7 @@ CASADI_SYMBOL_EXPORT int wobbling_search_12_work_bytes(casadi_int *sz_arg, casad
   return 0;
 }
 
-/* jacobian_24:(u[6],p[8])->(J[6x6],R[6]) */
+/* wobbling_jacobian_24:(u[6],p[8])->(J[6x6],R[6]) */
 static int casadi_f15(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w02=w+433, *w03=w+439, *w04=w+469, w05, w06, w07, *w09=w+505, *w10=w+529;
@@ -12148,7 +12135,7 @@ static int casadi_f14(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* residual_24:(u[6],p[8])->(R[6]) */
+/* wobbling_residual_24:(u[6],p[8])->(R[6]) */
 static int casadi_f16(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+158, *w1=w+164, *w2=w+169, w3, w4, w5, *w7=w+175;
   const casadi_real **arg1=arg+2, *cs, *wr6;
@@ -12222,7 +12209,7 @@ static int casadi_f13(const casadi_real** arg, casadi_real** res, casadi_int* iw
   if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 6, res[0]);
-  /* #4: @0 = residual_24(@2, @1) */
+  /* #4: @0 = wobbling_residual_24(@2, @1) */
   arg1[0]=w2;
   arg1[1]=wr1;
   res1[0]=w0;
@@ -12307,7 +12294,7 @@ CASADI_SYMBOL_EXPORT int wobbling_search_24_work_bytes(casadi_int *sz_arg, casad
   return 0;
 }
 
-/* jacobian_48:(u[6],p[8])->(J[6x6],R[6]) */
+/* wobbling_jacobian_48:(u[6],p[8])->(J[6x6],R[6]) */
 static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w02=w+433, *w03=w+439, *w04=w+469, w05, w06, w07, *w09=w+505, *w10=w+529;
@@ -12434,7 +12421,7 @@ static int casadi_f18(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* residual_48:(u[6],p[8])->(R[6]) */
+/* wobbling_residual_48:(u[6],p[8])->(R[6]) */
 static int casadi_f20(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+158, *w1=w+164, *w2=w+169, w3, w4, w5, *w7=w+175;
   const casadi_real **arg1=arg+2, *cs, *wr6;
@@ -12532,7 +12519,7 @@ static int casadi_f17(const casadi_real** arg, casadi_real** res, casadi_int* iw
   if (casadi_f18(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 6, res[0]);
-  /* #4: @0 = residual_48(@2, @1) */
+  /* #4: @0 = wobbling_residual_48(@2, @1) */
   arg1[0]=w2;
   arg1[1]=wr1;
   res1[0]=w0;
@@ -12617,121 +12604,6 @@ CASADI_SYMBOL_EXPORT int wobbling_search_48_work_bytes(casadi_int *sz_arg, casad
   return 0;
 }
 
-/* jacobian_12:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f24(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w02=w+433, *w03=w+439, *w04=w+469, w05, w06, w07, *w09=w+505, *w10=w+529;
-  const casadi_real **arg1=arg+2, *cs, *wr08;
-  /* #0: @0 = input[0][0] */
-  casadi_copy(arg[0], 6, w00);
-  /* #1: @1 = @0[:5] */
-  for (rr=w01, cs=w00+0; cs!=w00+5; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
-  arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<6; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<30; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[5] */
-  for (rr=(&w06), cs=w00+5; cs!=w00+6; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 12 */
-  w07 = 12.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  wr08 = arg[1] ? arg[1] : casadi_zeros;
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=wr08;
-  res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: {@4, @0} = landing_with_derivative(@10, @1, @6, @8) */
-  arg1[0]=w10;
-  arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=wr08;
-  res1[0]=w04;
-  res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
-  /* #12: output[0][0] = @4 */
-  casadi_copy(w04, 36, res[0]);
-  /* #13: output[1][0] = @0 */
-  casadi_copy(w00, 6, res[1]);
-  return 0;
-}
-
-/* residual_24:(u[6],p[8])->(R[6]) */
-static int casadi_f25(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+1, *rr, *w0=w+158, *w1=w+164, *w2=w+169, w3, w4, w5, *w7=w+175;
-  const casadi_real **arg1=arg+2, *cs, *wr6;
-  /* #0: @0 = input[0][0] */
-  casadi_copy(arg[0], 6, w0);
-  /* #1: @1 = @0[:5] */
-  for (rr=w1, cs=w0+0; cs!=w0+5; cs+=1) *rr++ = *cs;
-  /* #2: {@2, NULL} = start(@1) */
-  arg1[0]=w1;
-  res1[0]=w2;
-  res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @3 = 0 */
-  w3 = 0.;
-  /* #4: @4 = @0[5] */
-  for (rr=(&w4), cs=w0+5; cs!=w0+6; cs+=1) *rr++ = *cs;
-  /* #5: @5 = 24 */
-  w5 = 24.;
-  /* #6: @5 = (@4/@5) */
-  w5  = (w4/w5);
-  /* #7: @6 = input[1][0] */
-  wr6 = arg[1] ? arg[1] : casadi_zeros;
-  /* #8: @7 = turns(@5, @6) */
-  arg1[0]=(&w5);
-  arg1[1]=wr6;
-  res1[0]=w7;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #9: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
-  arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
-  res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @3 = 0.5 */
-  w3 = 5.0000000000000000e-01;
-  /* #11: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #12: @2 = plain_steps(@0, @3, @7, @5, @6) */
-  arg1[0]=w0;
-  arg1[1]=(&w3);
-  arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
-  res1[0]=w2;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #13: @0 = landing(@2, @1, @6) */
-  arg1[0]=w2;
-  arg1[1]=w1;
-  arg1[2]=wr6;
-  res1[0]=w0;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
-  /* #14: output[0][0] = @0 */
-  casadi_copy(w0, 6, res[0]);
-  return 0;
-}
-
 /* coarse_jacobian_24:(u[6],p[8])->(J[6x6],R[6]) */
 static int casadi_f23(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+576, *w2=w+582, *w3=w+618;
@@ -12740,19 +12612,19 @@ static int casadi_f23(const casadi_real** arg, casadi_real** res, casadi_int* iw
   casadi_copy(arg[0], 6, w0);
   /* #1: @1 = input[1][0] */
   wr1 = arg[1] ? arg[1] : casadi_zeros;
-  /* #2: {@2, NULL} = jacobian_12(@0, @1) */
+  /* #2: {@2, NULL} = wobbling_jacobian_12(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f24(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f2(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 36, res[0]);
-  /* #4: @3 = residual_24(@0, @1) */
+  /* #4: @3 = wobbling_residual_24(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w3;
-  if (casadi_f25(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f16(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 6, res[1]);
   return 0;
@@ -12793,74 +12665,6 @@ static int casadi_f22(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* jacobian_24:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f26(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w02=w+433, *w03=w+439, *w04=w+469, w05, w06, w07, *w09=w+505, *w10=w+529;
-  const casadi_real **arg1=arg+2, *cs, *wr08;
-  /* #0: @0 = input[0][0] */
-  casadi_copy(arg[0], 6, w00);
-  /* #1: @1 = @0[:5] */
-  for (rr=w01, cs=w00+0; cs!=w00+5; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
-  arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<6; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<30; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[5] */
-  for (rr=(&w06), cs=w00+5; cs!=w00+6; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 24 */
-  w07 = 24.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  wr08 = arg[1] ? arg[1] : casadi_zeros;
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=wr08;
-  res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: @5 = 0.5 */
-  w05 = 5.0000000000000000e-01;
-  /* #12: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #13: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #14: {@10, @0} = landing_with_derivative(@4, @1, @6, @8) */
-  arg1[0]=w04;
-  arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=wr08;
-  res1[0]=w10;
-  res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
-  /* #15: output[0][0] = @10 */
-  casadi_copy(w10, 36, res[0]);
-  /* #16: output[1][0] = @0 */
-  casadi_copy(w00, 6, res[1]);
-  return 0;
-}
-
 /* wobbling_limit_cycle_24:(u0[6],p[8])->(u[6],J[6x6],R[6]) */
 static int casadi_f21(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+3, *w0=w+752, *w2=w+758, *w3=w+764;
@@ -12876,12 +12680,12 @@ static int casadi_f21(const casadi_real** arg, casadi_real** res, casadi_int* iw
   if (casadi_f22(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 6, res[0]);
-  /* #4: {@3, @0} = jacobian_24(@2, @1) */
+  /* #4: {@3, @0} = wobbling_jacobian_24(@2, @1) */
   arg1[0]=w2;
   arg1[1]=wr1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f26(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f15(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 36, res[1]);
   /* #6: output[2][0] = @0 */
@@ -12966,64 +12770,8 @@ CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_24_work_bytes(casadi_int *sz_arg, 
   return 0;
 }
 
-/* jacobian_12:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f30(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w02=w+433, *w03=w+439, *w04=w+469, w05, w06, w07, *w09=w+505, *w10=w+529;
-  const casadi_real **arg1=arg+2, *cs, *wr08;
-  /* #0: @0 = input[0][0] */
-  casadi_copy(arg[0], 6, w00);
-  /* #1: @1 = @0[:5] */
-  for (rr=w01, cs=w00+0; cs!=w00+5; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
-  arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<6; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<30; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[5] */
-  for (rr=(&w06), cs=w00+5; cs!=w00+6; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 12 */
-  w07 = 12.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  wr08 = arg[1] ? arg[1] : casadi_zeros;
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=wr08;
-  res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: {@4, @0} = landing_with_derivative(@10, @1, @6, @8) */
-  arg1[0]=w10;
-  arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=wr08;
-  res1[0]=w04;
-  res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
-  /* #12: output[0][0] = @4 */
-  casadi_copy(w04, 36, res[0]);
-  /* #13: output[1][0] = @0 */
-  casadi_copy(w00, 6, res[1]);
-  return 0;
-}
-
-/* residual_36:(u[6],p[8])->(R[6]) */
-static int casadi_f31(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+/* wobbling_residual_36:(u[6],p[8])->(R[6]) */
+static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+158, *w1=w+164, *w2=w+169, w3, w4, w5, *w7=w+175;
   const casadi_real **arg1=arg+2, *cs, *wr6;
   /* #0: @0 = input[0][0] */
@@ -13094,33 +12842,33 @@ static int casadi_f31(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* coarse_jacobian_36:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f29(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f26(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+576, *w2=w+582, *w3=w+618;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 6, w0);
   /* #1: @1 = input[1][0] */
   wr1 = arg[1] ? arg[1] : casadi_zeros;
-  /* #2: {@2, NULL} = jacobian_12(@0, @1) */
+  /* #2: {@2, NULL} = wobbling_jacobian_12(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f30(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f2(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 36, res[0]);
-  /* #4: @3 = residual_36(@0, @1) */
+  /* #4: @3 = wobbling_residual_36(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w3;
-  if (casadi_f31(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f27(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 6, res[1]);
   return 0;
 }
 
 /* newton_36:(u0[6],p[8])->(u[6]) */
-static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f25(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 6;
@@ -13146,7 +12894,7 @@ static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f29(arg+2, res+1, iw, w+108, 0)) return 1;
+    if (casadi_f26(arg+2, res+1, iw, w+108, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -13154,8 +12902,8 @@ static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* jacobian_36:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f32(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+/* wobbling_jacobian_36:(u[6],p[8])->(J[6x6],R[6]) */
+static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w02=w+433, *w03=w+439, *w04=w+469, w05, w06, w07, *w09=w+505, *w10=w+529;
   const casadi_real **arg1=arg+2, *cs, *wr08;
@@ -13235,7 +12983,7 @@ static int casadi_f32(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* wobbling_limit_cycle_36:(u0[6],p[8])->(u[6],J[6x6],R[6]) */
-static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f24(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+3, *w0=w+752, *w2=w+758, *w3=w+764;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
@@ -13246,15 +12994,15 @@ static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w2;
-  if (casadi_f28(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f25(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 6, res[0]);
-  /* #4: {@3, @0} = jacobian_36(@2, @1) */
+  /* #4: {@3, @0} = wobbling_jacobian_36(@2, @1) */
   arg1[0]=w2;
   arg1[1]=wr1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f32(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f28(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 36, res[1]);
   /* #6: output[2][0] = @0 */
@@ -13263,7 +13011,7 @@ static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_36(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f27(arg, res, iw, w, mem);
+  return casadi_f24(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_36_checkout(void) {
@@ -13339,185 +13087,34 @@ CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_36_work_bytes(casadi_int *sz_arg, 
   return 0;
 }
 
-/* jacobian_24:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w02=w+433, *w03=w+439, *w04=w+469, w05, w06, w07, *w09=w+505, *w10=w+529;
-  const casadi_real **arg1=arg+2, *cs, *wr08;
-  /* #0: @0 = input[0][0] */
-  casadi_copy(arg[0], 6, w00);
-  /* #1: @1 = @0[:5] */
-  for (rr=w01, cs=w00+0; cs!=w00+5; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
-  arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<6; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<30; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[5] */
-  for (rr=(&w06), cs=w00+5; cs!=w00+6; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 24 */
-  w07 = 24.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  wr08 = arg[1] ? arg[1] : casadi_zeros;
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=wr08;
-  res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: @5 = 0.5 */
-  w05 = 5.0000000000000000e-01;
-  /* #12: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #13: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #14: {@10, @0} = landing_with_derivative(@4, @1, @6, @8) */
-  arg1[0]=w04;
-  arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=wr08;
-  res1[0]=w10;
-  res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
-  /* #15: output[0][0] = @10 */
-  casadi_copy(w10, 36, res[0]);
-  /* #16: output[1][0] = @0 */
-  casadi_copy(w00, 6, res[1]);
-  return 0;
-}
-
-/* residual_48:(u[6],p[8])->(R[6]) */
-static int casadi_f37(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+1, *rr, *w0=w+158, *w1=w+164, *w2=w+169, w3, w4, w5, *w7=w+175;
-  const casadi_real **arg1=arg+2, *cs, *wr6;
-  /* #0: @0 = input[0][0] */
-  casadi_copy(arg[0], 6, w0);
-  /* #1: @1 = @0[:5] */
-  for (rr=w1, cs=w0+0; cs!=w0+5; cs+=1) *rr++ = *cs;
-  /* #2: {@2, NULL} = start(@1) */
-  arg1[0]=w1;
-  res1[0]=w2;
-  res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @3 = 0 */
-  w3 = 0.;
-  /* #4: @4 = @0[5] */
-  for (rr=(&w4), cs=w0+5; cs!=w0+6; cs+=1) *rr++ = *cs;
-  /* #5: @5 = 48 */
-  w5 = 48.;
-  /* #6: @5 = (@4/@5) */
-  w5  = (w4/w5);
-  /* #7: @6 = input[1][0] */
-  wr6 = arg[1] ? arg[1] : casadi_zeros;
-  /* #8: @7 = turns(@5, @6) */
-  arg1[0]=(&w5);
-  arg1[1]=wr6;
-  res1[0]=w7;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #9: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
-  arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
-  res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @3 = 0.25 */
-  w3 = 2.5000000000000000e-01;
-  /* #11: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #12: @2 = plain_steps(@0, @3, @7, @5, @6) */
-  arg1[0]=w0;
-  arg1[1]=(&w3);
-  arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
-  res1[0]=w2;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #13: @3 = 0.5 */
-  w3 = 5.0000000000000000e-01;
-  /* #14: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #15: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
-  arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
-  res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #16: @3 = 0.75 */
-  w3 = 7.5000000000000000e-01;
-  /* #17: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #18: @2 = plain_steps(@0, @3, @7, @5, @6) */
-  arg1[0]=w0;
-  arg1[1]=(&w3);
-  arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
-  res1[0]=w2;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #19: @0 = landing(@2, @1, @6) */
-  arg1[0]=w2;
-  arg1[1]=w1;
-  arg1[2]=wr6;
-  res1[0]=w0;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
-  /* #20: output[0][0] = @0 */
-  casadi_copy(w0, 6, res[0]);
-  return 0;
-}
-
 /* coarse_jacobian_48:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f31(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+576, *w2=w+582, *w3=w+618;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 6, w0);
   /* #1: @1 = input[1][0] */
   wr1 = arg[1] ? arg[1] : casadi_zeros;
-  /* #2: {@2, NULL} = jacobian_24(@0, @1) */
+  /* #2: {@2, NULL} = wobbling_jacobian_24(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f36(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f15(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 36, res[0]);
-  /* #4: @3 = residual_48(@0, @1) */
+  /* #4: @3 = wobbling_residual_48(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w3;
-  if (casadi_f37(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f20(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 6, res[1]);
   return 0;
 }
 
 /* newton_48:(u0[6],p[8])->(u[6]) */
-static int casadi_f34(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f30(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 6;
@@ -13543,7 +13140,7 @@ static int casadi_f34(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f35(arg+2, res+1, iw, w+108, 0)) return 1;
+    if (casadi_f31(arg+2, res+1, iw, w+108, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -13551,100 +13148,8 @@ static int casadi_f34(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* jacobian_48:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f38(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w02=w+433, *w03=w+439, *w04=w+469, w05, w06, w07, *w09=w+505, *w10=w+529;
-  const casadi_real **arg1=arg+2, *cs, *wr08;
-  /* #0: @0 = input[0][0] */
-  casadi_copy(arg[0], 6, w00);
-  /* #1: @1 = @0[:5] */
-  for (rr=w01, cs=w00+0; cs!=w00+5; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
-  arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<6; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<30; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[5] */
-  for (rr=(&w06), cs=w00+5; cs!=w00+6; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 48 */
-  w07 = 48.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  wr08 = arg[1] ? arg[1] : casadi_zeros;
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=wr08;
-  res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: @5 = 0.25 */
-  w05 = 2.5000000000000000e-01;
-  /* #12: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #13: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #14: @5 = 0.5 */
-  w05 = 5.0000000000000000e-01;
-  /* #15: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #16: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #17: @5 = 0.75 */
-  w05 = 7.5000000000000000e-01;
-  /* #18: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #19: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #20: {@10, @0} = landing_with_derivative(@4, @1, @6, @8) */
-  arg1[0]=w04;
-  arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=wr08;
-  res1[0]=w10;
-  res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
-  /* #21: output[0][0] = @10 */
-  casadi_copy(w10, 36, res[0]);
-  /* #22: output[1][0] = @0 */
-  casadi_copy(w00, 6, res[1]);
-  return 0;
-}
-
 /* wobbling_limit_cycle_48:(u0[6],p[8])->(u[6],J[6x6],R[6]) */
-static int casadi_f33(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f29(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+3, *w0=w+752, *w2=w+758, *w3=w+764;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
@@ -13655,15 +13160,15 @@ static int casadi_f33(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w2;
-  if (casadi_f34(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f30(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 6, res[0]);
-  /* #4: {@3, @0} = jacobian_48(@2, @1) */
+  /* #4: {@3, @0} = wobbling_jacobian_48(@2, @1) */
   arg1[0]=w2;
   arg1[1]=wr1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f38(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f19(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 36, res[1]);
   /* #6: output[2][0] = @0 */
@@ -13672,7 +13177,7 @@ static int casadi_f33(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f33(arg, res, iw, w, mem);
+  return casadi_f29(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_48_checkout(void) {
@@ -13748,88 +13253,8 @@ CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_48_work_bytes(casadi_int *sz_arg, 
   return 0;
 }
 
-/* jacobian_36:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f42(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w02=w+433, *w03=w+439, *w04=w+469, w05, w06, w07, *w09=w+505, *w10=w+529;
-  const casadi_real **arg1=arg+2, *cs, *wr08;
-  /* #0: @0 = input[0][0] */
-  casadi_copy(arg[0], 6, w00);
-  /* #1: @1 = @0[:5] */
-  for (rr=w01, cs=w00+0; cs!=w00+5; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
-  arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<6; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<30; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[5] */
-  for (rr=(&w06), cs=w00+5; cs!=w00+6; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 36 */
-  w07 = 36.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  wr08 = arg[1] ? arg[1] : casadi_zeros;
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=wr08;
-  res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: @5 = 0.333333 */
-  w05 = 3.3333333333333331e-01;
-  /* #12: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #13: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #14: @5 = 0.666667 */
-  w05 = 6.6666666666666663e-01;
-  /* #15: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #16: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #17: {@4, @0} = landing_with_derivative(@10, @1, @6, @8) */
-  arg1[0]=w10;
-  arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=wr08;
-  res1[0]=w04;
-  res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
-  /* #18: output[0][0] = @4 */
-  casadi_copy(w04, 36, res[0]);
-  /* #19: output[1][0] = @0 */
-  casadi_copy(w00, 6, res[1]);
-  return 0;
-}
-
-/* residual_72:(u[6],p[8])->(R[6]) */
-static int casadi_f43(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+/* wobbling_residual_72:(u[6],p[8])->(R[6]) */
+static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+158, *w1=w+164, *w2=w+169, w3, w4, w5, *w7=w+175;
   const casadi_real **arg1=arg+2, *cs, *wr6;
   /* #0: @0 = input[0][0] */
@@ -13936,33 +13361,33 @@ static int casadi_f43(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* coarse_jacobian_72:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f34(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+576, *w2=w+582, *w3=w+618;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 6, w0);
   /* #1: @1 = input[1][0] */
   wr1 = arg[1] ? arg[1] : casadi_zeros;
-  /* #2: {@2, NULL} = jacobian_36(@0, @1) */
+  /* #2: {@2, NULL} = wobbling_jacobian_36(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f42(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f28(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 36, res[0]);
-  /* #4: @3 = residual_72(@0, @1) */
+  /* #4: @3 = wobbling_residual_72(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w3;
-  if (casadi_f43(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f35(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 6, res[1]);
   return 0;
 }
 
 /* newton_72:(u0[6],p[8])->(u[6]) */
-static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f33(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 6;
@@ -13988,7 +13413,7 @@ static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f41(arg+2, res+1, iw, w+108, 0)) return 1;
+    if (casadi_f34(arg+2, res+1, iw, w+108, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -13996,8 +13421,8 @@ static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* jacobian_72:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f44(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+/* wobbling_jacobian_72:(u[6],p[8])->(J[6x6],R[6]) */
+static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w02=w+433, *w03=w+439, *w04=w+469, w05, w06, w07, *w09=w+505, *w10=w+529;
   const casadi_real **arg1=arg+2, *cs, *wr08;
@@ -14113,7 +13538,7 @@ static int casadi_f44(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* wobbling_limit_cycle_72:(u0[6],p[8])->(u[6],J[6x6],R[6]) */
-static int casadi_f39(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f32(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+3, *w0=w+752, *w2=w+758, *w3=w+764;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
@@ -14124,15 +13549,15 @@ static int casadi_f39(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w2;
-  if (casadi_f40(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f33(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 6, res[0]);
-  /* #4: {@3, @0} = jacobian_72(@2, @1) */
+  /* #4: {@3, @0} = wobbling_jacobian_72(@2, @1) */
   arg1[0]=w2;
   arg1[1]=wr1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f44(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f36(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 36, res[1]);
   /* #6: output[2][0] = @0 */
@@ -14141,7 +13566,7 @@ static int casadi_f39(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_72(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f39(arg, res, iw, w, mem);
+  return casadi_f32(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_72_checkout(void) {
@@ -14217,100 +13642,8 @@ CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_72_work_bytes(casadi_int *sz_arg, 
   return 0;
 }
 
-/* jacobian_48:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w02=w+433, *w03=w+439, *w04=w+469, w05, w06, w07, *w09=w+505, *w10=w+529;
-  const casadi_real **arg1=arg+2, *cs, *wr08;
-  /* #0: @0 = input[0][0] */
-  casadi_copy(arg[0], 6, w00);
-  /* #1: @1 = @0[:5] */
-  for (rr=w01, cs=w00+0; cs!=w00+5; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
-  arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<6; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<30; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[5] */
-  for (rr=(&w06), cs=w00+5; cs!=w00+6; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 48 */
-  w07 = 48.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  wr08 = arg[1] ? arg[1] : casadi_zeros;
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=wr08;
-  res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: @5 = 0.25 */
-  w05 = 2.5000000000000000e-01;
-  /* #12: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #13: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #14: @5 = 0.5 */
-  w05 = 5.0000000000000000e-01;
-  /* #15: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #16: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #17: @5 = 0.75 */
-  w05 = 7.5000000000000000e-01;
-  /* #18: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #19: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #20: {@10, @0} = landing_with_derivative(@4, @1, @6, @8) */
-  arg1[0]=w04;
-  arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=wr08;
-  res1[0]=w10;
-  res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
-  /* #21: output[0][0] = @10 */
-  casadi_copy(w10, 36, res[0]);
-  /* #22: output[1][0] = @0 */
-  casadi_copy(w00, 6, res[1]);
-  return 0;
-}
-
-/* residual_96:(u[6],p[8])->(R[6]) */
-static int casadi_f49(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+/* wobbling_residual_96:(u[6],p[8])->(R[6]) */
+static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+158, *w1=w+164, *w2=w+169, w3, w4, w5, *w7=w+175;
   const casadi_real **arg1=arg+2, *cs, *wr6;
   /* #0: @0 = input[0][0] */
@@ -14441,33 +13774,33 @@ static int casadi_f49(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* coarse_jacobian_96:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f47(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f39(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+576, *w2=w+582, *w3=w+618;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 6, w0);
   /* #1: @1 = input[1][0] */
   wr1 = arg[1] ? arg[1] : casadi_zeros;
-  /* #2: {@2, NULL} = jacobian_48(@0, @1) */
+  /* #2: {@2, NULL} = wobbling_jacobian_48(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f48(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f19(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 36, res[0]);
-  /* #4: @3 = residual_96(@0, @1) */
+  /* #4: @3 = wobbling_residual_96(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w3;
-  if (casadi_f49(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f40(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 6, res[1]);
   return 0;
 }
 
 /* newton_96:(u0[6],p[8])->(u[6]) */
-static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f38(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 6;
@@ -14493,7 +13826,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f47(arg+2, res+1, iw, w+108, 0)) return 1;
+    if (casadi_f39(arg+2, res+1, iw, w+108, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -14501,8 +13834,8 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* jacobian_96:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+/* wobbling_jacobian_96:(u[6],p[8])->(J[6x6],R[6]) */
+static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w02=w+433, *w03=w+439, *w04=w+469, w05, w06, w07, *w09=w+505, *w10=w+529;
   const casadi_real **arg1=arg+2, *cs, *wr08;
@@ -14642,7 +13975,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* wobbling_limit_cycle_96:(u0[6],p[8])->(u[6],J[6x6],R[6]) */
-static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f37(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+3, *w0=w+752, *w2=w+758, *w3=w+764;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
@@ -14653,15 +13986,15 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w2;
-  if (casadi_f46(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f38(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 6, res[0]);
-  /* #4: {@3, @0} = jacobian_96(@2, @1) */
+  /* #4: {@3, @0} = wobbling_jacobian_96(@2, @1) */
   arg1[0]=w2;
   arg1[1]=wr1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f50(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f41(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 36, res[1]);
   /* #6: output[2][0] = @0 */
@@ -14670,7 +14003,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_96(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f45(arg, res, iw, w, mem);
+  return casadi_f37(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_96_checkout(void) {
@@ -14746,124 +14079,8 @@ CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_96_work_bytes(casadi_int *sz_arg, 
   return 0;
 }
 
-/* jacobian_72:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f54(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w02=w+433, *w03=w+439, *w04=w+469, w05, w06, w07, *w09=w+505, *w10=w+529;
-  const casadi_real **arg1=arg+2, *cs, *wr08;
-  /* #0: @0 = input[0][0] */
-  casadi_copy(arg[0], 6, w00);
-  /* #1: @1 = @0[:5] */
-  for (rr=w01, cs=w00+0; cs!=w00+5; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
-  arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<6; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<30; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[5] */
-  for (rr=(&w06), cs=w00+5; cs!=w00+6; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 72 */
-  w07 = 72.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  wr08 = arg[1] ? arg[1] : casadi_zeros;
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=wr08;
-  res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: @5 = 0.166667 */
-  w05 = 1.6666666666666666e-01;
-  /* #12: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #13: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #14: @5 = 0.333333 */
-  w05 = 3.3333333333333331e-01;
-  /* #15: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #16: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #17: @5 = 0.5 */
-  w05 = 5.0000000000000000e-01;
-  /* #18: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #19: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #20: @5 = 0.666667 */
-  w05 = 6.6666666666666663e-01;
-  /* #21: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #22: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #23: @5 = 0.833333 */
-  w05 = 8.3333333333333337e-01;
-  /* #24: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #25: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #26: {@10, @0} = landing_with_derivative(@4, @1, @6, @8) */
-  arg1[0]=w04;
-  arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=wr08;
-  res1[0]=w10;
-  res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
-  /* #27: output[0][0] = @10 */
-  casadi_copy(w10, 36, res[0]);
-  /* #28: output[1][0] = @0 */
-  casadi_copy(w00, 6, res[1]);
-  return 0;
-}
-
-/* residual_144:(u[6],p[8])->(R[6]) */
-static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+/* wobbling_residual_144:(u[6],p[8])->(R[6]) */
+static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+158, *w1=w+164, *w2=w+169, w3, w4, w5, *w7=w+175;
   const casadi_real **arg1=arg+2, *cs, *wr6;
   /* #0: @0 = input[0][0] */
@@ -15042,33 +14259,33 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* coarse_jacobian_144:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f53(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f44(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+576, *w2=w+582, *w3=w+618;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 6, w0);
   /* #1: @1 = input[1][0] */
   wr1 = arg[1] ? arg[1] : casadi_zeros;
-  /* #2: {@2, NULL} = jacobian_72(@0, @1) */
+  /* #2: {@2, NULL} = wobbling_jacobian_72(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f54(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f36(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 36, res[0]);
-  /* #4: @3 = residual_144(@0, @1) */
+  /* #4: @3 = wobbling_residual_144(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w3;
-  if (casadi_f55(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f45(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 6, res[1]);
   return 0;
 }
 
 /* newton_144:(u0[6],p[8])->(u[6]) */
-static int casadi_f52(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f43(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 6;
@@ -15094,7 +14311,7 @@ static int casadi_f52(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f53(arg+2, res+1, iw, w+108, 0)) return 1;
+    if (casadi_f44(arg+2, res+1, iw, w+108, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -15102,8 +14319,8 @@ static int casadi_f52(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* jacobian_144:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+/* wobbling_jacobian_144:(u[6],p[8])->(J[6x6],R[6]) */
+static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w02=w+433, *w03=w+439, *w04=w+469, w05, w06, w07, *w09=w+505, *w10=w+529;
   const casadi_real **arg1=arg+2, *cs, *wr08;
@@ -15291,7 +14508,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* wobbling_limit_cycle_144:(u0[6],p[8])->(u[6],J[6x6],R[6]) */
-static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f42(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+3, *w0=w+752, *w2=w+758, *w3=w+764;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
@@ -15302,15 +14519,15 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w2;
-  if (casadi_f52(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f43(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 6, res[0]);
-  /* #4: {@3, @0} = jacobian_144(@2, @1) */
+  /* #4: {@3, @0} = wobbling_jacobian_144(@2, @1) */
   arg1[0]=w2;
   arg1[1]=wr1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f56(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f46(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 36, res[1]);
   /* #6: output[2][0] = @0 */
@@ -15319,7 +14536,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_144(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f51(arg, res, iw, w, mem);
+  return casadi_f42(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_144_checkout(void) {
@@ -15395,148 +14612,8 @@ CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_144_work_bytes(casadi_int *sz_arg,
   return 0;
 }
 
-/* jacobian_96:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w02=w+433, *w03=w+439, *w04=w+469, w05, w06, w07, *w09=w+505, *w10=w+529;
-  const casadi_real **arg1=arg+2, *cs, *wr08;
-  /* #0: @0 = input[0][0] */
-  casadi_copy(arg[0], 6, w00);
-  /* #1: @1 = @0[:5] */
-  for (rr=w01, cs=w00+0; cs!=w00+5; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
-  arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<6; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<30; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[5] */
-  for (rr=(&w06), cs=w00+5; cs!=w00+6; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 96 */
-  w07 = 96.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  wr08 = arg[1] ? arg[1] : casadi_zeros;
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=wr08;
-  res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: @5 = 0.125 */
-  w05 = 1.2500000000000000e-01;
-  /* #12: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #13: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #14: @5 = 0.25 */
-  w05 = 2.5000000000000000e-01;
-  /* #15: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #16: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #17: @5 = 0.375 */
-  w05 = 3.7500000000000000e-01;
-  /* #18: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #19: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #20: @5 = 0.5 */
-  w05 = 5.0000000000000000e-01;
-  /* #21: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #22: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #23: @5 = 0.625 */
-  w05 = 6.2500000000000000e-01;
-  /* #24: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #25: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #26: @5 = 0.75 */
-  w05 = 7.5000000000000000e-01;
-  /* #27: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #28: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #29: @5 = 0.875 */
-  w05 = 8.7500000000000000e-01;
-  /* #30: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #31: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #32: {@10, @0} = landing_with_derivative(@4, @1, @6, @8) */
-  arg1[0]=w04;
-  arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=wr08;
-  res1[0]=w10;
-  res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
-  /* #33: output[0][0] = @10 */
-  casadi_copy(w10, 36, res[0]);
-  /* #34: output[1][0] = @0 */
-  casadi_copy(w00, 6, res[1]);
-  return 0;
-}
-
-/* residual_192:(u[6],p[8])->(R[6]) */
-static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+/* wobbling_residual_192:(u[6],p[8])->(R[6]) */
+static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+158, *w1=w+164, *w2=w+169, w3, w4, w5, *w7=w+175;
   const casadi_real **arg1=arg+2, *cs, *wr6;
   /* #0: @0 = input[0][0] */
@@ -15763,33 +14840,33 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* coarse_jacobian_192:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f59(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f49(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+576, *w2=w+582, *w3=w+618;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 6, w0);
   /* #1: @1 = input[1][0] */
   wr1 = arg[1] ? arg[1] : casadi_zeros;
-  /* #2: {@2, NULL} = jacobian_96(@0, @1) */
+  /* #2: {@2, NULL} = wobbling_jacobian_96(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f60(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f41(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 36, res[0]);
-  /* #4: @3 = residual_192(@0, @1) */
+  /* #4: @3 = wobbling_residual_192(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w3;
-  if (casadi_f61(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f50(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 6, res[1]);
   return 0;
 }
 
 /* newton_192:(u0[6],p[8])->(u[6]) */
-static int casadi_f58(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 6;
@@ -15815,7 +14892,7 @@ static int casadi_f58(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f59(arg+2, res+1, iw, w+108, 0)) return 1;
+    if (casadi_f49(arg+2, res+1, iw, w+108, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -15823,8 +14900,8 @@ static int casadi_f58(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* jacobian_192:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+/* wobbling_jacobian_192:(u[6],p[8])->(J[6x6],R[6]) */
+static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w02=w+433, *w03=w+439, *w04=w+469, w05, w06, w07, *w09=w+505, *w10=w+529;
   const casadi_real **arg1=arg+2, *cs, *wr08;
@@ -16060,7 +15137,7 @@ static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* wobbling_limit_cycle_192:(u0[6],p[8])->(u[6],J[6x6],R[6]) */
-static int casadi_f57(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f47(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+3, *w0=w+752, *w2=w+758, *w3=w+764;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
@@ -16071,15 +15148,15 @@ static int casadi_f57(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w2;
-  if (casadi_f58(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f48(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 6, res[0]);
-  /* #4: {@3, @0} = jacobian_192(@2, @1) */
+  /* #4: {@3, @0} = wobbling_jacobian_192(@2, @1) */
   arg1[0]=w2;
   arg1[1]=wr1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f62(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f51(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 36, res[1]);
   /* #6: output[2][0] = @0 */
@@ -16088,7 +15165,7 @@ static int casadi_f57(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_192(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f57(arg, res, iw, w, mem);
+  return casadi_f47(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_192_checkout(void) {
@@ -16164,196 +15241,8 @@ CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_192_work_bytes(casadi_int *sz_arg,
   return 0;
 }
 
-/* jacobian_144:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w02=w+433, *w03=w+439, *w04=w+469, w05, w06, w07, *w09=w+505, *w10=w+529;
-  const casadi_real **arg1=arg+2, *cs, *wr08;
-  /* #0: @0 = input[0][0] */
-  casadi_copy(arg[0], 6, w00);
-  /* #1: @1 = @0[:5] */
-  for (rr=w01, cs=w00+0; cs!=w00+5; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
-  arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<6; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<30; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[5] */
-  for (rr=(&w06), cs=w00+5; cs!=w00+6; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 144 */
-  w07 = 144.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  wr08 = arg[1] ? arg[1] : casadi_zeros;
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=wr08;
-  res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: @5 = 0.0833333 */
-  w05 = 8.3333333333333329e-02;
-  /* #12: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #13: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #14: @5 = 0.166667 */
-  w05 = 1.6666666666666666e-01;
-  /* #15: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #16: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #17: @5 = 0.25 */
-  w05 = 2.5000000000000000e-01;
-  /* #18: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #19: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #20: @5 = 0.333333 */
-  w05 = 3.3333333333333331e-01;
-  /* #21: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #22: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #23: @5 = 0.416667 */
-  w05 = 4.1666666666666669e-01;
-  /* #24: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #25: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #26: @5 = 0.5 */
-  w05 = 5.0000000000000000e-01;
-  /* #27: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #28: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #29: @5 = 0.583333 */
-  w05 = 5.8333333333333337e-01;
-  /* #30: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #31: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #32: @5 = 0.666667 */
-  w05 = 6.6666666666666663e-01;
-  /* #33: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #34: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #35: @5 = 0.75 */
-  w05 = 7.5000000000000000e-01;
-  /* #36: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #37: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #38: @5 = 0.833333 */
-  w05 = 8.3333333333333337e-01;
-  /* #39: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #40: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #41: @5 = 0.916667 */
-  w05 = 9.1666666666666663e-01;
-  /* #42: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #43: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #44: {@10, @0} = landing_with_derivative(@4, @1, @6, @8) */
-  arg1[0]=w04;
-  arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=wr08;
-  res1[0]=w10;
-  res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
-  /* #45: output[0][0] = @10 */
-  casadi_copy(w10, 36, res[0]);
-  /* #46: output[1][0] = @0 */
-  casadi_copy(w00, 6, res[1]);
-  return 0;
-}
-
-/* residual_288:(u[6],p[8])->(R[6]) */
-static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+/* wobbling_residual_288:(u[6],p[8])->(R[6]) */
+static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+158, *w1=w+164, *w2=w+169, w3, w4, w5, *w7=w+175;
   const casadi_real **arg1=arg+2, *cs, *wr6;
   /* #0: @0 = input[0][0] */
@@ -16676,33 +15565,33 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* coarse_jacobian_288:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f65(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f54(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+576, *w2=w+582, *w3=w+618;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 6, w0);
   /* #1: @1 = input[1][0] */
   wr1 = arg[1] ? arg[1] : casadi_zeros;
-  /* #2: {@2, NULL} = jacobian_144(@0, @1) */
+  /* #2: {@2, NULL} = wobbling_jacobian_144(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f66(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f46(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 36, res[0]);
-  /* #4: @3 = residual_288(@0, @1) */
+  /* #4: @3 = wobbling_residual_288(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w3;
-  if (casadi_f67(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f55(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 6, res[1]);
   return 0;
 }
 
 /* newton_288:(u0[6],p[8])->(u[6]) */
-static int casadi_f64(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f53(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 6;
@@ -16728,7 +15617,7 @@ static int casadi_f64(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f65(arg+2, res+1, iw, w+108, 0)) return 1;
+    if (casadi_f54(arg+2, res+1, iw, w+108, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -16736,8 +15625,8 @@ static int casadi_f64(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* jacobian_288:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+/* wobbling_jacobian_288:(u[6],p[8])->(J[6x6],R[6]) */
+static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w02=w+433, *w03=w+439, *w04=w+469, w05, w06, w07, *w09=w+505, *w10=w+529;
   const casadi_real **arg1=arg+2, *cs, *wr08;
@@ -17069,7 +15958,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* wobbling_limit_cycle_288:(u0[6],p[8])->(u[6],J[6x6],R[6]) */
-static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f52(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+3, *w0=w+752, *w2=w+758, *w3=w+764;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
@@ -17080,15 +15969,15 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w2;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f53(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 6, res[0]);
-  /* #4: {@3, @0} = jacobian_288(@2, @1) */
+  /* #4: {@3, @0} = wobbling_jacobian_288(@2, @1) */
   arg1[0]=w2;
   arg1[1]=wr1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f68(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f56(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 36, res[1]);
   /* #6: output[2][0] = @0 */
@@ -17097,7 +15986,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_288(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f63(arg, res, iw, w, mem);
+  return casadi_f52(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_288_checkout(void) {
@@ -17173,244 +16062,8 @@ CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_288_work_bytes(casadi_int *sz_arg,
   return 0;
 }
 
-/* jacobian_192:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w02=w+433, *w03=w+439, *w04=w+469, w05, w06, w07, *w09=w+505, *w10=w+529;
-  const casadi_real **arg1=arg+2, *cs, *wr08;
-  /* #0: @0 = input[0][0] */
-  casadi_copy(arg[0], 6, w00);
-  /* #1: @1 = @0[:5] */
-  for (rr=w01, cs=w00+0; cs!=w00+5; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
-  arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<6; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<30; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[5] */
-  for (rr=(&w06), cs=w00+5; cs!=w00+6; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 192 */
-  w07 = 192.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  wr08 = arg[1] ? arg[1] : casadi_zeros;
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=wr08;
-  res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: @5 = 0.0625 */
-  w05 = 6.2500000000000000e-02;
-  /* #12: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #13: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #14: @5 = 0.125 */
-  w05 = 1.2500000000000000e-01;
-  /* #15: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #16: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #17: @5 = 0.1875 */
-  w05 = 1.8750000000000000e-01;
-  /* #18: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #19: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #20: @5 = 0.25 */
-  w05 = 2.5000000000000000e-01;
-  /* #21: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #22: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #23: @5 = 0.3125 */
-  w05 = 3.1250000000000000e-01;
-  /* #24: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #25: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #26: @5 = 0.375 */
-  w05 = 3.7500000000000000e-01;
-  /* #27: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #28: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #29: @5 = 0.4375 */
-  w05 = 4.3750000000000000e-01;
-  /* #30: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #31: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #32: @5 = 0.5 */
-  w05 = 5.0000000000000000e-01;
-  /* #33: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #34: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #35: @5 = 0.5625 */
-  w05 = 5.6250000000000000e-01;
-  /* #36: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #37: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #38: @5 = 0.625 */
-  w05 = 6.2500000000000000e-01;
-  /* #39: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #40: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #41: @5 = 0.6875 */
-  w05 = 6.8750000000000000e-01;
-  /* #42: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #43: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #44: @5 = 0.75 */
-  w05 = 7.5000000000000000e-01;
-  /* #45: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #46: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #47: @5 = 0.8125 */
-  w05 = 8.1250000000000000e-01;
-  /* #48: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #49: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #50: @5 = 0.875 */
-  w05 = 8.7500000000000000e-01;
-  /* #51: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #52: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #53: @5 = 0.9375 */
-  w05 = 9.3750000000000000e-01;
-  /* #54: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #55: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #56: {@10, @0} = landing_with_derivative(@4, @1, @6, @8) */
-  arg1[0]=w04;
-  arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=wr08;
-  res1[0]=w10;
-  res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
-  /* #57: output[0][0] = @10 */
-  casadi_copy(w10, 36, res[0]);
-  /* #58: output[1][0] = @0 */
-  casadi_copy(w00, 6, res[1]);
-  return 0;
-}
-
-/* residual_384:(u[6],p[8])->(R[6]) */
-static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+/* wobbling_residual_384:(u[6],p[8])->(R[6]) */
+static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+158, *w1=w+164, *w2=w+169, w3, w4, w5, *w7=w+175;
   const casadi_real **arg1=arg+2, *cs, *wr6;
   /* #0: @0 = input[0][0] */
@@ -17829,33 +16482,33 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* coarse_jacobian_384:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f59(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+576, *w2=w+582, *w3=w+618;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 6, w0);
   /* #1: @1 = input[1][0] */
   wr1 = arg[1] ? arg[1] : casadi_zeros;
-  /* #2: {@2, NULL} = jacobian_192(@0, @1) */
+  /* #2: {@2, NULL} = wobbling_jacobian_192(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f72(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f51(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 36, res[0]);
-  /* #4: @3 = residual_384(@0, @1) */
+  /* #4: @3 = wobbling_residual_384(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w3;
-  if (casadi_f73(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f60(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 6, res[1]);
   return 0;
 }
 
 /* newton_384:(u0[6],p[8])->(u[6]) */
-static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f58(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 6;
@@ -17881,7 +16534,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f71(arg+2, res+1, iw, w+108, 0)) return 1;
+    if (casadi_f59(arg+2, res+1, iw, w+108, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -17889,8 +16542,8 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* jacobian_384:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f74(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+/* wobbling_jacobian_384:(u[6],p[8])->(J[6x6],R[6]) */
+static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w02=w+433, *w03=w+439, *w04=w+469, w05, w06, w07, *w09=w+505, *w10=w+529;
   const casadi_real **arg1=arg+2, *cs, *wr08;
@@ -18318,7 +16971,7 @@ static int casadi_f74(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* wobbling_limit_cycle_384:(u0[6],p[8])->(u[6],J[6x6],R[6]) */
-static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f57(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+3, *w0=w+752, *w2=w+758, *w3=w+764;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
@@ -18329,15 +16982,15 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w2;
-  if (casadi_f70(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f58(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 6, res[0]);
-  /* #4: {@3, @0} = jacobian_384(@2, @1) */
+  /* #4: {@3, @0} = wobbling_jacobian_384(@2, @1) */
   arg1[0]=w2;
   arg1[1]=wr1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f74(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f61(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 36, res[1]);
   /* #6: output[2][0] = @0 */
@@ -18346,7 +16999,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_384(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f69(arg, res, iw, w, mem);
+  return casadi_f57(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_384_checkout(void) {
@@ -18422,8 +17075,1488 @@ CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_384_work_bytes(casadi_int *sz_arg,
   return 0;
 }
 
+CASADI_SYMBOL_EXPORT int wobbling_residual_12(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f9(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_12_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_residual_12_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_residual_12_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_residual_12_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_residual_12_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_residual_12_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real wobbling_residual_12_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_residual_12_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_residual_12_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_residual_12_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_residual_12_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_12_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 3;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 199;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_12_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 3*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 199*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_24(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f16(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_24_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_residual_24_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_residual_24_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_residual_24_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_residual_24_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_residual_24_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real wobbling_residual_24_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_residual_24_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_residual_24_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_residual_24_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_residual_24_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_24_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 3;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 199;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_24_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 3*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 199*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_36(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f27(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_36_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_residual_36_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_residual_36_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_residual_36_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_residual_36_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_residual_36_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real wobbling_residual_36_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_residual_36_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_residual_36_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_residual_36_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_residual_36_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_36_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 3;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 199;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_36_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 3*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 199*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f20(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_48_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_residual_48_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_residual_48_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_residual_48_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_residual_48_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_residual_48_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real wobbling_residual_48_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_residual_48_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_residual_48_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_residual_48_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_residual_48_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_48_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 3;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 199;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_48_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 3*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 199*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_72(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f35(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_72_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_residual_72_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_residual_72_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_residual_72_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_residual_72_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_residual_72_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real wobbling_residual_72_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_residual_72_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_residual_72_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_residual_72_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_residual_72_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_72_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 3;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 199;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_72_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 3*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 199*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_96(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f40(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_96_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_residual_96_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_residual_96_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_residual_96_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_residual_96_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_residual_96_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real wobbling_residual_96_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_residual_96_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_residual_96_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_residual_96_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_residual_96_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_96_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 3;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 199;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_96_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 3*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 199*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_144(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f45(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_144_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_residual_144_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_residual_144_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_residual_144_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_residual_144_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_residual_144_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real wobbling_residual_144_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_residual_144_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_residual_144_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_residual_144_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_residual_144_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_144_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 3;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 199;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_144_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 3*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 199*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_192(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f50(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_192_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_residual_192_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_residual_192_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_residual_192_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_residual_192_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_residual_192_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real wobbling_residual_192_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_residual_192_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_residual_192_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_residual_192_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_residual_192_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_192_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 3;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 199;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_192_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 3*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 199*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_288(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f55(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_288_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_residual_288_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_residual_288_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_residual_288_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_residual_288_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_residual_288_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real wobbling_residual_288_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_residual_288_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_residual_288_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_residual_288_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_residual_288_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_288_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 3;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 199;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_288_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 3*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 199*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_384(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f60(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_384_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_residual_384_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_residual_384_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_residual_384_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_residual_384_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_residual_384_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real wobbling_residual_384_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_residual_384_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_residual_384_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_residual_384_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_residual_384_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_384_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 3;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 199;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_384_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 3*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 199*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_12(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f2(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_12_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_jacobian_12_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_jacobian_12_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_jacobian_12_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_jacobian_12_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_jacobian_12_n_out(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_real wobbling_jacobian_12_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_jacobian_12_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_jacobian_12_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "J";
+    case 1: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_jacobian_12_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_jacobian_12_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s6;
+    case 1: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_12_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 4;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 565;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_12_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 4*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 565*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_24(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f15(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_24_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_jacobian_24_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_jacobian_24_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_jacobian_24_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_jacobian_24_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_jacobian_24_n_out(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_real wobbling_jacobian_24_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_jacobian_24_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_jacobian_24_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "J";
+    case 1: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_jacobian_24_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_jacobian_24_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s6;
+    case 1: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_24_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 4;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 565;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_24_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 4*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 565*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_36(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f28(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_36_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_jacobian_36_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_jacobian_36_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_jacobian_36_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_jacobian_36_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_jacobian_36_n_out(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_real wobbling_jacobian_36_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_jacobian_36_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_jacobian_36_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "J";
+    case 1: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_jacobian_36_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_jacobian_36_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s6;
+    case 1: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_36_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 4;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 565;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_36_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 4*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 565*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f19(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_48_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_jacobian_48_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_jacobian_48_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_jacobian_48_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_jacobian_48_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_jacobian_48_n_out(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_real wobbling_jacobian_48_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_jacobian_48_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_jacobian_48_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "J";
+    case 1: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_jacobian_48_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_jacobian_48_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s6;
+    case 1: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_48_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 4;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 565;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_48_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 4*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 565*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_72(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f36(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_72_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_jacobian_72_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_jacobian_72_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_jacobian_72_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_jacobian_72_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_jacobian_72_n_out(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_real wobbling_jacobian_72_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_jacobian_72_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_jacobian_72_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "J";
+    case 1: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_jacobian_72_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_jacobian_72_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s6;
+    case 1: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_72_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 4;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 565;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_72_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 4*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 565*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_96(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f41(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_96_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_jacobian_96_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_jacobian_96_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_jacobian_96_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_jacobian_96_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_jacobian_96_n_out(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_real wobbling_jacobian_96_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_jacobian_96_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_jacobian_96_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "J";
+    case 1: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_jacobian_96_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_jacobian_96_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s6;
+    case 1: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_96_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 4;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 565;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_96_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 4*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 565*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_144(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f46(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_144_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_jacobian_144_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_jacobian_144_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_jacobian_144_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_jacobian_144_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_jacobian_144_n_out(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_real wobbling_jacobian_144_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_jacobian_144_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_jacobian_144_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "J";
+    case 1: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_jacobian_144_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_jacobian_144_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s6;
+    case 1: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_144_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 4;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 565;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_144_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 4*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 565*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_192(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f51(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_192_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_jacobian_192_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_jacobian_192_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_jacobian_192_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_jacobian_192_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_jacobian_192_n_out(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_real wobbling_jacobian_192_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_jacobian_192_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_jacobian_192_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "J";
+    case 1: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_jacobian_192_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_jacobian_192_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s6;
+    case 1: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_192_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 4;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 565;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_192_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 4*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 565*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_288(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f56(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_288_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_jacobian_288_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_jacobian_288_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_jacobian_288_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_jacobian_288_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_jacobian_288_n_out(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_real wobbling_jacobian_288_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_jacobian_288_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_jacobian_288_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "J";
+    case 1: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_jacobian_288_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_jacobian_288_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s6;
+    case 1: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_288_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 4;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 565;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_288_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 4*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 565*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_384(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f61(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_384_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_jacobian_384_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_jacobian_384_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_jacobian_384_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_jacobian_384_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_jacobian_384_n_out(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_real wobbling_jacobian_384_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_jacobian_384_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_jacobian_384_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "J";
+    case 1: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_jacobian_384_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_jacobian_384_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s6;
+    case 1: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_384_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 4;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 565;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_384_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 4*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 565*sizeof(casadi_real);
+  return 0;
+}
+
 /* working_step:(y[7],phase[2],turns[2x12],h,p[8])->(y_end[7]) */
-static int casadi_f77(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f64(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a000, a001, a002, a003, a004, a005, a006, a007, a008, a009, a010, a011;
   casadi_real a012, a013, a014, a015, a016, a017, a018, a019, a020, a021, a022, a023;
   casadi_real a024, a025, a026, a027, a028, a029, a030, a031, a032, a033, a034, a035;
@@ -20182,7 +20315,7 @@ static int casadi_f77(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* observe:(t,y[6],p[8])->(g[8],dg[8]) */
-static int casadi_f78(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f65(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
@@ -20672,7 +20805,7 @@ static int casadi_f78(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* working_steps:(t,turns[2x12],w[7],h,p[8])->(w_end[7],nodes[7x12],g[8x12],dg[8x12]) */
-static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+4, *rr, *w00=w+115, w01, *w03=w+122, w05, *w06=w+124, w07, *w08=w+131, *w09=w+138, *w10=w+145, *w11=w+152;
   casadi_real *w12=w+159, *w13=w+166, *w14=w+173, *w15=w+180, *w16=w+187, *w17=w+194, *w18=w+201, *w19=w+208, *w20=w+214, *w21=w+222, *w22=w+230, *w23=w+238;
   casadi_real *w24=w+246, *w25=w+254, *w26=w+262, *w27=w+270, *w28=w+278, *w29=w+286, *w30=w+294, *w31=w+302, *w32=w+310;
@@ -20699,7 +20832,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=wr02;
   res1[0]=w06;
-  if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #7: @7 = (@1+@5) */
   w07  = (w01+w05);
   /* #8: @3 = phase(@7, @2) */
@@ -20714,7 +20847,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=wr02;
   res1[0]=w08;
-  if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #10: @7 = (2.*@5) */
   w07 = (2.* w05 );
   /* #11: @7 = (@1+@7) */
@@ -20731,7 +20864,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=wr02;
   res1[0]=w09;
-  if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #14: @7 = 3 */
   w07 = 3.;
   /* #15: @7 = (@7*@5) */
@@ -20750,7 +20883,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #19: @7 = 4 */
   w07 = 4.;
   /* #20: @7 = (@7*@5) */
@@ -20769,7 +20902,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=wr02;
   res1[0]=w11;
-  if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #24: @7 = 5 */
   w07 = 5.;
   /* #25: @7 = (@7*@5) */
@@ -20788,7 +20921,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=wr02;
   res1[0]=w12;
-  if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #29: @7 = 6 */
   w07 = 6.;
   /* #30: @7 = (@7*@5) */
@@ -20807,7 +20940,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=wr02;
   res1[0]=w13;
-  if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #34: @7 = 7 */
   w07 = 7.;
   /* #35: @7 = (@7*@5) */
@@ -20826,7 +20959,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=wr02;
   res1[0]=w14;
-  if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #39: @7 = 8 */
   w07 = 8.;
   /* #40: @7 = (@7*@5) */
@@ -20845,7 +20978,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=wr02;
   res1[0]=w15;
-  if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #44: @7 = 9 */
   w07 = 9.;
   /* #45: @7 = (@7*@5) */
@@ -20864,7 +20997,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=wr02;
   res1[0]=w16;
-  if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #49: @7 = 10 */
   w07 = 10.;
   /* #50: @7 = (@7*@5) */
@@ -20883,7 +21016,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=wr02;
   res1[0]=w17;
-  if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #54: @7 = 11 */
   w07 = 11.;
   /* #55: @7 = (@7*@5) */
@@ -20902,7 +21035,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=wr02;
   res1[0]=w18;
-  if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #59: output[0][0] = @18 */
   casadi_copy(w18, 7, res[0]);
   /* #60: output[1][0] = @0 */
@@ -20937,7 +21070,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr02;
   res1[0]=w20;
   res1[1]=w21;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #74: output[2][0] = @20 */
   casadi_copy(w20, 8, res[2]);
   /* #75: @7 = (@1+@5) */
@@ -20950,7 +21083,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr02;
   res1[0]=w20;
   res1[1]=w22;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #78: output[2][1] = @20 */
   if (res[2]) casadi_copy(w20, 8, res[2]+8);
   /* #79: @7 = (2.*@5) */
@@ -20965,7 +21098,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr02;
   res1[0]=w20;
   res1[1]=w23;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #83: output[2][2] = @20 */
   if (res[2]) casadi_copy(w20, 8, res[2]+16);
   /* #84: @7 = 3 */
@@ -20982,7 +21115,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr02;
   res1[0]=w20;
   res1[1]=w24;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #89: output[2][3] = @20 */
   if (res[2]) casadi_copy(w20, 8, res[2]+24);
   /* #90: @7 = 4 */
@@ -20999,7 +21132,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr02;
   res1[0]=w20;
   res1[1]=w25;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #95: output[2][4] = @20 */
   if (res[2]) casadi_copy(w20, 8, res[2]+32);
   /* #96: @7 = 5 */
@@ -21016,7 +21149,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr02;
   res1[0]=w20;
   res1[1]=w26;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #101: output[2][5] = @20 */
   if (res[2]) casadi_copy(w20, 8, res[2]+40);
   /* #102: @7 = 6 */
@@ -21033,7 +21166,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr02;
   res1[0]=w20;
   res1[1]=w27;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #107: output[2][6] = @20 */
   if (res[2]) casadi_copy(w20, 8, res[2]+48);
   /* #108: @7 = 7 */
@@ -21050,7 +21183,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr02;
   res1[0]=w20;
   res1[1]=w28;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #113: output[2][7] = @20 */
   if (res[2]) casadi_copy(w20, 8, res[2]+56);
   /* #114: @7 = 8 */
@@ -21067,7 +21200,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr02;
   res1[0]=w20;
   res1[1]=w29;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #119: output[2][8] = @20 */
   if (res[2]) casadi_copy(w20, 8, res[2]+64);
   /* #120: @7 = 9 */
@@ -21084,7 +21217,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr02;
   res1[0]=w20;
   res1[1]=w30;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #125: output[2][9] = @20 */
   if (res[2]) casadi_copy(w20, 8, res[2]+72);
   /* #126: @7 = 10 */
@@ -21101,7 +21234,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr02;
   res1[0]=w20;
   res1[1]=w31;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #131: output[2][10] = @20 */
   if (res[2]) casadi_copy(w20, 8, res[2]+80);
   /* #132: @7 = 11 */
@@ -21118,7 +21251,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr02;
   res1[0]=w20;
   res1[1]=w32;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #137: output[2][11] = @20 */
   if (res[2]) casadi_copy(w20, 8, res[2]+88);
   /* #138: output[3][0] = @21 */
@@ -21149,7 +21282,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* wobbling_trace_48:(u[6],p[8])->(w[7x49],g[8x49],dg[8x49],R[6]) */
-static int casadi_f75(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w00, *w01=w+353, w02, w03, *w05=w+359, *w06=w+383, w07, *w08=w+388, *w09=w+395, *w10=w+402;
   casadi_real *w11=w+486, *w12=w+582, *w13=w+678, *w14=w+774, *w15=w+870, *w16=w+966, *w17=w+1062, *w18=w+1158, *w19=w+1254, *w20=w+1262, *w21=w+1270;
@@ -21194,7 +21327,7 @@ static int casadi_f75(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w11;
   res1[3]=w12;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w10, 84, res[0]);
   /* #13: @0 = 0.25 */
@@ -21211,7 +21344,7 @@ static int casadi_f75(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w13;
   res1[3]=w14;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+84);
   /* #17: @0 = 0.5 */
@@ -21228,7 +21361,7 @@ static int casadi_f75(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w15;
   res1[3]=w16;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+168);
   /* #21: @0 = 0.75 */
@@ -21245,7 +21378,7 @@ static int casadi_f75(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w17;
   res1[3]=w18;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+252);
   /* #25: output[0][4] = @8 */
@@ -21266,7 +21399,7 @@ static int casadi_f75(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr04;
   res1[0]=w19;
   res1[1]=w20;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[1][4] = @19 */
   if (res[1]) casadi_copy(w19, 8, res[1]+384);
   /* #33: output[2][0] = @12 */
@@ -21293,7 +21426,7 @@ static int casadi_f75(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f75(arg, res, iw, w, mem);
+  return casadi_f62(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_48_checkout(void) {
@@ -21372,7 +21505,7 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_48_work_bytes(casadi_int *sz_arg, casadi
 }
 
 /* wobbling_trace_72:(u[6],p[8])->(w[7x73],g[8x73],dg[8x73],R[6]) */
-static int casadi_f79(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w00, *w01=w+353, w02, w03, *w05=w+359, *w06=w+383, w07, *w08=w+388, *w09=w+395, *w10=w+402;
   casadi_real *w11=w+486, *w12=w+582, *w13=w+678, *w14=w+774, *w15=w+870, *w16=w+966, *w17=w+1062, *w18=w+1158, *w19=w+1254, *w20=w+1350, *w21=w+1446, *w22=w+1542;
@@ -21418,7 +21551,7 @@ static int casadi_f79(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w11;
   res1[3]=w12;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w10, 84, res[0]);
   /* #13: @0 = 0.166667 */
@@ -21435,7 +21568,7 @@ static int casadi_f79(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w13;
   res1[3]=w14;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+84);
   /* #17: @0 = 0.333333 */
@@ -21452,7 +21585,7 @@ static int casadi_f79(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w15;
   res1[3]=w16;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+168);
   /* #21: @0 = 0.5 */
@@ -21469,7 +21602,7 @@ static int casadi_f79(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w17;
   res1[3]=w18;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+252);
   /* #25: @0 = 0.666667 */
@@ -21486,7 +21619,7 @@ static int casadi_f79(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w19;
   res1[3]=w20;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+336);
   /* #29: @0 = 0.833333 */
@@ -21503,7 +21636,7 @@ static int casadi_f79(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w21;
   res1[3]=w22;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+420);
   /* #33: output[0][6] = @8 */
@@ -21528,7 +21661,7 @@ static int casadi_f79(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr04;
   res1[0]=w23;
   res1[1]=w24;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #42: output[1][6] = @23 */
   if (res[1]) casadi_copy(w23, 8, res[1]+576);
   /* #43: output[2][0] = @12 */
@@ -21559,7 +21692,7 @@ static int casadi_f79(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_72(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f79(arg, res, iw, w, mem);
+  return casadi_f66(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_72_checkout(void) {
@@ -21638,7 +21771,7 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_72_work_bytes(casadi_int *sz_arg, casadi
 }
 
 /* wobbling_trace_96:(u[6],p[8])->(w[7x97],g[8x97],dg[8x97],R[6]) */
-static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w00, *w01=w+353, w02, w03, *w05=w+359, *w06=w+383, w07, *w08=w+388, *w09=w+395, *w10=w+402;
   casadi_real *w11=w+486, *w12=w+582, *w13=w+678, *w14=w+774, *w15=w+870, *w16=w+966, *w17=w+1062, *w18=w+1158, *w19=w+1254, *w20=w+1350, *w21=w+1446, *w22=w+1542;
@@ -21684,7 +21817,7 @@ static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w11;
   res1[3]=w12;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w10, 84, res[0]);
   /* #13: @0 = 0.125 */
@@ -21701,7 +21834,7 @@ static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w13;
   res1[3]=w14;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+84);
   /* #17: @0 = 0.25 */
@@ -21718,7 +21851,7 @@ static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w15;
   res1[3]=w16;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+168);
   /* #21: @0 = 0.375 */
@@ -21735,7 +21868,7 @@ static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w17;
   res1[3]=w18;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+252);
   /* #25: @0 = 0.5 */
@@ -21752,7 +21885,7 @@ static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w19;
   res1[3]=w20;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+336);
   /* #29: @0 = 0.625 */
@@ -21769,7 +21902,7 @@ static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w21;
   res1[3]=w22;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+420);
   /* #33: @0 = 0.75 */
@@ -21786,7 +21919,7 @@ static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w23;
   res1[3]=w24;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[0][6] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+504);
   /* #37: @0 = 0.875 */
@@ -21803,7 +21936,7 @@ static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w25;
   res1[3]=w26;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[0][7] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+588);
   /* #41: output[0][8] = @8 */
@@ -21832,7 +21965,7 @@ static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr04;
   res1[0]=w27;
   res1[1]=w28;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[1][8] = @27 */
   if (res[1]) casadi_copy(w27, 8, res[1]+768);
   /* #53: output[2][0] = @12 */
@@ -21867,7 +22000,7 @@ static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_96(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f80(arg, res, iw, w, mem);
+  return casadi_f67(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_96_checkout(void) {
@@ -21946,7 +22079,7 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_96_work_bytes(casadi_int *sz_arg, casadi
 }
 
 /* wobbling_trace_144:(u[6],p[8])->(w[7x145],g[8x145],dg[8x145],R[6]) */
-static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w00, *w01=w+353, w02, w03, *w05=w+359, *w06=w+383, w07, *w08=w+388, *w09=w+395, *w10=w+402;
   casadi_real *w11=w+486, *w12=w+582, *w13=w+678, *w14=w+774, *w15=w+870, *w16=w+966, *w17=w+1062, *w18=w+1158, *w19=w+1254, *w20=w+1350, *w21=w+1446, *w22=w+1542;
@@ -21993,7 +22126,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w11;
   res1[3]=w12;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w10, 84, res[0]);
   /* #13: @0 = 0.0833333 */
@@ -22010,7 +22143,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w13;
   res1[3]=w14;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+84);
   /* #17: @0 = 0.166667 */
@@ -22027,7 +22160,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w15;
   res1[3]=w16;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+168);
   /* #21: @0 = 0.25 */
@@ -22044,7 +22177,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w17;
   res1[3]=w18;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+252);
   /* #25: @0 = 0.333333 */
@@ -22061,7 +22194,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w19;
   res1[3]=w20;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+336);
   /* #29: @0 = 0.416667 */
@@ -22078,7 +22211,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w21;
   res1[3]=w22;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+420);
   /* #33: @0 = 0.5 */
@@ -22095,7 +22228,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w23;
   res1[3]=w24;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[0][6] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+504);
   /* #37: @0 = 0.583333 */
@@ -22112,7 +22245,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w25;
   res1[3]=w26;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[0][7] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+588);
   /* #41: @0 = 0.666667 */
@@ -22129,7 +22262,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w27;
   res1[3]=w28;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #44: output[0][8] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+672);
   /* #45: @0 = 0.75 */
@@ -22146,7 +22279,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w29;
   res1[3]=w30;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #48: output[0][9] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+756);
   /* #49: @0 = 0.833333 */
@@ -22163,7 +22296,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w31;
   res1[3]=w32;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[0][10] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+840);
   /* #53: @0 = 0.916667 */
@@ -22180,7 +22313,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w33;
   res1[3]=w34;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #56: output[0][11] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+924);
   /* #57: output[0][12] = @8 */
@@ -22217,7 +22350,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr04;
   res1[0]=w35;
   res1[1]=w36;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #72: output[1][12] = @35 */
   if (res[1]) casadi_copy(w35, 8, res[1]+1152);
   /* #73: output[2][0] = @12 */
@@ -22260,7 +22393,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_144(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f81(arg, res, iw, w, mem);
+  return casadi_f68(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_144_checkout(void) {
@@ -22339,7 +22472,7 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_144_work_bytes(casadi_int *sz_arg, casad
 }
 
 /* wobbling_trace_192:(u[6],p[8])->(w[7x193],g[8x193],dg[8x193],R[6]) */
-static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w00, *w01=w+353, w02, w03, *w05=w+359, *w06=w+383, w07, *w08=w+388, *w09=w+395, *w10=w+402;
   casadi_real *w11=w+486, *w12=w+582, *w13=w+678, *w14=w+774, *w15=w+870, *w16=w+966, *w17=w+1062, *w18=w+1158, *w19=w+1254, *w20=w+1350, *w21=w+1446, *w22=w+1542;
@@ -22386,7 +22519,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w11;
   res1[3]=w12;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w10, 84, res[0]);
   /* #13: @0 = 0.0625 */
@@ -22403,7 +22536,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w13;
   res1[3]=w14;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+84);
   /* #17: @0 = 0.125 */
@@ -22420,7 +22553,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w15;
   res1[3]=w16;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+168);
   /* #21: @0 = 0.1875 */
@@ -22437,7 +22570,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w17;
   res1[3]=w18;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+252);
   /* #25: @0 = 0.25 */
@@ -22454,7 +22587,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w19;
   res1[3]=w20;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+336);
   /* #29: @0 = 0.3125 */
@@ -22471,7 +22604,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w21;
   res1[3]=w22;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+420);
   /* #33: @0 = 0.375 */
@@ -22488,7 +22621,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w23;
   res1[3]=w24;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[0][6] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+504);
   /* #37: @0 = 0.4375 */
@@ -22505,7 +22638,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w25;
   res1[3]=w26;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[0][7] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+588);
   /* #41: @0 = 0.5 */
@@ -22522,7 +22655,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w27;
   res1[3]=w28;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #44: output[0][8] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+672);
   /* #45: @0 = 0.5625 */
@@ -22539,7 +22672,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w29;
   res1[3]=w30;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #48: output[0][9] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+756);
   /* #49: @0 = 0.625 */
@@ -22556,7 +22689,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w31;
   res1[3]=w32;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[0][10] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+840);
   /* #53: @0 = 0.6875 */
@@ -22573,7 +22706,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w33;
   res1[3]=w34;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #56: output[0][11] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+924);
   /* #57: @0 = 0.75 */
@@ -22590,7 +22723,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w35;
   res1[3]=w36;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #60: output[0][12] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1008);
   /* #61: @0 = 0.8125 */
@@ -22607,7 +22740,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w37;
   res1[3]=w38;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #64: output[0][13] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1092);
   /* #65: @0 = 0.875 */
@@ -22624,7 +22757,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w39;
   res1[3]=w40;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #68: output[0][14] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1176);
   /* #69: @0 = 0.9375 */
@@ -22641,7 +22774,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w41;
   res1[3]=w42;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #72: output[0][15] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1260);
   /* #73: output[0][16] = @8 */
@@ -22686,7 +22819,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr04;
   res1[0]=w43;
   res1[1]=w44;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #92: output[1][16] = @43 */
   if (res[1]) casadi_copy(w43, 8, res[1]+1536);
   /* #93: output[2][0] = @12 */
@@ -22737,7 +22870,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_192(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f82(arg, res, iw, w, mem);
+  return casadi_f69(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_192_checkout(void) {
@@ -22816,7 +22949,7 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_192_work_bytes(casadi_int *sz_arg, casad
 }
 
 /* wobbling_trace_288:(u[6],p[8])->(w[7x289],g[8x289],dg[8x289],R[6]) */
-static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w00, *w01=w+353, w02, w03, *w05=w+359, *w06=w+383, w07, *w08=w+388, *w09=w+395, *w10=w+402;
   casadi_real *w11=w+486, *w12=w+582, *w13=w+678, *w14=w+774, *w15=w+870, *w16=w+966, *w17=w+1062, *w18=w+1158, *w19=w+1254, *w20=w+1350, *w21=w+1446, *w22=w+1542;
@@ -22865,7 +22998,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w11;
   res1[3]=w12;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w10, 84, res[0]);
   /* #13: @0 = 0.0416667 */
@@ -22882,7 +23015,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w13;
   res1[3]=w14;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+84);
   /* #17: @0 = 0.0833333 */
@@ -22899,7 +23032,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w15;
   res1[3]=w16;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+168);
   /* #21: @0 = 0.125 */
@@ -22916,7 +23049,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w17;
   res1[3]=w18;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+252);
   /* #25: @0 = 0.166667 */
@@ -22933,7 +23066,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w19;
   res1[3]=w20;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+336);
   /* #29: @0 = 0.208333 */
@@ -22950,7 +23083,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w21;
   res1[3]=w22;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+420);
   /* #33: @0 = 0.25 */
@@ -22967,7 +23100,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w23;
   res1[3]=w24;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[0][6] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+504);
   /* #37: @0 = 0.291667 */
@@ -22984,7 +23117,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w25;
   res1[3]=w26;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[0][7] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+588);
   /* #41: @0 = 0.333333 */
@@ -23001,7 +23134,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w27;
   res1[3]=w28;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #44: output[0][8] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+672);
   /* #45: @0 = 0.375 */
@@ -23018,7 +23151,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w29;
   res1[3]=w30;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #48: output[0][9] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+756);
   /* #49: @0 = 0.416667 */
@@ -23035,7 +23168,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w31;
   res1[3]=w32;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[0][10] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+840);
   /* #53: @0 = 0.458333 */
@@ -23052,7 +23185,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w33;
   res1[3]=w34;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #56: output[0][11] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+924);
   /* #57: @0 = 0.5 */
@@ -23069,7 +23202,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w35;
   res1[3]=w36;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #60: output[0][12] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1008);
   /* #61: @0 = 0.541667 */
@@ -23086,7 +23219,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w37;
   res1[3]=w38;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #64: output[0][13] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1092);
   /* #65: @0 = 0.583333 */
@@ -23103,7 +23236,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w39;
   res1[3]=w40;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #68: output[0][14] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1176);
   /* #69: @0 = 0.625 */
@@ -23120,7 +23253,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w41;
   res1[3]=w42;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #72: output[0][15] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1260);
   /* #73: @0 = 0.666667 */
@@ -23137,7 +23270,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w43;
   res1[3]=w44;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #76: output[0][16] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1344);
   /* #77: @0 = 0.708333 */
@@ -23154,7 +23287,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w45;
   res1[3]=w46;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #80: output[0][17] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1428);
   /* #81: @0 = 0.75 */
@@ -23171,7 +23304,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w47;
   res1[3]=w48;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #84: output[0][18] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1512);
   /* #85: @0 = 0.791667 */
@@ -23188,7 +23321,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w49;
   res1[3]=w50;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #88: output[0][19] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1596);
   /* #89: @0 = 0.833333 */
@@ -23205,7 +23338,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w51;
   res1[3]=w52;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #92: output[0][20] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1680);
   /* #93: @0 = 0.875 */
@@ -23222,7 +23355,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w53;
   res1[3]=w54;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #96: output[0][21] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1764);
   /* #97: @0 = 0.916667 */
@@ -23239,7 +23372,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w55;
   res1[3]=w56;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #100: output[0][22] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1848);
   /* #101: @0 = 0.958333 */
@@ -23256,7 +23389,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w57;
   res1[3]=w58;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #104: output[0][23] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1932);
   /* #105: output[0][24] = @8 */
@@ -23317,7 +23450,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr04;
   res1[0]=w59;
   res1[1]=w60;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #132: output[1][24] = @59 */
   if (res[1]) casadi_copy(w59, 8, res[1]+2304);
   /* #133: output[2][0] = @12 */
@@ -23384,7 +23517,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_288(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f83(arg, res, iw, w, mem);
+  return casadi_f70(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_288_checkout(void) {
@@ -23463,7 +23596,7 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_288_work_bytes(casadi_int *sz_arg, casad
 }
 
 /* wobbling_trace_384:(u[6],p[8])->(w[7x385],g[8x385],dg[8x385],R[6]) */
-static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w00, *w01=w+353, w02, w03, *w05=w+359, *w06=w+383, w07, *w08=w+388, *w09=w+395, *w10=w+402;
   casadi_real *w11=w+486, *w12=w+582, *w13=w+678, *w14=w+774, *w15=w+870, *w16=w+966, *w17=w+1062, *w18=w+1158, *w19=w+1254, *w20=w+1350, *w21=w+1446, *w22=w+1542;
@@ -23513,7 +23646,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w11;
   res1[3]=w12;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w10, 84, res[0]);
   /* #13: @0 = 0.03125 */
@@ -23530,7 +23663,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w13;
   res1[3]=w14;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+84);
   /* #17: @0 = 0.0625 */
@@ -23547,7 +23680,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w15;
   res1[3]=w16;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+168);
   /* #21: @0 = 0.09375 */
@@ -23564,7 +23697,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w17;
   res1[3]=w18;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+252);
   /* #25: @0 = 0.125 */
@@ -23581,7 +23714,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w19;
   res1[3]=w20;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+336);
   /* #29: @0 = 0.15625 */
@@ -23598,7 +23731,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w21;
   res1[3]=w22;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+420);
   /* #33: @0 = 0.1875 */
@@ -23615,7 +23748,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w23;
   res1[3]=w24;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[0][6] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+504);
   /* #37: @0 = 0.21875 */
@@ -23632,7 +23765,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w25;
   res1[3]=w26;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[0][7] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+588);
   /* #41: @0 = 0.25 */
@@ -23649,7 +23782,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w27;
   res1[3]=w28;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #44: output[0][8] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+672);
   /* #45: @0 = 0.28125 */
@@ -23666,7 +23799,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w29;
   res1[3]=w30;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #48: output[0][9] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+756);
   /* #49: @0 = 0.3125 */
@@ -23683,7 +23816,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w31;
   res1[3]=w32;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[0][10] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+840);
   /* #53: @0 = 0.34375 */
@@ -23700,7 +23833,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w33;
   res1[3]=w34;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #56: output[0][11] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+924);
   /* #57: @0 = 0.375 */
@@ -23717,7 +23850,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w35;
   res1[3]=w36;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #60: output[0][12] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1008);
   /* #61: @0 = 0.40625 */
@@ -23734,7 +23867,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w37;
   res1[3]=w38;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #64: output[0][13] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1092);
   /* #65: @0 = 0.4375 */
@@ -23751,7 +23884,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w39;
   res1[3]=w40;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #68: output[0][14] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1176);
   /* #69: @0 = 0.46875 */
@@ -23768,7 +23901,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w41;
   res1[3]=w42;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #72: output[0][15] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1260);
   /* #73: @0 = 0.5 */
@@ -23785,7 +23918,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w43;
   res1[3]=w44;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #76: output[0][16] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1344);
   /* #77: @0 = 0.53125 */
@@ -23802,7 +23935,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w45;
   res1[3]=w46;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #80: output[0][17] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1428);
   /* #81: @0 = 0.5625 */
@@ -23819,7 +23952,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w47;
   res1[3]=w48;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #84: output[0][18] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1512);
   /* #85: @0 = 0.59375 */
@@ -23836,7 +23969,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w49;
   res1[3]=w50;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #88: output[0][19] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1596);
   /* #89: @0 = 0.625 */
@@ -23853,7 +23986,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w51;
   res1[3]=w52;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #92: output[0][20] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1680);
   /* #93: @0 = 0.65625 */
@@ -23870,7 +24003,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w53;
   res1[3]=w54;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #96: output[0][21] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1764);
   /* #97: @0 = 0.6875 */
@@ -23887,7 +24020,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w55;
   res1[3]=w56;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #100: output[0][22] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1848);
   /* #101: @0 = 0.71875 */
@@ -23904,7 +24037,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w57;
   res1[3]=w58;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #104: output[0][23] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1932);
   /* #105: @0 = 0.75 */
@@ -23921,7 +24054,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w59;
   res1[3]=w60;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #108: output[0][24] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+2016);
   /* #109: @0 = 0.78125 */
@@ -23938,7 +24071,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w61;
   res1[3]=w62;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #112: output[0][25] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+2100);
   /* #113: @0 = 0.8125 */
@@ -23955,7 +24088,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w63;
   res1[3]=w64;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #116: output[0][26] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+2184);
   /* #117: @0 = 0.84375 */
@@ -23972,7 +24105,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w65;
   res1[3]=w66;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #120: output[0][27] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+2268);
   /* #121: @0 = 0.875 */
@@ -23989,7 +24122,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w67;
   res1[3]=w68;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #124: output[0][28] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+2352);
   /* #125: @0 = 0.90625 */
@@ -24006,7 +24139,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w69;
   res1[3]=w70;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #128: output[0][29] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+2436);
   /* #129: @0 = 0.9375 */
@@ -24023,7 +24156,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w71;
   res1[3]=w72;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #132: output[0][30] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+2520);
   /* #133: @0 = 0.96875 */
@@ -24040,7 +24173,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w73;
   res1[3]=w74;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #136: output[0][31] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+2604);
   /* #137: output[0][32] = @8 */
@@ -24117,7 +24250,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr04;
   res1[0]=w75;
   res1[1]=w76;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #172: output[1][32] = @75 */
   if (res[1]) casadi_copy(w75, 8, res[1]+3072);
   /* #173: output[2][0] = @12 */
@@ -24200,7 +24333,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_384(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f84(arg, res, iw, w, mem);
+  return casadi_f71(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_384_checkout(void) {
@@ -24279,7 +24412,7 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_384_work_bytes(casadi_int *sz_arg, casad
 }
 
 /* wobbling_trace_576:(u[6],p[8])->(w[7x577],g[8x577],dg[8x577],R[6]) */
-static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w000, *w001=w+353, w002, w003, *w005=w+359, *w006=w+383, w007, *w008=w+388, *w009=w+395, *w010=w+402;
   casadi_real *w011=w+486, *w012=w+582, *w013=w+678, *w014=w+774, *w015=w+870, *w016=w+966, *w017=w+1062, *w018=w+1158, *w019=w+1254, *w020=w+1350, *w021=w+1446, *w022=w+1542;
@@ -24332,7 +24465,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w011;
   res1[3]=w012;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w010, 84, res[0]);
   /* #13: @0 = 0.0208333 */
@@ -24349,7 +24482,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w013;
   res1[3]=w014;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+84);
   /* #17: @0 = 0.0416667 */
@@ -24366,7 +24499,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w015;
   res1[3]=w016;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+168);
   /* #21: @0 = 0.0625 */
@@ -24383,7 +24516,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w017;
   res1[3]=w018;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+252);
   /* #25: @0 = 0.0833333 */
@@ -24400,7 +24533,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w019;
   res1[3]=w020;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+336);
   /* #29: @0 = 0.104167 */
@@ -24417,7 +24550,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w021;
   res1[3]=w022;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+420);
   /* #33: @0 = 0.125 */
@@ -24434,7 +24567,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w023;
   res1[3]=w024;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[0][6] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+504);
   /* #37: @0 = 0.145833 */
@@ -24451,7 +24584,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w025;
   res1[3]=w026;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[0][7] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+588);
   /* #41: @0 = 0.166667 */
@@ -24468,7 +24601,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w027;
   res1[3]=w028;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #44: output[0][8] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+672);
   /* #45: @0 = 0.1875 */
@@ -24485,7 +24618,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w029;
   res1[3]=w030;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #48: output[0][9] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+756);
   /* #49: @0 = 0.208333 */
@@ -24502,7 +24635,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w031;
   res1[3]=w032;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[0][10] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+840);
   /* #53: @0 = 0.229167 */
@@ -24519,7 +24652,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w033;
   res1[3]=w034;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #56: output[0][11] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+924);
   /* #57: @0 = 0.25 */
@@ -24536,7 +24669,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w035;
   res1[3]=w036;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #60: output[0][12] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1008);
   /* #61: @0 = 0.270833 */
@@ -24553,7 +24686,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w037;
   res1[3]=w038;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #64: output[0][13] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1092);
   /* #65: @0 = 0.291667 */
@@ -24570,7 +24703,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w039;
   res1[3]=w040;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #68: output[0][14] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1176);
   /* #69: @0 = 0.3125 */
@@ -24587,7 +24720,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w041;
   res1[3]=w042;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #72: output[0][15] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1260);
   /* #73: @0 = 0.333333 */
@@ -24604,7 +24737,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w043;
   res1[3]=w044;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #76: output[0][16] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1344);
   /* #77: @0 = 0.354167 */
@@ -24621,7 +24754,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w045;
   res1[3]=w046;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #80: output[0][17] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1428);
   /* #81: @0 = 0.375 */
@@ -24638,7 +24771,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w047;
   res1[3]=w048;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #84: output[0][18] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1512);
   /* #85: @0 = 0.395833 */
@@ -24655,7 +24788,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w049;
   res1[3]=w050;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #88: output[0][19] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1596);
   /* #89: @0 = 0.416667 */
@@ -24672,7 +24805,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w051;
   res1[3]=w052;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #92: output[0][20] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1680);
   /* #93: @0 = 0.4375 */
@@ -24689,7 +24822,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w053;
   res1[3]=w054;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #96: output[0][21] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1764);
   /* #97: @0 = 0.458333 */
@@ -24706,7 +24839,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w055;
   res1[3]=w056;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #100: output[0][22] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1848);
   /* #101: @0 = 0.479167 */
@@ -24723,7 +24856,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w057;
   res1[3]=w058;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #104: output[0][23] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1932);
   /* #105: @0 = 0.5 */
@@ -24740,7 +24873,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w059;
   res1[3]=w060;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #108: output[0][24] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2016);
   /* #109: @0 = 0.520833 */
@@ -24757,7 +24890,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w061;
   res1[3]=w062;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #112: output[0][25] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2100);
   /* #113: @0 = 0.541667 */
@@ -24774,7 +24907,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w063;
   res1[3]=w064;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #116: output[0][26] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2184);
   /* #117: @0 = 0.5625 */
@@ -24791,7 +24924,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w065;
   res1[3]=w066;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #120: output[0][27] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2268);
   /* #121: @0 = 0.583333 */
@@ -24808,7 +24941,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w067;
   res1[3]=w068;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #124: output[0][28] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2352);
   /* #125: @0 = 0.604167 */
@@ -24825,7 +24958,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w069;
   res1[3]=w070;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #128: output[0][29] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2436);
   /* #129: @0 = 0.625 */
@@ -24842,7 +24975,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w071;
   res1[3]=w072;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #132: output[0][30] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2520);
   /* #133: @0 = 0.645833 */
@@ -24859,7 +24992,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w073;
   res1[3]=w074;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #136: output[0][31] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2604);
   /* #137: @0 = 0.666667 */
@@ -24876,7 +25009,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w075;
   res1[3]=w076;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #140: output[0][32] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2688);
   /* #141: @0 = 0.6875 */
@@ -24893,7 +25026,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w077;
   res1[3]=w078;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #144: output[0][33] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2772);
   /* #145: @0 = 0.708333 */
@@ -24910,7 +25043,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w079;
   res1[3]=w080;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #148: output[0][34] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2856);
   /* #149: @0 = 0.729167 */
@@ -24927,7 +25060,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w081;
   res1[3]=w082;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #152: output[0][35] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2940);
   /* #153: @0 = 0.75 */
@@ -24944,7 +25077,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w083;
   res1[3]=w084;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #156: output[0][36] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3024);
   /* #157: @0 = 0.770833 */
@@ -24961,7 +25094,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w085;
   res1[3]=w086;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #160: output[0][37] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3108);
   /* #161: @0 = 0.791667 */
@@ -24978,7 +25111,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w087;
   res1[3]=w088;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #164: output[0][38] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3192);
   /* #165: @0 = 0.8125 */
@@ -24995,7 +25128,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w089;
   res1[3]=w090;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #168: output[0][39] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3276);
   /* #169: @0 = 0.833333 */
@@ -25012,7 +25145,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w091;
   res1[3]=w092;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #172: output[0][40] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3360);
   /* #173: @0 = 0.854167 */
@@ -25029,7 +25162,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w093;
   res1[3]=w094;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #176: output[0][41] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3444);
   /* #177: @0 = 0.875 */
@@ -25046,7 +25179,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w095;
   res1[3]=w096;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #180: output[0][42] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3528);
   /* #181: @0 = 0.895833 */
@@ -25063,7 +25196,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w097;
   res1[3]=w098;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #184: output[0][43] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3612);
   /* #185: @0 = 0.916667 */
@@ -25080,7 +25213,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w099;
   res1[3]=w100;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #188: output[0][44] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3696);
   /* #189: @0 = 0.9375 */
@@ -25097,7 +25230,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w101;
   res1[3]=w102;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #192: output[0][45] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3780);
   /* #193: @0 = 0.958333 */
@@ -25114,7 +25247,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w103;
   res1[3]=w104;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #196: output[0][46] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3864);
   /* #197: @0 = 0.979167 */
@@ -25131,7 +25264,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w105;
   res1[3]=w106;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #200: output[0][47] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3948);
   /* #201: output[0][48] = @8 */
@@ -25240,7 +25373,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr004;
   res1[0]=w107;
   res1[1]=w108;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #252: output[1][48] = @107 */
   if (res[1]) casadi_copy(w107, 8, res[1]+4608);
   /* #253: output[2][0] = @12 */
@@ -25355,7 +25488,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_576(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f85(arg, res, iw, w, mem);
+  return casadi_f72(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_576_checkout(void) {
@@ -25434,7 +25567,7 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_576_work_bytes(casadi_int *sz_arg, casad
 }
 
 /* wobbling_trace_768:(u[6],p[8])->(w[7x769],g[8x769],dg[8x769],R[6]) */
-static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w000, *w001=w+353, w002, w003, *w005=w+359, *w006=w+383, w007, *w008=w+388, *w009=w+395, *w010=w+402;
   casadi_real *w011=w+486, *w012=w+582, *w013=w+678, *w014=w+774, *w015=w+870, *w016=w+966, *w017=w+1062, *w018=w+1158, *w019=w+1254, *w020=w+1350, *w021=w+1446, *w022=w+1542;
@@ -25489,7 +25622,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w011;
   res1[3]=w012;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w010, 84, res[0]);
   /* #13: @0 = 0.015625 */
@@ -25506,7 +25639,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w013;
   res1[3]=w014;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+84);
   /* #17: @0 = 0.03125 */
@@ -25523,7 +25656,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w015;
   res1[3]=w016;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+168);
   /* #21: @0 = 0.046875 */
@@ -25540,7 +25673,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w017;
   res1[3]=w018;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+252);
   /* #25: @0 = 0.0625 */
@@ -25557,7 +25690,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w019;
   res1[3]=w020;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+336);
   /* #29: @0 = 0.078125 */
@@ -25574,7 +25707,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w021;
   res1[3]=w022;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+420);
   /* #33: @0 = 0.09375 */
@@ -25591,7 +25724,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w023;
   res1[3]=w024;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[0][6] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+504);
   /* #37: @0 = 0.109375 */
@@ -25608,7 +25741,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w025;
   res1[3]=w026;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[0][7] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+588);
   /* #41: @0 = 0.125 */
@@ -25625,7 +25758,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w027;
   res1[3]=w028;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #44: output[0][8] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+672);
   /* #45: @0 = 0.140625 */
@@ -25642,7 +25775,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w029;
   res1[3]=w030;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #48: output[0][9] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+756);
   /* #49: @0 = 0.15625 */
@@ -25659,7 +25792,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w031;
   res1[3]=w032;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[0][10] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+840);
   /* #53: @0 = 0.171875 */
@@ -25676,7 +25809,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w033;
   res1[3]=w034;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #56: output[0][11] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+924);
   /* #57: @0 = 0.1875 */
@@ -25693,7 +25826,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w035;
   res1[3]=w036;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #60: output[0][12] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1008);
   /* #61: @0 = 0.203125 */
@@ -25710,7 +25843,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w037;
   res1[3]=w038;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #64: output[0][13] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1092);
   /* #65: @0 = 0.21875 */
@@ -25727,7 +25860,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w039;
   res1[3]=w040;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #68: output[0][14] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1176);
   /* #69: @0 = 0.234375 */
@@ -25744,7 +25877,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w041;
   res1[3]=w042;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #72: output[0][15] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1260);
   /* #73: @0 = 0.25 */
@@ -25761,7 +25894,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w043;
   res1[3]=w044;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #76: output[0][16] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1344);
   /* #77: @0 = 0.265625 */
@@ -25778,7 +25911,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w045;
   res1[3]=w046;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #80: output[0][17] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1428);
   /* #81: @0 = 0.28125 */
@@ -25795,7 +25928,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w047;
   res1[3]=w048;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #84: output[0][18] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1512);
   /* #85: @0 = 0.296875 */
@@ -25812,7 +25945,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w049;
   res1[3]=w050;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #88: output[0][19] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1596);
   /* #89: @0 = 0.3125 */
@@ -25829,7 +25962,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w051;
   res1[3]=w052;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #92: output[0][20] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1680);
   /* #93: @0 = 0.328125 */
@@ -25846,7 +25979,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w053;
   res1[3]=w054;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #96: output[0][21] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1764);
   /* #97: @0 = 0.34375 */
@@ -25863,7 +25996,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w055;
   res1[3]=w056;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #100: output[0][22] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1848);
   /* #101: @0 = 0.359375 */
@@ -25880,7 +26013,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w057;
   res1[3]=w058;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #104: output[0][23] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1932);
   /* #105: @0 = 0.375 */
@@ -25897,7 +26030,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w059;
   res1[3]=w060;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #108: output[0][24] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2016);
   /* #109: @0 = 0.390625 */
@@ -25914,7 +26047,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w061;
   res1[3]=w062;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #112: output[0][25] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2100);
   /* #113: @0 = 0.40625 */
@@ -25931,7 +26064,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w063;
   res1[3]=w064;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #116: output[0][26] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2184);
   /* #117: @0 = 0.421875 */
@@ -25948,7 +26081,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w065;
   res1[3]=w066;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #120: output[0][27] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2268);
   /* #121: @0 = 0.4375 */
@@ -25965,7 +26098,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w067;
   res1[3]=w068;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #124: output[0][28] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2352);
   /* #125: @0 = 0.453125 */
@@ -25982,7 +26115,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w069;
   res1[3]=w070;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #128: output[0][29] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2436);
   /* #129: @0 = 0.46875 */
@@ -25999,7 +26132,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w071;
   res1[3]=w072;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #132: output[0][30] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2520);
   /* #133: @0 = 0.484375 */
@@ -26016,7 +26149,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w073;
   res1[3]=w074;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #136: output[0][31] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2604);
   /* #137: @0 = 0.5 */
@@ -26033,7 +26166,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w075;
   res1[3]=w076;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #140: output[0][32] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2688);
   /* #141: @0 = 0.515625 */
@@ -26050,7 +26183,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w077;
   res1[3]=w078;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #144: output[0][33] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2772);
   /* #145: @0 = 0.53125 */
@@ -26067,7 +26200,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w079;
   res1[3]=w080;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #148: output[0][34] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2856);
   /* #149: @0 = 0.546875 */
@@ -26084,7 +26217,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w081;
   res1[3]=w082;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #152: output[0][35] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2940);
   /* #153: @0 = 0.5625 */
@@ -26101,7 +26234,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w083;
   res1[3]=w084;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #156: output[0][36] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3024);
   /* #157: @0 = 0.578125 */
@@ -26118,7 +26251,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w085;
   res1[3]=w086;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #160: output[0][37] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3108);
   /* #161: @0 = 0.59375 */
@@ -26135,7 +26268,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w087;
   res1[3]=w088;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #164: output[0][38] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3192);
   /* #165: @0 = 0.609375 */
@@ -26152,7 +26285,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w089;
   res1[3]=w090;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #168: output[0][39] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3276);
   /* #169: @0 = 0.625 */
@@ -26169,7 +26302,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w091;
   res1[3]=w092;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #172: output[0][40] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3360);
   /* #173: @0 = 0.640625 */
@@ -26186,7 +26319,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w093;
   res1[3]=w094;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #176: output[0][41] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3444);
   /* #177: @0 = 0.65625 */
@@ -26203,7 +26336,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w095;
   res1[3]=w096;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #180: output[0][42] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3528);
   /* #181: @0 = 0.671875 */
@@ -26220,7 +26353,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w097;
   res1[3]=w098;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #184: output[0][43] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3612);
   /* #185: @0 = 0.6875 */
@@ -26237,7 +26370,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w099;
   res1[3]=w100;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #188: output[0][44] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3696);
   /* #189: @0 = 0.703125 */
@@ -26254,7 +26387,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w101;
   res1[3]=w102;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #192: output[0][45] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3780);
   /* #193: @0 = 0.71875 */
@@ -26271,7 +26404,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w103;
   res1[3]=w104;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #196: output[0][46] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3864);
   /* #197: @0 = 0.734375 */
@@ -26288,7 +26421,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w105;
   res1[3]=w106;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #200: output[0][47] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3948);
   /* #201: @0 = 0.75 */
@@ -26305,7 +26438,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w107;
   res1[3]=w108;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #204: output[0][48] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+4032);
   /* #205: @0 = 0.765625 */
@@ -26322,7 +26455,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w109;
   res1[3]=w110;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #208: output[0][49] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+4116);
   /* #209: @0 = 0.78125 */
@@ -26339,7 +26472,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w111;
   res1[3]=w112;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #212: output[0][50] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+4200);
   /* #213: @0 = 0.796875 */
@@ -26356,7 +26489,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w113;
   res1[3]=w114;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #216: output[0][51] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+4284);
   /* #217: @0 = 0.8125 */
@@ -26373,7 +26506,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w115;
   res1[3]=w116;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #220: output[0][52] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+4368);
   /* #221: @0 = 0.828125 */
@@ -26390,7 +26523,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w117;
   res1[3]=w118;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #224: output[0][53] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+4452);
   /* #225: @0 = 0.84375 */
@@ -26407,7 +26540,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w119;
   res1[3]=w120;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #228: output[0][54] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+4536);
   /* #229: @0 = 0.859375 */
@@ -26424,7 +26557,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w121;
   res1[3]=w122;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #232: output[0][55] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+4620);
   /* #233: @0 = 0.875 */
@@ -26441,7 +26574,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w123;
   res1[3]=w124;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #236: output[0][56] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+4704);
   /* #237: @0 = 0.890625 */
@@ -26458,7 +26591,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w125;
   res1[3]=w126;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #240: output[0][57] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+4788);
   /* #241: @0 = 0.90625 */
@@ -26475,7 +26608,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w127;
   res1[3]=w128;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #244: output[0][58] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+4872);
   /* #245: @0 = 0.921875 */
@@ -26492,7 +26625,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w129;
   res1[3]=w130;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #248: output[0][59] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+4956);
   /* #249: @0 = 0.9375 */
@@ -26509,7 +26642,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w131;
   res1[3]=w132;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #252: output[0][60] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+5040);
   /* #253: @0 = 0.953125 */
@@ -26526,7 +26659,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w133;
   res1[3]=w134;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #256: output[0][61] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+5124);
   /* #257: @0 = 0.96875 */
@@ -26543,7 +26676,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w135;
   res1[3]=w136;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #260: output[0][62] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+5208);
   /* #261: @0 = 0.984375 */
@@ -26560,7 +26693,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w137;
   res1[3]=w138;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #264: output[0][63] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+5292);
   /* #265: output[0][64] = @8 */
@@ -26701,7 +26834,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr004;
   res1[0]=w139;
   res1[1]=w140;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #332: output[1][64] = @139 */
   if (res[1]) casadi_copy(w139, 8, res[1]+6144);
   /* #333: output[2][0] = @12 */
@@ -26848,7 +26981,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_768(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f86(arg, res, iw, w, mem);
+  return casadi_f73(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_768_checkout(void) {
@@ -26927,7 +27060,7 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_768_work_bytes(casadi_int *sz_arg, casad
 }
 
 /* wobbling_advance:(t,w[7],h,p[8])->(w_end[7],g[8],dg[8]) */
-static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f74(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+3, *rr, *w0=w+115, w1, *w3=w+122, w4, *w5=w+124, *w6=w+148, *w7=w+155, *w8=w+161, *w9=w+169;
   const casadi_real **arg1=arg+4, *cs, *wr2;
   /* #0: @0 = input[1][0] */
@@ -26955,7 +27088,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w4);
   arg1[4]=wr2;
   res1[0]=w6;
-  if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #7: output[0][0] = @6 */
   casadi_copy(w6, 7, res[0]);
   /* #8: @1 = (@1+@4) */
@@ -26968,7 +27101,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr2;
   res1[0]=w8;
   res1[1]=w9;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #11: output[1][0] = @8 */
   casadi_copy(w8, 8, res[1]);
   /* #12: output[2][0] = @9 */
@@ -26977,7 +27110,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_advance(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f87(arg, res, iw, w, mem);
+  return casadi_f74(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_advance_checkout(void) {
@@ -27070,10 +27203,10 @@ CASADI_SYMBOL_EXPORT int wobbling_map(wobbling_kernel kernel, const casadi_int* 
     casadi_int n_in, const double* const* in, const casadi_int* in_size,
     casadi_int n_out, double* const* out, const casadi_int* out_size, int* failed)
 {
-    const double** arg = malloc((size_t) work_size[0] * sizeof(double*));
-    double** res = malloc((size_t) work_size[1] * sizeof(double*));
-    casadi_int* iw = malloc((size_t) (work_size[2] + 1) * sizeof(casadi_int));
-    double* w = malloc((size_t) (work_size[3] + 1) * sizeof(double));
+    const double** arg = (const double**) malloc((size_t) work_size[0] * sizeof(double*));
+    double** res = (double**) malloc((size_t) work_size[1] * sizeof(double*));
+    casadi_int* iw = (casadi_int*) malloc((size_t) (work_size[2] + 1) * sizeof(casadi_int));
+    double* w = (double*) malloc((size_t) (work_size[3] + 1) * sizeof(double));
     const int ready = arg && res && iw && w;
     casadi_int i, j;
     if (ready) {
