@@ -95,7 +95,7 @@ $(MADE): $(if $(SOUND),,FORCE)
 $(RUN): $(MADE) requirements/run.txt pyproject.toml
 	@echo "Installing what stridemap runs on (requirements/run.txt) ..."
 	@$(PIN) requirements/run.txt
-	@mkdir -p generated/compass generated/wobbling # so that `make derive` works where they were removed
+	@for walker in derive/models/*.py; do grep -q '^WALKER =' $$walker && mkdir -p generated/$$(basename $$walker .py); done; true # so that `make derive` works where they were removed
 	@$(PIP) --no-build-isolation --no-deps --editable .
 	@touch $@
 

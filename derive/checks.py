@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from stridemap.derive.mechanics import Mechanics
 
 RESERVED = frozenset(
-    "t q v p z u xp M h dh side d com foot force zmp mass weight length positions masses kinetic potential "
+    "t q v p z u xp M h dh side d com foot force zmp mass weight pull length positions masses kinetic potential "
     "auto break case char const continue default do double else enum extern float for goto if inline int long "
     "register restrict return short signed sizeof static struct switch typedef union unsigned void volatile "
     "while sin cos tan sqrt exp log pow abs main period status stable model params state".split()

@@ -58,7 +58,7 @@ def emit(walker: Walker, generator: str) -> tuple[dict[str, str], dict[str, Any]
 
 def _manifest(walker: Walker, programs: list[Program], generator: str, model_hash: str) -> dict[str, Any]:
     return {
-        "format": 1,
+        "format": 2,
         "generator": generator,
         "sympy": sp.__version__,
         "model": walker.name,

@@ -94,7 +94,7 @@ class Functions:
         if self.walker.massless is not None:
             rows = ", ".join(c.name for c in self.walker.massless.coordinates)
             meaning = f"mass matrix in the limit {self.walker.massless.mass} -> 0, by which {rows} is divided"
-        out = Output("M", matrix, meaning)
+        out = Output("M", matrix, meaning, is_matrix=True)
         return self._close(
             b, "mass_matrix", "Mass matrix of the swing phase", self._source("mass_matrix"), [out]
         )
@@ -116,7 +116,7 @@ class Functions:
     def controller_torque(self) -> Program:
         """Torques of the controller."""
         names = ", ".join(c.name for c in self.walker.torques)
-        out = Output("u", sp.Matrix(list(self.walker.torques.values())), f"torque on {names}")
+        out = Output("u", self.mechanics.applied_torques, f"torque on {names}")
         summary = "Torque of the controller" if len(self.walker.torques) == 1 else "Torques of the controller"
         return self._close(
             Builder(), "controller_torque", summary, self._source("controller_torque"), [out]
@@ -161,7 +161,7 @@ class Functions:
             residual = self._force(self.mechanics.controller) - self.mechanics.mass_matrix * held
             columns = self._columns(b, residual, wrt, held, acceleration, factors)
             meaning = f"derivative of dv with respect to {name}"
-            out = Output(f"dv_d{name}", sp.Matrix.hstack(*columns), meaning)
+            out = Output(f"dv_d{name}", sp.Matrix.hstack(*columns), meaning, is_matrix=True)
             yield self._close(
                 b,
                 f"state_derivative_d{name}",
@@ -247,7 +247,8 @@ class Functions:
             held = sp.Matrix(sp.symbols(f"held_1:{len(after) + 1}", real=True))
             columns = self._columns(b, right - equations * held, wrt, held, after, factors)
             value = sp.Matrix.hstack(*(c[: self._n, :] for c in columns))
-            out = Output(f"v_plus_d{name}", value, f"derivative of v_plus with respect to {name}")
+            meaning = f"derivative of v_plus with respect to {name}"
+            out = Output(f"v_plus_d{name}", value, meaning, is_matrix=True)
             summary = f"Derivative of the rates after touchdown with respect to {name}"
             source = f"{self._source('impact_map')}, differentiated"
             yield self._close(b, f"impact_map_d{name}", summary, source, [out])
@@ -286,6 +287,7 @@ class Functions:
         outputs = [
             Output("mass", simplified(self.mechanics.total_mass), f"mass, in {self.walker.units.mass}"),
             Output("weight", self.mechanics.weight, "mass times the acceleration of gravity"),
+            Output("pull", self.mechanics.pull, "component of the weight along the ground, in walking direction"),
         ]
         summary = "Mass and weight of the whole walker"
         return self._close(Builder(), "total_mass", summary, "sum over the bodies", outputs)

@@ -192,8 +192,13 @@ class Mechanics:
         return sp.Matrix([acting.get(c, sp.S.Zero) for c in self.walker.coordinates])
 
     @cached_property
+    def applied_torques(self) -> sp.Matrix:
+        """Torques of the actuators, shape (n_actuators, 1)."""
+        return sp.Matrix([self._vanished(u) for u in self.walker.torques.values()])
+
+    @cached_property
     def controller(self) -> sp.Matrix:
-        """Torques of the controller as they stand in the equation of motion, one an actuator."""
+        """Torques as they stand in the equation of motion, where a massless row is divided by its mass."""
         rows = self._limit(self.torque_vector(self.walker.torques.values()))
         return sp.Matrix([rows[self.walker.coordinates.index(c)] for c in self.walker.torques])
 
@@ -228,6 +233,11 @@ class Mechanics:
         """Weight of the whole walker."""
         size = sp.simplify(self.walker.gravity.dot(self.walker.gravity))
         return simplified(self.total_mass * sp.sqrt(size))
+
+    @cached_property
+    def pull(self) -> sp.Expr:
+        """Component of the weight along the ground, in the direction of walking."""
+        return simplified(self.total_mass * self.walker.gravity[0])
 
     @cached_property
     def centre_of_mass(self) -> sp.Matrix:

@@ -6,7 +6,7 @@ same numbers in the same order.
 
 import re
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import sympy as sp
 
@@ -41,11 +41,15 @@ class Argument:
 
 @dataclass(frozen=True)
 class Output:
-    """A named result: a scalar, a vector, shape (n, 1), or a matrix, shape (n, m)."""
+    """A named result: a scalar, a vector, shape (n, 1), or a matrix, shape (n, m).
+
+    A matrix of one column is told from a vector by `is_matrix`.
+    """
 
     name: str
     value: sp.Matrix | sp.Expr
     meaning: str
+    is_matrix: bool = False
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -53,7 +57,7 @@ class Output:
         if not isinstance(self.value, sp.MatrixBase):
             return ()
         rows, columns = self.value.shape
-        return (rows,) if columns == 1 else (rows, columns)
+        return (rows, columns) if self.is_matrix or columns > 1 else (rows,)
 
     @property
     def entries(self) -> list[sp.Expr]:
@@ -198,11 +202,11 @@ class Builder:
         terms, reduced = _under_their_names(terms, reduced, list(self.named))
         terms |= {symbol: call for call, symbol in trig.items()}
         results = iter(reduced)
-        closed = tuple(Output(o.name, _refill(o, results), o.meaning) for o in outputs)
+        closed = tuple(replace(o, value=_refill(o, results)) for o in outputs)
         ordered = list(_in_order(terms, [e for o in closed for e in o.entries]))
         numbered = _renumbered([s for s, _ in ordered], taken)
         statements = tuple((numbered.get(s, s), _fewer_signs(e.xreplace(numbered))) for s, e in ordered)
-        closed = tuple(Output(o.name, _fewer_signs(o.value.xreplace(numbered)), o.meaning) for o in closed)
+        closed = tuple(replace(o, value=_fewer_signs(o.value.xreplace(numbered))) for o in closed)
         program = Program(name, summary, source, arguments, statements, closed)
         known = {e.symbol for a in arguments for e in a.entries} | {s for s, _ in statements}
         if unknown := program.used - known:

@@ -18,9 +18,13 @@ from numpy.typing import NDArray
 
 import stridemap.generated
 from stridemap.errors import InputError
+from stridemap.solver.derived import derived_folder
 
 GENERATED = Path(stridemap.generated.__file__).parent
 """Folder of the built-in generated walkers."""
+
+FORMAT = 2
+"""Of the manifest."""
 
 
 @dataclass(frozen=True)
@@ -86,6 +90,8 @@ class Model:
     ----------
     folder : pathlib.Path
         Holds ``manifest.json`` and the generated files that it names.
+    source : str, optional
+        What `load` found it by: a built-in model's name, or a path.
 
     Raises
     ------
@@ -93,8 +99,9 @@ class Model:
         When a file is missing or is not the one that the manifest names.
     """
 
-    def __init__(self, folder: Path) -> None:
+    def __init__(self, folder: Path, source: str | None = None) -> None:
         self.folder = folder
+        self.source = source or str(folder)
         try:
             self.manifest: dict[str, Any] = json.loads((folder / "manifest.json").read_text(encoding="utf-8"))
             self.name: str = self.manifest["model"]
@@ -103,10 +110,17 @@ class Model:
             self.section: tuple[str, ...] = tuple(self.manifest["section"]["names"])
             self.coordinates: tuple[str, ...] = tuple(c["name"] for c in self.manifest["coordinates"])
             self.parameters = tuple(Parameter(**entry) for entry in self.manifest["parameters"])
+            self.actuated: tuple[str, ...] = tuple(self.manifest["actuated"])
+            self.period_range: tuple[float, float] = tuple(self.manifest["section"]["period_range"])
         except (OSError, ValueError, KeyError, TypeError) as error:
             raise InputError(
                 f"{folder} holds no readable manifest.json ({error}); run `stridemap derive`"
             ) from None
+        if self.manifest["format"] != FORMAT:
+            raise InputError(
+                f"{folder} was written by another version of stridemap (format {self.manifest['format']}, not "
+                f"{FORMAT}); run `stridemap derive`"
+            )
 
     def __getattr__(self, name: str) -> ca.Function:
         """The generated function `name` as a CasADi function."""
@@ -178,7 +192,8 @@ class Model:
         ----------
         name : str
         **values : ndarray
-            Those inputs that the function takes are used: shape (..., size), or (...) for ``t``.
+            Shape (..., size), or (...) for ``t``. The function uses those that it takes; all together give
+            the leading axes of the results.
 
         Returns
         -------
@@ -188,7 +203,7 @@ class Model:
         entry = self.manifest["functions"][name]
         inputs = [np.asarray(values[a["name"]], dtype=float) for a in entry["inputs"]]
         shape = np.broadcast_shapes(
-            *(x.shape if a["scalar"] else x.shape[:-1] for a, x in zip(entry["inputs"], inputs, strict=True))
+            *(np.shape(x) if key == "t" else np.shape(x)[:-1] for key, x in values.items())
         )
         split = [
             x if a["scalar"] else list(np.moveaxis(x, -1, 0))
@@ -235,19 +250,33 @@ def available() -> list[str]:
     return sorted(path.parent.name for path in GENERATED.glob("*/manifest.json"))
 
 
-@cache
-def load(name: str) -> Model:
-    """Load a built-in model.
+def load(name: str | Path) -> Model:
+    """Load a model.
 
     Parameters
     ----------
-    name : str
+    name : str or path
+        A built-in model's name, the path of a model file (``.py``), which is derived if that was not done
+        before, or the folder that `stridemap derive` wrote.
 
     Raises
     ------
     InputError
-        When there is no such model.
+        When there is no such model, or its file declares none.
     """
-    if name not in available():
-        raise InputError(f"there is no model {name!r}; models are {', '.join(available())}")
-    return Model(GENERATED / name)
+    text = str(name)
+    if text.endswith(".py"):
+        return _load(derived_folder(Path(text)), text)
+    if text in available():
+        return _load(GENERATED / text, text)
+    if (Path(text) / "manifest.json").exists():
+        return _load(Path(text).resolve(), text)
+    raise InputError(
+        f"there is no model {text!r}; models are {', '.join(available())}, or give the path of a model file "
+        "(.py) or of a folder that `stridemap derive` wrote"
+    )
+
+
+@cache
+def _load(folder: Path, source: str) -> Model:
+    return Model(folder, source)

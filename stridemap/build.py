@@ -1,12 +1,19 @@
 """Writes ``generated/``: equations from `derive`, kernels from `solver`, and the manifest that names both."""
 
 import hashlib
+import importlib.util
 import json
+import sys
 import tempfile
+import traceback
+from collections.abc import Mapping
+from dataclasses import fields, is_dataclass
 from importlib.metadata import version
 from importlib.resources import files
 from pathlib import Path
 from typing import Any
+
+import sympy as sp
 
 from stridemap.derive.declaration import Walker
 from stridemap.derive.emit import emit
@@ -52,7 +59,7 @@ def write_model(walker: Walker, folder: Path) -> list[Path]:
         texts[f"{walker.name}_kernels.c"] = c_source(Model(Path(scratch)))
     try:
         folder.mkdir(parents=True, exist_ok=True)
-        _write(folder, texts, manifest)
+        _write(folder, texts, manifest)  # the manifest last: it names the others
     except OSError as error:
         raise InputError(f"cannot write {error.filename or folder}: {error.strerror}") from None
     return sorted(folder / name for name in [*texts, MANIFEST])
@@ -64,6 +71,100 @@ def _write(folder: Path, texts: dict[str, str], manifest: dict[str, Any]) -> Non
         (folder / name).write_text(text, encoding="utf-8", newline="\n")
     text = json.dumps({**manifest, "files": hashes}, indent=1) + "\n"
     (folder / MANIFEST).write_text(text, encoding="utf-8", newline="\n")
+
+
+def declared(path: Path) -> Walker:
+    """The walker that a Python file declares under the name ``WALKER``.
+
+    Parameters
+    ----------
+    path : pathlib.Path
+
+    Raises
+    ------
+    InputError
+        When the file cannot be read or run, or declares none.
+    """
+    spec = importlib.util.spec_from_file_location(f"stridemap_model_{path.stem}", path)
+    if not path.is_file() or spec is None or spec.loader is None:
+        raise InputError(f"cannot read the model file {path}; give the path of a Python file")
+    module = importlib.util.module_from_spec(spec)
+    sys.path.insert(0, str(path.resolve().parent))  # as for a script: files beside it can be imported
+    try:
+        spec.loader.exec_module(module)
+    except InputError:
+        raise
+    except Exception as error:
+        place = _line_in(path, error)
+        raise InputError(f"{path}{place}: {type(error).__name__}: {error}") from error
+    finally:
+        sys.path.pop(0)
+    walker = getattr(module, "WALKER", None)
+    if not isinstance(walker, Walker):
+        raise InputError(
+            f"{path} declares no walker; it must have WALKER = Walker(...), with stridemap.derive.Walker"
+        )
+    return walker
+
+
+def _line_in(path: Path, error: BaseException) -> str:
+    """Where in a model file an exception arose."""
+    if isinstance(error, SyntaxError):
+        return f", line {error.lineno}"
+    lines = [f.lineno for f in traceback.extract_tb(error.__traceback__) if Path(f.filename) == path]
+    return f", line {lines[-1]}" if lines else ""
+
+
+def derive_file(path: Path, folder: Path | None = None) -> list[Path]:
+    """Write the generated code of a model file.
+
+    Parameters
+    ----------
+    path : pathlib.Path
+        Python file that declares a walker.
+    folder : pathlib.Path, optional
+        Where the files go; by default into the user's cache, unless they are there already.
+
+    Raises
+    ------
+    InputError
+        When the file declares no walker that can be derived, or the folder cannot be written.
+    """
+    walker = declared(path)
+    if folder is not None:
+        return write_model(walker, folder)
+    target = cache_folder() / "models" / f"{walker.name}-{fingerprint(walker)[:32]}"
+    if not (target / MANIFEST).exists():
+        write_model(walker, target)
+    return sorted(p for p in target.iterdir() if p.is_file())
+
+
+def fingerprint(walker: Walker) -> str:
+    """SHA-256 of everything that the generated code of a walker depends on."""
+    versions = [f"{name} {version(name)}" for name in ("stridemap", "sympy", "casadi")]
+    sources = [p.read_bytes() for part in ("derive", "solver") for p in sorted(_part(part).glob("*.py"))]
+    key = hashlib.sha256("\n".join([*versions, _described(walker)]).encode())
+    for text in sources:
+        key.update(hashlib.sha256(text).digest())
+    return key.hexdigest()
+
+
+def _part(name: str) -> Path:
+    return Path(str(files(f"stridemap.{name}")))
+
+
+def _described(value: Any) -> str:
+    """A declaration as text that is equal for equal declarations only."""
+    if isinstance(value, sp.Basic | sp.MatrixBase):
+        return sp.srepr(value)
+    if is_dataclass(value) and not isinstance(value, type):
+        inner = ", ".join(f"{f.name}={_described(getattr(value, f.name))}" for f in fields(value))
+        return f"{type(value).__name__}({inner})"
+    if isinstance(value, Mapping):
+        return "{" + ", ".join(f"{_described(k)}: {_described(v)}" for k, v in value.items()) + "}"
+    if isinstance(value, tuple | list):
+        return "(" + ", ".join(map(_described, value)) + ")"
+    return repr(value)
 
 
 def derive(folder: Path | None = None) -> list[Path]:

@@ -203,13 +203,28 @@ def _interrupt(*_: object) -> NoReturn:
 
 @app.command()
 def derive(
+    path: Annotated[
+        Path | None, typer.Argument(help="Python file that declares a model; all built-in ones without it.")
+    ] = None,
+    out: Annotated[Path | None, typer.Option(help="Folder for the files of the model file.")] = None,
     check: Annotated[
         bool, typer.Option("--check", help="Write nothing; tell which generated files would change.")
     ] = False,
 ) -> int:
-    """Derive every built-in model and write its equations, C and kernels into generated/."""
+    """Derive a model and write its equations, C and kernels: a model file's, or all built-in ones'.
+
+    A model file's go to --out, or into the user's cache; the built-in ones' into generated/.
+    """
     from stridemap import build
 
+    if path is not None and check:
+        raise InputError("--check is for the built-in models; leave it out, or the path of the model file")
+    if path is None and out is not None:
+        raise InputError("--out is for a model file; give its path, or leave --out out")
+    if path is not None:
+        for written in build.derive_file(path, out):
+            print(written)
+        return FOUND
     if not check:
         for path in build.derive():
             print(path)

@@ -1,5 +1,5 @@
 /* Compass walker: kernels of the solver
- * Printed by CasADi 3.8.2 from equations 9a21403f68fd2b91.
+ * Printed by CasADi 3.8.2 from equations 6cee94c77bf81c04.
  * Do not edit: run `make derive`.
  * SPDX-License-Identifier: BSD-3-Clause
  */
@@ -470,7 +470,7 @@ static const casadi_int casadi_s27[3] = {8, 1, 1};
 static const casadi_real casadi_zeros[24] = 
   {0.};
 
-/* start:(z[3])->(y[4],dy_dz[4x3]) */
+/* start:(z[3],p[6])->(y[4],dy_dz[4x3]) */
 static int casadi_f3(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1;
   a0=arg[0]? arg[0][0] : 0;
@@ -4780,7 +4780,6 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
 static int casadi_f8(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
-  casadi_real a24;
   a00=arg[0]? arg[0][4] : 0;
   a01=arg[0]? arg[0][5] : 0;
   a02=(a00-a01);
@@ -4797,59 +4796,52 @@ static int casadi_f8(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a08=(a04/a07);
   a09=(a04-a03);
   a09=(a05*a09);
-  a10=(a09-a03);
-  a11=(a10/a07);
-  a12=(a11*a04);
-  a12=(a04+a12);
-  a13=(a05+a03);
-  a14=(a10*a11);
-  a13=(a13-a14);
-  a12=(a12/a13);
-  a14=(a11*a12);
-  a08=(a08+a14);
-  a08=(a08+a12);
-  a14=arg[0]? arg[0][6] : 0;
-  a15=(a08*a14);
-  a16=arg[0]? arg[0][2] : 0;
-  a17=sin(a02);
-  a18=(a16*a17);
-  a19=(a18/a07);
-  a04=(a04*a16);
-  a20=(a04/a07);
-  a21=(a20/a07);
-  a06=(a06*a17);
-  a21=(a21*a06);
-  a19=(a19+a21);
-  a21=(a11*a04);
-  a21=(a04+a21);
-  a21=(a21/a13);
-  a22=(a05*a17);
-  a23=(a22/a07);
-  a24=(a11/a07);
-  a24=(a24*a06);
-  a23=(a23+a24);
-  a24=(a21*a23);
-  a04=(a04*a23);
-  a06=(a11*a18);
-  a04=(a04+a06);
-  a18=(a18+a04);
-  a18=(a18/a13);
-  a13=(a21/a13);
-  a22=(a11*a22);
-  a10=(a10*a23);
-  a22=(a22+a10);
-  a13=(a13*a22);
-  a18=(a18+a13);
-  a13=(a11*a18);
-  a24=(a24+a13);
-  a19=(a19+a24);
-  a19=(a19+a18);
-  a24=(a19*a01);
-  a15=(a15-a24);
-  if (res[0]!=0) res[0][1]=a15;
-  a14=(a12*a14);
-  a15=(a18*a01);
-  a14=(a14-a15);
+  a10=(a09/a07);
+  a11=(a10*a04);
+  a12=(a09*a10);
+  a12=(a05-a12);
+  a11=(a11/a12);
+  a13=(a10*a11);
+  a08=(a08+a13);
+  a13=arg[0]? arg[0][6] : 0;
+  a14=(a08*a13);
+  a15=arg[0]? arg[0][2] : 0;
+  a16=sin(a02);
+  a17=(a15*a16);
+  a18=(a17/a07);
+  a04=(a04*a15);
+  a19=(a04/a07);
+  a20=(a19/a07);
+  a06=(a06*a16);
+  a20=(a20*a06);
+  a18=(a18+a20);
+  a20=(a10*a04);
+  a20=(a20/a12);
+  a21=(a05*a16);
+  a22=(a21/a07);
+  a23=(a10/a07);
+  a23=(a23*a06);
+  a22=(a22+a23);
+  a23=(a20*a22);
+  a04=(a04*a22);
+  a17=(a10*a17);
+  a04=(a04+a17);
+  a04=(a04/a12);
+  a17=(a20/a12);
+  a21=(a10*a21);
+  a09=(a09*a22);
+  a21=(a21+a09);
+  a17=(a17*a21);
+  a04=(a04+a17);
+  a17=(a10*a04);
+  a23=(a23+a17);
+  a18=(a18+a23);
+  a23=(a18*a01);
+  a14=(a14-a23);
+  if (res[0]!=0) res[0][1]=a14;
+  a14=(a04*a01);
+  a13=(a11*a13);
+  a14=(a14-a13);
   if (res[0]!=0) res[0][2]=a14;
   a14=-2.;
   a00=(a14*a00);
@@ -4857,112 +4849,109 @@ static int casadi_f8(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   if (res[0]!=0) res[0][3]=a00;
   a00=arg[0]? arg[0][8] : 0;
   a01=arg[0]? arg[0][9] : 0;
-  a15=(a00-a01);
-  if (res[0]!=0) res[0][4]=a15;
-  a15=arg[0]? arg[0][10] : 0;
-  a24=(a08*a15);
-  a13=(a19*a01);
-  a24=(a24-a13);
-  a24=(a24-a03);
-  if (res[0]!=0) res[0][5]=a24;
-  a15=(a12*a15);
-  a24=(a18*a01);
-  a15=(a15-a24);
-  if (res[0]!=0) res[0][6]=a15;
+  a13=(a00-a01);
+  if (res[0]!=0) res[0][4]=a13;
+  a13=arg[0]? arg[0][10] : 0;
+  a23=(a08*a13);
+  a17=(a18*a01);
+  a23=(a23-a17);
+  a23=(a23-a03);
+  if (res[0]!=0) res[0][5]=a23;
+  a23=(a04*a01);
+  a13=(a11*a13);
+  a23=(a23-a13);
+  if (res[0]!=0) res[0][6]=a23;
   a00=(a14*a00);
   a00=(a00+a01);
   if (res[0]!=0) res[0][7]=a00;
   a00=arg[0]? arg[0][12] : 0;
   a01=arg[0]? arg[0][13] : 0;
-  a15=(a00-a01);
-  if (res[0]!=0) res[0][8]=a15;
-  a15=arg[0]? arg[0][14] : 0;
-  a24=(a08*a15);
-  a13=(a19*a01);
-  a24=(a24-a13);
-  if (res[0]!=0) res[0][9]=a24;
-  a15=(a12*a15);
-  a24=(a18*a01);
-  a15=(a15-a24);
-  a15=(a15-a03);
-  if (res[0]!=0) res[0][10]=a15;
+  a23=(a00-a01);
+  if (res[0]!=0) res[0][8]=a23;
+  a23=arg[0]? arg[0][14] : 0;
+  a13=(a08*a23);
+  a17=(a18*a01);
+  a13=(a13-a17);
+  if (res[0]!=0) res[0][9]=a13;
+  a13=(a04*a01);
+  a23=(a11*a23);
+  a13=(a13-a23);
+  a13=(a13-a03);
+  if (res[0]!=0) res[0][10]=a13;
   a00=(a14*a00);
   a00=(a00+a01);
   if (res[0]!=0) res[0][11]=a00;
   a00=arg[0]? arg[0][3] : 0;
-  a01=(a16-a00);
+  a01=(a15-a00);
   if (res[0]!=0) res[0][12]=a01;
   a01=(a05*a00);
-  a01=(a01*a17);
-  a15=(2.*a16);
-  a15=(a00-a15);
-  a01=(a01*a15);
-  a15=arg[0]? arg[0][0] : 0;
-  a24=sin(a15);
-  a13=(a15-a02);
-  a22=sin(a13);
-  a10=(a24-a22);
-  a10=(a05*a10);
-  a01=(a01+a10);
-  a01=(a01+a24);
-  a24=(a01/a07);
-  a07=(a09/a07);
-  a10=casadi_sq(a16);
-  a10=(a10*a17);
-  a10=(a10+a22);
-  a10=(a05*a10);
-  a22=arg[3]? arg[3][3] : 0;
-  a17=arg[3]? arg[3][5] : 0;
-  a23=arg[3]? arg[3][0] : 0;
-  a04=(a17*a23);
-  a06=arg[2]? arg[2][0] : 0;
-  a23=(a23*a06);
-  a06=sin(a23);
-  a04=(a04*a06);
-  a04=(a00+a04);
-  a22=(a22*a04);
-  a04=arg[3]? arg[3][2] : 0;
-  a06=arg[3]? arg[3][4] : 0;
-  a23=cos(a23);
-  a23=(a23+a03);
-  a17=(a17*a23);
-  a06=(a06-a17);
-  a06=(a06+a02);
-  a04=(a04*a06);
-  a22=(a22+a04);
-  a10=(a10-a22);
-  a01=(a07*a01);
-  a10=(a10-a01);
-  a09=(a09*a07);
-  a05=(a05-a09);
-  a10=(a10/a05);
-  a07=(a07*a10);
-  a24=(a24-a07);
-  a08=(a08*a24);
-  a19=(a19*a00);
-  a08=(a08-a19);
-  if (res[0]!=0) res[0][13]=a08;
-  a12=(a12*a24);
+  a01=(a01*a16);
+  a13=(2.*a15);
+  a13=(a00-a13);
+  a01=(a01*a13);
+  a13=arg[0]? arg[0][0] : 0;
+  a23=sin(a13);
+  a17=(a13-a02);
+  a21=sin(a17);
+  a09=(a23-a21);
+  a09=(a05*a09);
+  a01=(a01+a09);
+  a01=(a01+a23);
+  a07=(a01/a07);
+  a23=casadi_sq(a15);
+  a23=(a23*a16);
+  a23=(a23+a21);
+  a05=(a05*a23);
+  a23=arg[3]? arg[3][3] : 0;
+  a21=arg[3]? arg[3][5] : 0;
+  a16=arg[3]? arg[3][0] : 0;
+  a09=(a21*a16);
+  a22=arg[2]? arg[2][0] : 0;
+  a16=(a16*a22);
+  a22=sin(a16);
+  a09=(a09*a22);
+  a09=(a00+a09);
+  a23=(a23*a09);
+  a09=arg[3]? arg[3][2] : 0;
+  a22=arg[3]? arg[3][4] : 0;
+  a16=cos(a16);
+  a16=(a16+a03);
+  a21=(a21*a16);
+  a22=(a22-a21);
+  a22=(a22+a02);
+  a09=(a09*a22);
+  a23=(a23+a09);
+  a05=(a05-a23);
+  a01=(a10*a01);
+  a05=(a05-a01);
+  a05=(a05/a12);
+  a05=(a10*a05);
+  a07=(a07-a05);
+  a08=(a08*a07);
   a18=(a18*a00);
-  a12=(a12-a18);
-  if (res[0]!=0) res[0][14]=a12;
-  a14=(a14*a16);
+  a08=(a08-a18);
+  if (res[0]!=0) res[0][13]=a08;
+  a04=(a04*a00);
+  a11=(a11*a07);
+  a04=(a04-a11);
+  if (res[0]!=0) res[0][14]=a04;
+  a14=(a14*a15);
   a14=(a14+a00);
   if (res[0]!=0) res[0][15]=a14;
   a14=arg[1]? arg[1][0] : 0;
-  a13=(a13-a14);
-  if (res[1]!=0) res[1][0]=a13;
-  a11=(a11*a21);
-  a20=(a20+a11);
-  a20=(a20+a21);
-  a11=arg[1]? arg[1][1] : 0;
-  a20=(a20-a11);
-  if (res[1]!=0) res[1][1]=a20;
-  a20=arg[1]? arg[1][2] : 0;
-  a21=(a21-a20);
-  if (res[1]!=0) res[1][2]=a21;
-  a15=(2.*a15);
-  a02=(a02-a15);
+  a17=(a17-a14);
+  if (res[1]!=0) res[1][0]=a17;
+  a10=(a10*a20);
+  a19=(a19+a10);
+  a10=arg[1]? arg[1][1] : 0;
+  a19=(a19-a10);
+  if (res[1]!=0) res[1][1]=a19;
+  a19=arg[1]? arg[1][2] : 0;
+  a20=(a20+a19);
+  a20=(-a20);
+  if (res[1]!=0) res[1][2]=a20;
+  a13=(2.*a13);
+  a02=(a02-a13);
   if (res[1]!=0) res[1][3]=a02;
   return 0;
 }
@@ -4970,55 +4959,56 @@ static int casadi_f8(const casadi_real** arg, casadi_real** res, casadi_int* iw,
 /* compass_jacobian_12:(u[4],p[6])->(J[4x4],R[4]) */
 static int casadi_f2(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+305, *w04=w+317, w05, w06, w07, *w08=w+333, *w09=w+339;
+  casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+307, *w04=w+311, *w05=w+323, w06, w07, w08, *w09=w+339;
   casadi_real *w10=w+363;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w00);
   /* #1: @1 = @0[:3] */
   for (rr=w01, cs=w00+0; cs!=w00+3; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
+  /* #2: @2 = input[1][0] */
+  casadi_copy(arg[1], 6, w02);
+  /* #3: {@3, @4} = start(@1, @2) */
   arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
+  arg1[1]=w02;
+  res1[0]=w03;
+  res1[1]=w04;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<4; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<12; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[3] */
-  for (rr=(&w06), cs=w00+3; cs!=w00+4; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 12 */
-  w07 = 12.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  casadi_copy(arg[1], 6, w08);
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=w08;
+  /* #4: @5 = horzcat(@3, @4) */
+  rr=w05;
+  for (i=0, cs=w03; i<4; ++i) *rr++ = *cs++;
+  for (i=0, cs=w04; i<12; ++i) *rr++ = *cs++;
+  /* #5: @6 = 0 */
+  w06 = 0.;
+  /* #6: @7 = @0[3] */
+  for (rr=(&w07), cs=w00+3; cs!=w00+4; cs+=1) *rr++ = *cs;
+  /* #7: @8 = 12 */
+  w08 = 12.;
+  /* #8: @8 = (@7/@8) */
+  w08  = (w07/w08);
+  /* #9: @9 = turns(@8, @2) */
+  arg1[0]=(&w08);
+  arg1[1]=w02;
   res1[0]=w09;
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: {@4, @0} = landing_with_derivative(@10, @1, @6, @8) */
+  /* #11: {@5, @0} = landing_with_derivative(@10, @1, @7, @2) */
   arg1[0]=w10;
   arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=w08;
-  res1[0]=w04;
+  arg1[2]=(&w07);
+  arg1[3]=w02;
+  res1[0]=w05;
   res1[1]=w00;
   if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
-  /* #12: output[0][0] = @4 */
-  casadi_copy(w04, 16, res[0]);
+  /* #12: output[0][0] = @5 */
+  casadi_copy(w05, 16, res[0]);
   /* #13: output[1][0] = @0 */
   casadi_copy(w00, 4, res[1]);
   return 0;
@@ -6524,7 +6514,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
 
 /* landing:(y[4],z[3],p[6])->(R[4]) */
 static int casadi_f12(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real a0, a1, a2, a3, a4, a5, a6, a7, a8;
+  casadi_real a0, a1, a2, a3, a4, a5, a6, a7;
   a0=arg[0]? arg[0][0] : 0;
   a1=arg[0]? arg[0][1] : 0;
   a2=(a0-a1);
@@ -6543,22 +6533,19 @@ static int casadi_f12(const casadi_real** arg, casadi_real** res, casadi_int* iw
   a7=(a3/a5);
   a2=(a2-a6);
   a2=(a4*a2);
-  a2=(a2-a6);
   a5=(a2/a5);
-  a8=(a5*a3);
-  a3=(a3+a8);
-  a4=(a4+a6);
+  a3=(a5*a3);
   a2=(a2*a5);
   a4=(a4-a2);
   a3=(a3/a4);
   a5=(a5*a3);
   a7=(a7+a5);
-  a7=(a7+a3);
   a5=arg[1]? arg[1][1] : 0;
   a7=(a7-a5);
   if (res[0]!=0) res[0][1]=a7;
   a7=arg[1]? arg[1][2] : 0;
-  a3=(a3-a7);
+  a3=(a3+a7);
+  a3=(-a3);
   if (res[0]!=0) res[0][2]=a3;
   a0=(2.*a0);
   a1=(a1-a0);
@@ -6568,48 +6555,49 @@ static int casadi_f12(const casadi_real** arg, casadi_real** res, casadi_int* iw
 
 /* compass_residual_12:(u[4],p[6])->(R[4]) */
 static int casadi_f9(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, w3, w4, w5, *w6=w+129, *w7=w+135;
+  casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, *w3=w+131, w4, w5, w6, *w7=w+135;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w0);
   /* #1: @1 = @0[:3] */
   for (rr=w1, cs=w0+0; cs!=w0+3; cs+=1) *rr++ = *cs;
-  /* #2: {@2, NULL} = start(@1) */
+  /* #2: @2 = input[1][0] */
+  casadi_copy(arg[1], 6, w2);
+  /* #3: {@3, NULL} = start(@1, @2) */
   arg1[0]=w1;
-  res1[0]=w2;
+  arg1[1]=w2;
+  res1[0]=w3;
   res1[1]=0;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @3 = 0 */
-  w3 = 0.;
-  /* #4: @4 = @0[3] */
-  for (rr=(&w4), cs=w0+3; cs!=w0+4; cs+=1) *rr++ = *cs;
-  /* #5: @5 = 12 */
-  w5 = 12.;
-  /* #6: @4 = (@4/@5) */
-  w4 /= w5;
-  /* #7: @6 = input[1][0] */
-  casadi_copy(arg[1], 6, w6);
-  /* #8: @7 = turns(@4, @6) */
-  arg1[0]=(&w4);
-  arg1[1]=w6;
+  /* #4: @4 = 0 */
+  w4 = 0.;
+  /* #5: @5 = @0[3] */
+  for (rr=(&w5), cs=w0+3; cs!=w0+4; cs+=1) *rr++ = *cs;
+  /* #6: @6 = 12 */
+  w6 = 12.;
+  /* #7: @5 = (@5/@6) */
+  w5 /= w6;
+  /* #8: @7 = turns(@5, @2) */
+  arg1[0]=(&w5);
+  arg1[1]=w2;
   res1[0]=w7;
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #9: @0 = plain_steps(@2, @3, @7, @4, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #9: @0 = plain_steps(@3, @4, @7, @5, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w4);
-  arg1[4]=w6;
+  arg1[3]=(&w5);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @2 = landing(@0, @1, @6) */
+  /* #10: @3 = landing(@0, @1, @2) */
   arg1[0]=w0;
   arg1[1]=w1;
-  arg1[2]=w6;
-  res1[0]=w2;
+  arg1[2]=w2;
+  res1[0]=w3;
   if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
-  /* #11: output[0][0] = @2 */
-  casadi_copy(w2, 4, res[0]);
+  /* #11: output[0][0] = @3 */
+  casadi_copy(w3, 4, res[0]);
   return 0;
 }
 
@@ -6716,62 +6704,63 @@ CASADI_SYMBOL_EXPORT int compass_search_12_work_bytes(casadi_int *sz_arg, casadi
 /* compass_jacobian_24:(u[4],p[6])->(J[4x4],R[4]) */
 static int casadi_f15(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+305, *w04=w+317, w05, w06, w07, *w08=w+333, *w09=w+339;
+  casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+307, *w04=w+311, *w05=w+323, w06, w07, w08, *w09=w+339;
   casadi_real *w10=w+363;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w00);
   /* #1: @1 = @0[:3] */
   for (rr=w01, cs=w00+0; cs!=w00+3; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
+  /* #2: @2 = input[1][0] */
+  casadi_copy(arg[1], 6, w02);
+  /* #3: {@3, @4} = start(@1, @2) */
   arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
+  arg1[1]=w02;
+  res1[0]=w03;
+  res1[1]=w04;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<4; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<12; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[3] */
-  for (rr=(&w06), cs=w00+3; cs!=w00+4; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 24 */
-  w07 = 24.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  casadi_copy(arg[1], 6, w08);
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=w08;
+  /* #4: @5 = horzcat(@3, @4) */
+  rr=w05;
+  for (i=0, cs=w03; i<4; ++i) *rr++ = *cs++;
+  for (i=0, cs=w04; i<12; ++i) *rr++ = *cs++;
+  /* #5: @6 = 0 */
+  w06 = 0.;
+  /* #6: @7 = @0[3] */
+  for (rr=(&w07), cs=w00+3; cs!=w00+4; cs+=1) *rr++ = *cs;
+  /* #7: @8 = 24 */
+  w08 = 24.;
+  /* #8: @8 = (@7/@8) */
+  w08  = (w07/w08);
+  /* #9: @9 = turns(@8, @2) */
+  arg1[0]=(&w08);
+  arg1[1]=w02;
   res1[0]=w09;
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: @5 = 0.5 */
-  w05 = 5.0000000000000000e-01;
-  /* #12: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #13: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #11: @6 = 0.5 */
+  w06 = 5.0000000000000000e-01;
+  /* #12: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #13: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #14: {@10, @0} = landing_with_derivative(@4, @1, @6, @8) */
-  arg1[0]=w04;
+  /* #14: {@10, @0} = landing_with_derivative(@5, @1, @7, @2) */
+  arg1[0]=w05;
   arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=w08;
+  arg1[2]=(&w07);
+  arg1[3]=w02;
   res1[0]=w10;
   res1[1]=w00;
   if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
@@ -6819,56 +6808,57 @@ static int casadi_f14(const casadi_real** arg, casadi_real** res, casadi_int* iw
 
 /* compass_residual_24:(u[4],p[6])->(R[4]) */
 static int casadi_f16(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, w3, w4, w5, *w6=w+129, *w7=w+135;
+  casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, *w3=w+131, w4, w5, w6, *w7=w+135;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w0);
   /* #1: @1 = @0[:3] */
   for (rr=w1, cs=w0+0; cs!=w0+3; cs+=1) *rr++ = *cs;
-  /* #2: {@2, NULL} = start(@1) */
+  /* #2: @2 = input[1][0] */
+  casadi_copy(arg[1], 6, w2);
+  /* #3: {@3, NULL} = start(@1, @2) */
   arg1[0]=w1;
-  res1[0]=w2;
+  arg1[1]=w2;
+  res1[0]=w3;
   res1[1]=0;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @3 = 0 */
-  w3 = 0.;
-  /* #4: @4 = @0[3] */
-  for (rr=(&w4), cs=w0+3; cs!=w0+4; cs+=1) *rr++ = *cs;
-  /* #5: @5 = 24 */
-  w5 = 24.;
-  /* #6: @5 = (@4/@5) */
-  w5  = (w4/w5);
-  /* #7: @6 = input[1][0] */
-  casadi_copy(arg[1], 6, w6);
-  /* #8: @7 = turns(@5, @6) */
-  arg1[0]=(&w5);
-  arg1[1]=w6;
+  /* #4: @4 = 0 */
+  w4 = 0.;
+  /* #5: @5 = @0[3] */
+  for (rr=(&w5), cs=w0+3; cs!=w0+4; cs+=1) *rr++ = *cs;
+  /* #6: @6 = 24 */
+  w6 = 24.;
+  /* #7: @6 = (@5/@6) */
+  w6  = (w5/w6);
+  /* #8: @7 = turns(@6, @2) */
+  arg1[0]=(&w6);
+  arg1[1]=w2;
   res1[0]=w7;
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #9: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #9: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @3 = 0.5 */
-  w3 = 5.0000000000000000e-01;
-  /* #11: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #12: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #10: @4 = 0.5 */
+  w4 = 5.0000000000000000e-01;
+  /* #11: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #12: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #13: @0 = landing(@2, @1, @6) */
-  arg1[0]=w2;
+  /* #13: @0 = landing(@3, @1, @2) */
+  arg1[0]=w3;
   arg1[1]=w1;
-  arg1[2]=w6;
+  arg1[2]=w2;
   res1[0]=w0;
   if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #14: output[0][0] = @0 */
@@ -6979,86 +6969,87 @@ CASADI_SYMBOL_EXPORT int compass_search_24_work_bytes(casadi_int *sz_arg, casadi
 /* compass_jacobian_48:(u[4],p[6])->(J[4x4],R[4]) */
 static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+305, *w04=w+317, w05, w06, w07, *w08=w+333, *w09=w+339;
+  casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+307, *w04=w+311, *w05=w+323, w06, w07, w08, *w09=w+339;
   casadi_real *w10=w+363;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w00);
   /* #1: @1 = @0[:3] */
   for (rr=w01, cs=w00+0; cs!=w00+3; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
+  /* #2: @2 = input[1][0] */
+  casadi_copy(arg[1], 6, w02);
+  /* #3: {@3, @4} = start(@1, @2) */
   arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
+  arg1[1]=w02;
+  res1[0]=w03;
+  res1[1]=w04;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<4; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<12; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[3] */
-  for (rr=(&w06), cs=w00+3; cs!=w00+4; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 48 */
-  w07 = 48.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  casadi_copy(arg[1], 6, w08);
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=w08;
+  /* #4: @5 = horzcat(@3, @4) */
+  rr=w05;
+  for (i=0, cs=w03; i<4; ++i) *rr++ = *cs++;
+  for (i=0, cs=w04; i<12; ++i) *rr++ = *cs++;
+  /* #5: @6 = 0 */
+  w06 = 0.;
+  /* #6: @7 = @0[3] */
+  for (rr=(&w07), cs=w00+3; cs!=w00+4; cs+=1) *rr++ = *cs;
+  /* #7: @8 = 48 */
+  w08 = 48.;
+  /* #8: @8 = (@7/@8) */
+  w08  = (w07/w08);
+  /* #9: @9 = turns(@8, @2) */
+  arg1[0]=(&w08);
+  arg1[1]=w02;
   res1[0]=w09;
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: @5 = 0.25 */
-  w05 = 2.5000000000000000e-01;
-  /* #12: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #13: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #11: @6 = 0.25 */
+  w06 = 2.5000000000000000e-01;
+  /* #12: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #13: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #14: @5 = 0.5 */
-  w05 = 5.0000000000000000e-01;
-  /* #15: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #16: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #14: @6 = 0.5 */
+  w06 = 5.0000000000000000e-01;
+  /* #15: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #16: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #17: @5 = 0.75 */
-  w05 = 7.5000000000000000e-01;
-  /* #18: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #19: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #17: @6 = 0.75 */
+  w06 = 7.5000000000000000e-01;
+  /* #18: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #19: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #20: {@10, @0} = landing_with_derivative(@4, @1, @6, @8) */
-  arg1[0]=w04;
+  /* #20: {@10, @0} = landing_with_derivative(@5, @1, @7, @2) */
+  arg1[0]=w05;
   arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=w08;
+  arg1[2]=(&w07);
+  arg1[3]=w02;
   res1[0]=w10;
   res1[1]=w00;
   if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
@@ -7106,80 +7097,81 @@ static int casadi_f18(const casadi_real** arg, casadi_real** res, casadi_int* iw
 
 /* compass_residual_48:(u[4],p[6])->(R[4]) */
 static int casadi_f20(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, w3, w4, w5, *w6=w+129, *w7=w+135;
+  casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, *w3=w+131, w4, w5, w6, *w7=w+135;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w0);
   /* #1: @1 = @0[:3] */
   for (rr=w1, cs=w0+0; cs!=w0+3; cs+=1) *rr++ = *cs;
-  /* #2: {@2, NULL} = start(@1) */
+  /* #2: @2 = input[1][0] */
+  casadi_copy(arg[1], 6, w2);
+  /* #3: {@3, NULL} = start(@1, @2) */
   arg1[0]=w1;
-  res1[0]=w2;
+  arg1[1]=w2;
+  res1[0]=w3;
   res1[1]=0;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @3 = 0 */
-  w3 = 0.;
-  /* #4: @4 = @0[3] */
-  for (rr=(&w4), cs=w0+3; cs!=w0+4; cs+=1) *rr++ = *cs;
-  /* #5: @5 = 48 */
-  w5 = 48.;
-  /* #6: @5 = (@4/@5) */
-  w5  = (w4/w5);
-  /* #7: @6 = input[1][0] */
-  casadi_copy(arg[1], 6, w6);
-  /* #8: @7 = turns(@5, @6) */
-  arg1[0]=(&w5);
-  arg1[1]=w6;
+  /* #4: @4 = 0 */
+  w4 = 0.;
+  /* #5: @5 = @0[3] */
+  for (rr=(&w5), cs=w0+3; cs!=w0+4; cs+=1) *rr++ = *cs;
+  /* #6: @6 = 48 */
+  w6 = 48.;
+  /* #7: @6 = (@5/@6) */
+  w6  = (w5/w6);
+  /* #8: @7 = turns(@6, @2) */
+  arg1[0]=(&w6);
+  arg1[1]=w2;
   res1[0]=w7;
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #9: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #9: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @3 = 0.25 */
-  w3 = 2.5000000000000000e-01;
-  /* #11: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #12: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #10: @4 = 0.25 */
+  w4 = 2.5000000000000000e-01;
+  /* #11: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #12: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #13: @3 = 0.5 */
-  w3 = 5.0000000000000000e-01;
-  /* #14: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #15: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #13: @4 = 0.5 */
+  w4 = 5.0000000000000000e-01;
+  /* #14: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #15: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #16: @3 = 0.75 */
-  w3 = 7.5000000000000000e-01;
-  /* #17: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #18: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #16: @4 = 0.75 */
+  w4 = 7.5000000000000000e-01;
+  /* #17: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #18: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #19: @0 = landing(@2, @1, @6) */
-  arg1[0]=w2;
+  /* #19: @0 = landing(@3, @1, @2) */
+  arg1[0]=w3;
   arg1[1]=w1;
-  arg1[2]=w6;
+  arg1[2]=w2;
   res1[0]=w0;
   if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][0] = @0 */
@@ -7455,72 +7447,73 @@ CASADI_SYMBOL_EXPORT int compass_limit_cycle_24_work_bytes(casadi_int *sz_arg, c
 
 /* compass_residual_36:(u[4],p[6])->(R[4]) */
 static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, w3, w4, w5, *w6=w+129, *w7=w+135;
+  casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, *w3=w+131, w4, w5, w6, *w7=w+135;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w0);
   /* #1: @1 = @0[:3] */
   for (rr=w1, cs=w0+0; cs!=w0+3; cs+=1) *rr++ = *cs;
-  /* #2: {@2, NULL} = start(@1) */
+  /* #2: @2 = input[1][0] */
+  casadi_copy(arg[1], 6, w2);
+  /* #3: {@3, NULL} = start(@1, @2) */
   arg1[0]=w1;
-  res1[0]=w2;
+  arg1[1]=w2;
+  res1[0]=w3;
   res1[1]=0;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @3 = 0 */
-  w3 = 0.;
-  /* #4: @4 = @0[3] */
-  for (rr=(&w4), cs=w0+3; cs!=w0+4; cs+=1) *rr++ = *cs;
-  /* #5: @5 = 36 */
-  w5 = 36.;
-  /* #6: @5 = (@4/@5) */
-  w5  = (w4/w5);
-  /* #7: @6 = input[1][0] */
-  casadi_copy(arg[1], 6, w6);
-  /* #8: @7 = turns(@5, @6) */
-  arg1[0]=(&w5);
-  arg1[1]=w6;
+  /* #4: @4 = 0 */
+  w4 = 0.;
+  /* #5: @5 = @0[3] */
+  for (rr=(&w5), cs=w0+3; cs!=w0+4; cs+=1) *rr++ = *cs;
+  /* #6: @6 = 36 */
+  w6 = 36.;
+  /* #7: @6 = (@5/@6) */
+  w6  = (w5/w6);
+  /* #8: @7 = turns(@6, @2) */
+  arg1[0]=(&w6);
+  arg1[1]=w2;
   res1[0]=w7;
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #9: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #9: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @3 = 0.333333 */
-  w3 = 3.3333333333333331e-01;
-  /* #11: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #12: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #10: @4 = 0.333333 */
+  w4 = 3.3333333333333331e-01;
+  /* #11: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #12: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #13: @3 = 0.666667 */
-  w3 = 6.6666666666666663e-01;
-  /* #14: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #15: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #13: @4 = 0.666667 */
+  w4 = 6.6666666666666663e-01;
+  /* #14: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #15: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #16: @2 = landing(@0, @1, @6) */
+  /* #16: @3 = landing(@0, @1, @2) */
   arg1[0]=w0;
   arg1[1]=w1;
-  arg1[2]=w6;
-  res1[0]=w2;
+  arg1[2]=w2;
+  res1[0]=w3;
   if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
-  /* #17: output[0][0] = @2 */
-  casadi_copy(w2, 4, res[0]);
+  /* #17: output[0][0] = @3 */
+  casadi_copy(w3, 4, res[0]);
   return 0;
 }
 
@@ -7588,79 +7581,80 @@ static int casadi_f25(const casadi_real** arg, casadi_real** res, casadi_int* iw
 /* compass_jacobian_36:(u[4],p[6])->(J[4x4],R[4]) */
 static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+305, *w04=w+317, w05, w06, w07, *w08=w+333, *w09=w+339;
+  casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+307, *w04=w+311, *w05=w+323, w06, w07, w08, *w09=w+339;
   casadi_real *w10=w+363;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w00);
   /* #1: @1 = @0[:3] */
   for (rr=w01, cs=w00+0; cs!=w00+3; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
+  /* #2: @2 = input[1][0] */
+  casadi_copy(arg[1], 6, w02);
+  /* #3: {@3, @4} = start(@1, @2) */
   arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
+  arg1[1]=w02;
+  res1[0]=w03;
+  res1[1]=w04;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<4; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<12; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[3] */
-  for (rr=(&w06), cs=w00+3; cs!=w00+4; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 36 */
-  w07 = 36.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  casadi_copy(arg[1], 6, w08);
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=w08;
+  /* #4: @5 = horzcat(@3, @4) */
+  rr=w05;
+  for (i=0, cs=w03; i<4; ++i) *rr++ = *cs++;
+  for (i=0, cs=w04; i<12; ++i) *rr++ = *cs++;
+  /* #5: @6 = 0 */
+  w06 = 0.;
+  /* #6: @7 = @0[3] */
+  for (rr=(&w07), cs=w00+3; cs!=w00+4; cs+=1) *rr++ = *cs;
+  /* #7: @8 = 36 */
+  w08 = 36.;
+  /* #8: @8 = (@7/@8) */
+  w08  = (w07/w08);
+  /* #9: @9 = turns(@8, @2) */
+  arg1[0]=(&w08);
+  arg1[1]=w02;
   res1[0]=w09;
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: @5 = 0.333333 */
-  w05 = 3.3333333333333331e-01;
-  /* #12: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #13: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #11: @6 = 0.333333 */
+  w06 = 3.3333333333333331e-01;
+  /* #12: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #13: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #14: @5 = 0.666667 */
-  w05 = 6.6666666666666663e-01;
-  /* #15: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #16: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #14: @6 = 0.666667 */
+  w06 = 6.6666666666666663e-01;
+  /* #15: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #16: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #17: {@4, @0} = landing_with_derivative(@10, @1, @6, @8) */
+  /* #17: {@5, @0} = landing_with_derivative(@10, @1, @7, @2) */
   arg1[0]=w10;
   arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=w08;
-  res1[0]=w04;
+  arg1[2]=(&w07);
+  arg1[3]=w02;
+  res1[0]=w05;
   res1[1]=w00;
   if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
-  /* #18: output[0][0] = @4 */
-  casadi_copy(w04, 16, res[0]);
+  /* #18: output[0][0] = @5 */
+  casadi_copy(w05, 16, res[0]);
   /* #19: output[1][0] = @0 */
   casadi_copy(w00, 4, res[1]);
   return 0;
@@ -7939,104 +7933,105 @@ CASADI_SYMBOL_EXPORT int compass_limit_cycle_48_work_bytes(casadi_int *sz_arg, c
 
 /* compass_residual_72:(u[4],p[6])->(R[4]) */
 static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, w3, w4, w5, *w6=w+129, *w7=w+135;
+  casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, *w3=w+131, w4, w5, w6, *w7=w+135;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w0);
   /* #1: @1 = @0[:3] */
   for (rr=w1, cs=w0+0; cs!=w0+3; cs+=1) *rr++ = *cs;
-  /* #2: {@2, NULL} = start(@1) */
+  /* #2: @2 = input[1][0] */
+  casadi_copy(arg[1], 6, w2);
+  /* #3: {@3, NULL} = start(@1, @2) */
   arg1[0]=w1;
-  res1[0]=w2;
+  arg1[1]=w2;
+  res1[0]=w3;
   res1[1]=0;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @3 = 0 */
-  w3 = 0.;
-  /* #4: @4 = @0[3] */
-  for (rr=(&w4), cs=w0+3; cs!=w0+4; cs+=1) *rr++ = *cs;
-  /* #5: @5 = 72 */
-  w5 = 72.;
-  /* #6: @5 = (@4/@5) */
-  w5  = (w4/w5);
-  /* #7: @6 = input[1][0] */
-  casadi_copy(arg[1], 6, w6);
-  /* #8: @7 = turns(@5, @6) */
-  arg1[0]=(&w5);
-  arg1[1]=w6;
+  /* #4: @4 = 0 */
+  w4 = 0.;
+  /* #5: @5 = @0[3] */
+  for (rr=(&w5), cs=w0+3; cs!=w0+4; cs+=1) *rr++ = *cs;
+  /* #6: @6 = 72 */
+  w6 = 72.;
+  /* #7: @6 = (@5/@6) */
+  w6  = (w5/w6);
+  /* #8: @7 = turns(@6, @2) */
+  arg1[0]=(&w6);
+  arg1[1]=w2;
   res1[0]=w7;
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #9: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #9: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @3 = 0.166667 */
-  w3 = 1.6666666666666666e-01;
-  /* #11: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #12: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #10: @4 = 0.166667 */
+  w4 = 1.6666666666666666e-01;
+  /* #11: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #12: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #13: @3 = 0.333333 */
-  w3 = 3.3333333333333331e-01;
-  /* #14: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #15: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #13: @4 = 0.333333 */
+  w4 = 3.3333333333333331e-01;
+  /* #14: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #15: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #16: @3 = 0.5 */
-  w3 = 5.0000000000000000e-01;
-  /* #17: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #18: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #16: @4 = 0.5 */
+  w4 = 5.0000000000000000e-01;
+  /* #17: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #18: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #19: @3 = 0.666667 */
-  w3 = 6.6666666666666663e-01;
-  /* #20: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #21: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #19: @4 = 0.666667 */
+  w4 = 6.6666666666666663e-01;
+  /* #20: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #21: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #22: @3 = 0.833333 */
-  w3 = 8.3333333333333337e-01;
-  /* #23: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #24: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #22: @4 = 0.833333 */
+  w4 = 8.3333333333333337e-01;
+  /* #23: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #24: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #25: @0 = landing(@2, @1, @6) */
-  arg1[0]=w2;
+  /* #25: @0 = landing(@3, @1, @2) */
+  arg1[0]=w3;
   arg1[1]=w1;
-  arg1[2]=w6;
+  arg1[2]=w2;
   res1[0]=w0;
   if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #26: output[0][0] = @0 */
@@ -8108,110 +8103,111 @@ static int casadi_f33(const casadi_real** arg, casadi_real** res, casadi_int* iw
 /* compass_jacobian_72:(u[4],p[6])->(J[4x4],R[4]) */
 static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+305, *w04=w+317, w05, w06, w07, *w08=w+333, *w09=w+339;
+  casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+307, *w04=w+311, *w05=w+323, w06, w07, w08, *w09=w+339;
   casadi_real *w10=w+363;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w00);
   /* #1: @1 = @0[:3] */
   for (rr=w01, cs=w00+0; cs!=w00+3; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
+  /* #2: @2 = input[1][0] */
+  casadi_copy(arg[1], 6, w02);
+  /* #3: {@3, @4} = start(@1, @2) */
   arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
+  arg1[1]=w02;
+  res1[0]=w03;
+  res1[1]=w04;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<4; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<12; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[3] */
-  for (rr=(&w06), cs=w00+3; cs!=w00+4; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 72 */
-  w07 = 72.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  casadi_copy(arg[1], 6, w08);
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=w08;
+  /* #4: @5 = horzcat(@3, @4) */
+  rr=w05;
+  for (i=0, cs=w03; i<4; ++i) *rr++ = *cs++;
+  for (i=0, cs=w04; i<12; ++i) *rr++ = *cs++;
+  /* #5: @6 = 0 */
+  w06 = 0.;
+  /* #6: @7 = @0[3] */
+  for (rr=(&w07), cs=w00+3; cs!=w00+4; cs+=1) *rr++ = *cs;
+  /* #7: @8 = 72 */
+  w08 = 72.;
+  /* #8: @8 = (@7/@8) */
+  w08  = (w07/w08);
+  /* #9: @9 = turns(@8, @2) */
+  arg1[0]=(&w08);
+  arg1[1]=w02;
   res1[0]=w09;
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: @5 = 0.166667 */
-  w05 = 1.6666666666666666e-01;
-  /* #12: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #13: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #11: @6 = 0.166667 */
+  w06 = 1.6666666666666666e-01;
+  /* #12: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #13: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #14: @5 = 0.333333 */
-  w05 = 3.3333333333333331e-01;
-  /* #15: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #16: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #14: @6 = 0.333333 */
+  w06 = 3.3333333333333331e-01;
+  /* #15: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #16: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #17: @5 = 0.5 */
-  w05 = 5.0000000000000000e-01;
-  /* #18: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #19: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #17: @6 = 0.5 */
+  w06 = 5.0000000000000000e-01;
+  /* #18: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #19: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #20: @5 = 0.666667 */
-  w05 = 6.6666666666666663e-01;
-  /* #21: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #22: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #20: @6 = 0.666667 */
+  w06 = 6.6666666666666663e-01;
+  /* #21: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #22: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #23: @5 = 0.833333 */
-  w05 = 8.3333333333333337e-01;
-  /* #24: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #25: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #23: @6 = 0.833333 */
+  w06 = 8.3333333333333337e-01;
+  /* #24: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #25: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #26: {@10, @0} = landing_with_derivative(@4, @1, @6, @8) */
-  arg1[0]=w04;
+  /* #26: {@10, @0} = landing_with_derivative(@5, @1, @7, @2) */
+  arg1[0]=w05;
   arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=w08;
+  arg1[2]=(&w07);
+  arg1[3]=w02;
   res1[0]=w10;
   res1[1]=w00;
   if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
@@ -8329,128 +8325,129 @@ CASADI_SYMBOL_EXPORT int compass_limit_cycle_72_work_bytes(casadi_int *sz_arg, c
 
 /* compass_residual_96:(u[4],p[6])->(R[4]) */
 static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, w3, w4, w5, *w6=w+129, *w7=w+135;
+  casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, *w3=w+131, w4, w5, w6, *w7=w+135;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w0);
   /* #1: @1 = @0[:3] */
   for (rr=w1, cs=w0+0; cs!=w0+3; cs+=1) *rr++ = *cs;
-  /* #2: {@2, NULL} = start(@1) */
+  /* #2: @2 = input[1][0] */
+  casadi_copy(arg[1], 6, w2);
+  /* #3: {@3, NULL} = start(@1, @2) */
   arg1[0]=w1;
-  res1[0]=w2;
+  arg1[1]=w2;
+  res1[0]=w3;
   res1[1]=0;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @3 = 0 */
-  w3 = 0.;
-  /* #4: @4 = @0[3] */
-  for (rr=(&w4), cs=w0+3; cs!=w0+4; cs+=1) *rr++ = *cs;
-  /* #5: @5 = 96 */
-  w5 = 96.;
-  /* #6: @5 = (@4/@5) */
-  w5  = (w4/w5);
-  /* #7: @6 = input[1][0] */
-  casadi_copy(arg[1], 6, w6);
-  /* #8: @7 = turns(@5, @6) */
-  arg1[0]=(&w5);
-  arg1[1]=w6;
+  /* #4: @4 = 0 */
+  w4 = 0.;
+  /* #5: @5 = @0[3] */
+  for (rr=(&w5), cs=w0+3; cs!=w0+4; cs+=1) *rr++ = *cs;
+  /* #6: @6 = 96 */
+  w6 = 96.;
+  /* #7: @6 = (@5/@6) */
+  w6  = (w5/w6);
+  /* #8: @7 = turns(@6, @2) */
+  arg1[0]=(&w6);
+  arg1[1]=w2;
   res1[0]=w7;
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #9: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #9: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @3 = 0.125 */
-  w3 = 1.2500000000000000e-01;
-  /* #11: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #12: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #10: @4 = 0.125 */
+  w4 = 1.2500000000000000e-01;
+  /* #11: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #12: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #13: @3 = 0.25 */
-  w3 = 2.5000000000000000e-01;
-  /* #14: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #15: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #13: @4 = 0.25 */
+  w4 = 2.5000000000000000e-01;
+  /* #14: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #15: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #16: @3 = 0.375 */
-  w3 = 3.7500000000000000e-01;
-  /* #17: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #18: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #16: @4 = 0.375 */
+  w4 = 3.7500000000000000e-01;
+  /* #17: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #18: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #19: @3 = 0.5 */
-  w3 = 5.0000000000000000e-01;
-  /* #20: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #21: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #19: @4 = 0.5 */
+  w4 = 5.0000000000000000e-01;
+  /* #20: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #21: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #22: @3 = 0.625 */
-  w3 = 6.2500000000000000e-01;
-  /* #23: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #24: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #22: @4 = 0.625 */
+  w4 = 6.2500000000000000e-01;
+  /* #23: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #24: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #25: @3 = 0.75 */
-  w3 = 7.5000000000000000e-01;
-  /* #26: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #27: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #25: @4 = 0.75 */
+  w4 = 7.5000000000000000e-01;
+  /* #26: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #27: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #28: @3 = 0.875 */
-  w3 = 8.7500000000000000e-01;
-  /* #29: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #30: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #28: @4 = 0.875 */
+  w4 = 8.7500000000000000e-01;
+  /* #29: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #30: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #31: @0 = landing(@2, @1, @6) */
-  arg1[0]=w2;
+  /* #31: @0 = landing(@3, @1, @2) */
+  arg1[0]=w3;
   arg1[1]=w1;
-  arg1[2]=w6;
+  arg1[2]=w2;
   res1[0]=w0;
   if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][0] = @0 */
@@ -8522,134 +8519,135 @@ static int casadi_f38(const casadi_real** arg, casadi_real** res, casadi_int* iw
 /* compass_jacobian_96:(u[4],p[6])->(J[4x4],R[4]) */
 static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+305, *w04=w+317, w05, w06, w07, *w08=w+333, *w09=w+339;
+  casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+307, *w04=w+311, *w05=w+323, w06, w07, w08, *w09=w+339;
   casadi_real *w10=w+363;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w00);
   /* #1: @1 = @0[:3] */
   for (rr=w01, cs=w00+0; cs!=w00+3; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
+  /* #2: @2 = input[1][0] */
+  casadi_copy(arg[1], 6, w02);
+  /* #3: {@3, @4} = start(@1, @2) */
   arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
+  arg1[1]=w02;
+  res1[0]=w03;
+  res1[1]=w04;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<4; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<12; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[3] */
-  for (rr=(&w06), cs=w00+3; cs!=w00+4; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 96 */
-  w07 = 96.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  casadi_copy(arg[1], 6, w08);
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=w08;
+  /* #4: @5 = horzcat(@3, @4) */
+  rr=w05;
+  for (i=0, cs=w03; i<4; ++i) *rr++ = *cs++;
+  for (i=0, cs=w04; i<12; ++i) *rr++ = *cs++;
+  /* #5: @6 = 0 */
+  w06 = 0.;
+  /* #6: @7 = @0[3] */
+  for (rr=(&w07), cs=w00+3; cs!=w00+4; cs+=1) *rr++ = *cs;
+  /* #7: @8 = 96 */
+  w08 = 96.;
+  /* #8: @8 = (@7/@8) */
+  w08  = (w07/w08);
+  /* #9: @9 = turns(@8, @2) */
+  arg1[0]=(&w08);
+  arg1[1]=w02;
   res1[0]=w09;
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: @5 = 0.125 */
-  w05 = 1.2500000000000000e-01;
-  /* #12: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #13: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #11: @6 = 0.125 */
+  w06 = 1.2500000000000000e-01;
+  /* #12: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #13: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #14: @5 = 0.25 */
-  w05 = 2.5000000000000000e-01;
-  /* #15: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #16: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #14: @6 = 0.25 */
+  w06 = 2.5000000000000000e-01;
+  /* #15: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #16: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #17: @5 = 0.375 */
-  w05 = 3.7500000000000000e-01;
-  /* #18: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #19: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #17: @6 = 0.375 */
+  w06 = 3.7500000000000000e-01;
+  /* #18: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #19: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #20: @5 = 0.5 */
-  w05 = 5.0000000000000000e-01;
-  /* #21: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #22: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #20: @6 = 0.5 */
+  w06 = 5.0000000000000000e-01;
+  /* #21: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #22: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #23: @5 = 0.625 */
-  w05 = 6.2500000000000000e-01;
-  /* #24: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #25: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #23: @6 = 0.625 */
+  w06 = 6.2500000000000000e-01;
+  /* #24: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #25: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #26: @5 = 0.75 */
-  w05 = 7.5000000000000000e-01;
-  /* #27: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #28: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #26: @6 = 0.75 */
+  w06 = 7.5000000000000000e-01;
+  /* #27: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #28: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #29: @5 = 0.875 */
-  w05 = 8.7500000000000000e-01;
-  /* #30: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #31: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #29: @6 = 0.875 */
+  w06 = 8.7500000000000000e-01;
+  /* #30: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #31: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #32: {@10, @0} = landing_with_derivative(@4, @1, @6, @8) */
-  arg1[0]=w04;
+  /* #32: {@10, @0} = landing_with_derivative(@5, @1, @7, @2) */
+  arg1[0]=w05;
   arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=w08;
+  arg1[2]=(&w07);
+  arg1[3]=w02;
   res1[0]=w10;
   res1[1]=w00;
   if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
@@ -8767,176 +8765,177 @@ CASADI_SYMBOL_EXPORT int compass_limit_cycle_96_work_bytes(casadi_int *sz_arg, c
 
 /* compass_residual_144:(u[4],p[6])->(R[4]) */
 static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, w3, w4, w5, *w6=w+129, *w7=w+135;
+  casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, *w3=w+131, w4, w5, w6, *w7=w+135;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w0);
   /* #1: @1 = @0[:3] */
   for (rr=w1, cs=w0+0; cs!=w0+3; cs+=1) *rr++ = *cs;
-  /* #2: {@2, NULL} = start(@1) */
+  /* #2: @2 = input[1][0] */
+  casadi_copy(arg[1], 6, w2);
+  /* #3: {@3, NULL} = start(@1, @2) */
   arg1[0]=w1;
-  res1[0]=w2;
+  arg1[1]=w2;
+  res1[0]=w3;
   res1[1]=0;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @3 = 0 */
-  w3 = 0.;
-  /* #4: @4 = @0[3] */
-  for (rr=(&w4), cs=w0+3; cs!=w0+4; cs+=1) *rr++ = *cs;
-  /* #5: @5 = 144 */
-  w5 = 144.;
-  /* #6: @5 = (@4/@5) */
-  w5  = (w4/w5);
-  /* #7: @6 = input[1][0] */
-  casadi_copy(arg[1], 6, w6);
-  /* #8: @7 = turns(@5, @6) */
-  arg1[0]=(&w5);
-  arg1[1]=w6;
+  /* #4: @4 = 0 */
+  w4 = 0.;
+  /* #5: @5 = @0[3] */
+  for (rr=(&w5), cs=w0+3; cs!=w0+4; cs+=1) *rr++ = *cs;
+  /* #6: @6 = 144 */
+  w6 = 144.;
+  /* #7: @6 = (@5/@6) */
+  w6  = (w5/w6);
+  /* #8: @7 = turns(@6, @2) */
+  arg1[0]=(&w6);
+  arg1[1]=w2;
   res1[0]=w7;
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #9: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #9: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @3 = 0.0833333 */
-  w3 = 8.3333333333333329e-02;
-  /* #11: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #12: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #10: @4 = 0.0833333 */
+  w4 = 8.3333333333333329e-02;
+  /* #11: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #12: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #13: @3 = 0.166667 */
-  w3 = 1.6666666666666666e-01;
-  /* #14: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #15: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #13: @4 = 0.166667 */
+  w4 = 1.6666666666666666e-01;
+  /* #14: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #15: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #16: @3 = 0.25 */
-  w3 = 2.5000000000000000e-01;
-  /* #17: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #18: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #16: @4 = 0.25 */
+  w4 = 2.5000000000000000e-01;
+  /* #17: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #18: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #19: @3 = 0.333333 */
-  w3 = 3.3333333333333331e-01;
-  /* #20: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #21: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #19: @4 = 0.333333 */
+  w4 = 3.3333333333333331e-01;
+  /* #20: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #21: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #22: @3 = 0.416667 */
-  w3 = 4.1666666666666669e-01;
-  /* #23: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #24: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #22: @4 = 0.416667 */
+  w4 = 4.1666666666666669e-01;
+  /* #23: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #24: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #25: @3 = 0.5 */
-  w3 = 5.0000000000000000e-01;
-  /* #26: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #27: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #25: @4 = 0.5 */
+  w4 = 5.0000000000000000e-01;
+  /* #26: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #27: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #28: @3 = 0.583333 */
-  w3 = 5.8333333333333337e-01;
-  /* #29: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #30: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #28: @4 = 0.583333 */
+  w4 = 5.8333333333333337e-01;
+  /* #29: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #30: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #31: @3 = 0.666667 */
-  w3 = 6.6666666666666663e-01;
-  /* #32: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #33: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #31: @4 = 0.666667 */
+  w4 = 6.6666666666666663e-01;
+  /* #32: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #33: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #34: @3 = 0.75 */
-  w3 = 7.5000000000000000e-01;
-  /* #35: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #36: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #34: @4 = 0.75 */
+  w4 = 7.5000000000000000e-01;
+  /* #35: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #36: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #37: @3 = 0.833333 */
-  w3 = 8.3333333333333337e-01;
-  /* #38: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #39: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #37: @4 = 0.833333 */
+  w4 = 8.3333333333333337e-01;
+  /* #38: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #39: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #40: @3 = 0.916667 */
-  w3 = 9.1666666666666663e-01;
-  /* #41: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #42: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #40: @4 = 0.916667 */
+  w4 = 9.1666666666666663e-01;
+  /* #41: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #42: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #43: @0 = landing(@2, @1, @6) */
-  arg1[0]=w2;
+  /* #43: @0 = landing(@3, @1, @2) */
+  arg1[0]=w3;
   arg1[1]=w1;
-  arg1[2]=w6;
+  arg1[2]=w2;
   res1[0]=w0;
   if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #44: output[0][0] = @0 */
@@ -9008,182 +9007,183 @@ static int casadi_f43(const casadi_real** arg, casadi_real** res, casadi_int* iw
 /* compass_jacobian_144:(u[4],p[6])->(J[4x4],R[4]) */
 static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+305, *w04=w+317, w05, w06, w07, *w08=w+333, *w09=w+339;
+  casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+307, *w04=w+311, *w05=w+323, w06, w07, w08, *w09=w+339;
   casadi_real *w10=w+363;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w00);
   /* #1: @1 = @0[:3] */
   for (rr=w01, cs=w00+0; cs!=w00+3; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
+  /* #2: @2 = input[1][0] */
+  casadi_copy(arg[1], 6, w02);
+  /* #3: {@3, @4} = start(@1, @2) */
   arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
+  arg1[1]=w02;
+  res1[0]=w03;
+  res1[1]=w04;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<4; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<12; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[3] */
-  for (rr=(&w06), cs=w00+3; cs!=w00+4; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 144 */
-  w07 = 144.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  casadi_copy(arg[1], 6, w08);
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=w08;
+  /* #4: @5 = horzcat(@3, @4) */
+  rr=w05;
+  for (i=0, cs=w03; i<4; ++i) *rr++ = *cs++;
+  for (i=0, cs=w04; i<12; ++i) *rr++ = *cs++;
+  /* #5: @6 = 0 */
+  w06 = 0.;
+  /* #6: @7 = @0[3] */
+  for (rr=(&w07), cs=w00+3; cs!=w00+4; cs+=1) *rr++ = *cs;
+  /* #7: @8 = 144 */
+  w08 = 144.;
+  /* #8: @8 = (@7/@8) */
+  w08  = (w07/w08);
+  /* #9: @9 = turns(@8, @2) */
+  arg1[0]=(&w08);
+  arg1[1]=w02;
   res1[0]=w09;
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: @5 = 0.0833333 */
-  w05 = 8.3333333333333329e-02;
-  /* #12: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #13: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #11: @6 = 0.0833333 */
+  w06 = 8.3333333333333329e-02;
+  /* #12: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #13: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #14: @5 = 0.166667 */
-  w05 = 1.6666666666666666e-01;
-  /* #15: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #16: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #14: @6 = 0.166667 */
+  w06 = 1.6666666666666666e-01;
+  /* #15: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #16: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #17: @5 = 0.25 */
-  w05 = 2.5000000000000000e-01;
-  /* #18: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #19: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #17: @6 = 0.25 */
+  w06 = 2.5000000000000000e-01;
+  /* #18: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #19: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #20: @5 = 0.333333 */
-  w05 = 3.3333333333333331e-01;
-  /* #21: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #22: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #20: @6 = 0.333333 */
+  w06 = 3.3333333333333331e-01;
+  /* #21: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #22: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #23: @5 = 0.416667 */
-  w05 = 4.1666666666666669e-01;
-  /* #24: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #25: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #23: @6 = 0.416667 */
+  w06 = 4.1666666666666669e-01;
+  /* #24: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #25: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #26: @5 = 0.5 */
-  w05 = 5.0000000000000000e-01;
-  /* #27: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #28: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #26: @6 = 0.5 */
+  w06 = 5.0000000000000000e-01;
+  /* #27: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #28: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #29: @5 = 0.583333 */
-  w05 = 5.8333333333333337e-01;
-  /* #30: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #31: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #29: @6 = 0.583333 */
+  w06 = 5.8333333333333337e-01;
+  /* #30: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #31: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #32: @5 = 0.666667 */
-  w05 = 6.6666666666666663e-01;
-  /* #33: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #34: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #32: @6 = 0.666667 */
+  w06 = 6.6666666666666663e-01;
+  /* #33: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #34: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #35: @5 = 0.75 */
-  w05 = 7.5000000000000000e-01;
-  /* #36: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #37: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #35: @6 = 0.75 */
+  w06 = 7.5000000000000000e-01;
+  /* #36: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #37: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #38: @5 = 0.833333 */
-  w05 = 8.3333333333333337e-01;
-  /* #39: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #40: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #38: @6 = 0.833333 */
+  w06 = 8.3333333333333337e-01;
+  /* #39: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #40: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #41: @5 = 0.916667 */
-  w05 = 9.1666666666666663e-01;
-  /* #42: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #43: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #41: @6 = 0.916667 */
+  w06 = 9.1666666666666663e-01;
+  /* #42: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #43: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #44: {@10, @0} = landing_with_derivative(@4, @1, @6, @8) */
-  arg1[0]=w04;
+  /* #44: {@10, @0} = landing_with_derivative(@5, @1, @7, @2) */
+  arg1[0]=w05;
   arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=w08;
+  arg1[2]=(&w07);
+  arg1[3]=w02;
   res1[0]=w10;
   res1[1]=w00;
   if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
@@ -9301,224 +9301,225 @@ CASADI_SYMBOL_EXPORT int compass_limit_cycle_144_work_bytes(casadi_int *sz_arg, 
 
 /* compass_residual_192:(u[4],p[6])->(R[4]) */
 static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, w3, w4, w5, *w6=w+129, *w7=w+135;
+  casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, *w3=w+131, w4, w5, w6, *w7=w+135;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w0);
   /* #1: @1 = @0[:3] */
   for (rr=w1, cs=w0+0; cs!=w0+3; cs+=1) *rr++ = *cs;
-  /* #2: {@2, NULL} = start(@1) */
+  /* #2: @2 = input[1][0] */
+  casadi_copy(arg[1], 6, w2);
+  /* #3: {@3, NULL} = start(@1, @2) */
   arg1[0]=w1;
-  res1[0]=w2;
+  arg1[1]=w2;
+  res1[0]=w3;
   res1[1]=0;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @3 = 0 */
-  w3 = 0.;
-  /* #4: @4 = @0[3] */
-  for (rr=(&w4), cs=w0+3; cs!=w0+4; cs+=1) *rr++ = *cs;
-  /* #5: @5 = 192 */
-  w5 = 192.;
-  /* #6: @5 = (@4/@5) */
-  w5  = (w4/w5);
-  /* #7: @6 = input[1][0] */
-  casadi_copy(arg[1], 6, w6);
-  /* #8: @7 = turns(@5, @6) */
-  arg1[0]=(&w5);
-  arg1[1]=w6;
+  /* #4: @4 = 0 */
+  w4 = 0.;
+  /* #5: @5 = @0[3] */
+  for (rr=(&w5), cs=w0+3; cs!=w0+4; cs+=1) *rr++ = *cs;
+  /* #6: @6 = 192 */
+  w6 = 192.;
+  /* #7: @6 = (@5/@6) */
+  w6  = (w5/w6);
+  /* #8: @7 = turns(@6, @2) */
+  arg1[0]=(&w6);
+  arg1[1]=w2;
   res1[0]=w7;
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #9: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #9: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @3 = 0.0625 */
-  w3 = 6.2500000000000000e-02;
-  /* #11: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #12: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #10: @4 = 0.0625 */
+  w4 = 6.2500000000000000e-02;
+  /* #11: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #12: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #13: @3 = 0.125 */
-  w3 = 1.2500000000000000e-01;
-  /* #14: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #15: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #13: @4 = 0.125 */
+  w4 = 1.2500000000000000e-01;
+  /* #14: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #15: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #16: @3 = 0.1875 */
-  w3 = 1.8750000000000000e-01;
-  /* #17: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #18: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #16: @4 = 0.1875 */
+  w4 = 1.8750000000000000e-01;
+  /* #17: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #18: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #19: @3 = 0.25 */
-  w3 = 2.5000000000000000e-01;
-  /* #20: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #21: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #19: @4 = 0.25 */
+  w4 = 2.5000000000000000e-01;
+  /* #20: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #21: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #22: @3 = 0.3125 */
-  w3 = 3.1250000000000000e-01;
-  /* #23: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #24: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #22: @4 = 0.3125 */
+  w4 = 3.1250000000000000e-01;
+  /* #23: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #24: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #25: @3 = 0.375 */
-  w3 = 3.7500000000000000e-01;
-  /* #26: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #27: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #25: @4 = 0.375 */
+  w4 = 3.7500000000000000e-01;
+  /* #26: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #27: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #28: @3 = 0.4375 */
-  w3 = 4.3750000000000000e-01;
-  /* #29: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #30: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #28: @4 = 0.4375 */
+  w4 = 4.3750000000000000e-01;
+  /* #29: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #30: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #31: @3 = 0.5 */
-  w3 = 5.0000000000000000e-01;
-  /* #32: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #33: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #31: @4 = 0.5 */
+  w4 = 5.0000000000000000e-01;
+  /* #32: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #33: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #34: @3 = 0.5625 */
-  w3 = 5.6250000000000000e-01;
-  /* #35: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #36: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #34: @4 = 0.5625 */
+  w4 = 5.6250000000000000e-01;
+  /* #35: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #36: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #37: @3 = 0.625 */
-  w3 = 6.2500000000000000e-01;
-  /* #38: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #39: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #37: @4 = 0.625 */
+  w4 = 6.2500000000000000e-01;
+  /* #38: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #39: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #40: @3 = 0.6875 */
-  w3 = 6.8750000000000000e-01;
-  /* #41: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #42: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #40: @4 = 0.6875 */
+  w4 = 6.8750000000000000e-01;
+  /* #41: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #42: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #43: @3 = 0.75 */
-  w3 = 7.5000000000000000e-01;
-  /* #44: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #45: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #43: @4 = 0.75 */
+  w4 = 7.5000000000000000e-01;
+  /* #44: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #45: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #46: @3 = 0.8125 */
-  w3 = 8.1250000000000000e-01;
-  /* #47: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #48: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #46: @4 = 0.8125 */
+  w4 = 8.1250000000000000e-01;
+  /* #47: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #48: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #49: @3 = 0.875 */
-  w3 = 8.7500000000000000e-01;
-  /* #50: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #51: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #49: @4 = 0.875 */
+  w4 = 8.7500000000000000e-01;
+  /* #50: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #51: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #52: @3 = 0.9375 */
-  w3 = 9.3750000000000000e-01;
-  /* #53: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #54: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #52: @4 = 0.9375 */
+  w4 = 9.3750000000000000e-01;
+  /* #53: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #54: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #55: @0 = landing(@2, @1, @6) */
-  arg1[0]=w2;
+  /* #55: @0 = landing(@3, @1, @2) */
+  arg1[0]=w3;
   arg1[1]=w1;
-  arg1[2]=w6;
+  arg1[2]=w2;
   res1[0]=w0;
   if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #56: output[0][0] = @0 */
@@ -9590,230 +9591,231 @@ static int casadi_f48(const casadi_real** arg, casadi_real** res, casadi_int* iw
 /* compass_jacobian_192:(u[4],p[6])->(J[4x4],R[4]) */
 static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+305, *w04=w+317, w05, w06, w07, *w08=w+333, *w09=w+339;
+  casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+307, *w04=w+311, *w05=w+323, w06, w07, w08, *w09=w+339;
   casadi_real *w10=w+363;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w00);
   /* #1: @1 = @0[:3] */
   for (rr=w01, cs=w00+0; cs!=w00+3; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
+  /* #2: @2 = input[1][0] */
+  casadi_copy(arg[1], 6, w02);
+  /* #3: {@3, @4} = start(@1, @2) */
   arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
+  arg1[1]=w02;
+  res1[0]=w03;
+  res1[1]=w04;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<4; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<12; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[3] */
-  for (rr=(&w06), cs=w00+3; cs!=w00+4; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 192 */
-  w07 = 192.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  casadi_copy(arg[1], 6, w08);
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=w08;
+  /* #4: @5 = horzcat(@3, @4) */
+  rr=w05;
+  for (i=0, cs=w03; i<4; ++i) *rr++ = *cs++;
+  for (i=0, cs=w04; i<12; ++i) *rr++ = *cs++;
+  /* #5: @6 = 0 */
+  w06 = 0.;
+  /* #6: @7 = @0[3] */
+  for (rr=(&w07), cs=w00+3; cs!=w00+4; cs+=1) *rr++ = *cs;
+  /* #7: @8 = 192 */
+  w08 = 192.;
+  /* #8: @8 = (@7/@8) */
+  w08  = (w07/w08);
+  /* #9: @9 = turns(@8, @2) */
+  arg1[0]=(&w08);
+  arg1[1]=w02;
   res1[0]=w09;
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: @5 = 0.0625 */
-  w05 = 6.2500000000000000e-02;
-  /* #12: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #13: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #11: @6 = 0.0625 */
+  w06 = 6.2500000000000000e-02;
+  /* #12: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #13: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #14: @5 = 0.125 */
-  w05 = 1.2500000000000000e-01;
-  /* #15: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #16: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #14: @6 = 0.125 */
+  w06 = 1.2500000000000000e-01;
+  /* #15: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #16: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #17: @5 = 0.1875 */
-  w05 = 1.8750000000000000e-01;
-  /* #18: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #19: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #17: @6 = 0.1875 */
+  w06 = 1.8750000000000000e-01;
+  /* #18: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #19: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #20: @5 = 0.25 */
-  w05 = 2.5000000000000000e-01;
-  /* #21: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #22: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #20: @6 = 0.25 */
+  w06 = 2.5000000000000000e-01;
+  /* #21: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #22: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #23: @5 = 0.3125 */
-  w05 = 3.1250000000000000e-01;
-  /* #24: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #25: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #23: @6 = 0.3125 */
+  w06 = 3.1250000000000000e-01;
+  /* #24: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #25: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #26: @5 = 0.375 */
-  w05 = 3.7500000000000000e-01;
-  /* #27: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #28: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #26: @6 = 0.375 */
+  w06 = 3.7500000000000000e-01;
+  /* #27: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #28: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #29: @5 = 0.4375 */
-  w05 = 4.3750000000000000e-01;
-  /* #30: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #31: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #29: @6 = 0.4375 */
+  w06 = 4.3750000000000000e-01;
+  /* #30: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #31: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #32: @5 = 0.5 */
-  w05 = 5.0000000000000000e-01;
-  /* #33: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #34: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #32: @6 = 0.5 */
+  w06 = 5.0000000000000000e-01;
+  /* #33: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #34: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #35: @5 = 0.5625 */
-  w05 = 5.6250000000000000e-01;
-  /* #36: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #37: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #35: @6 = 0.5625 */
+  w06 = 5.6250000000000000e-01;
+  /* #36: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #37: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #38: @5 = 0.625 */
-  w05 = 6.2500000000000000e-01;
-  /* #39: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #40: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #38: @6 = 0.625 */
+  w06 = 6.2500000000000000e-01;
+  /* #39: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #40: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #41: @5 = 0.6875 */
-  w05 = 6.8750000000000000e-01;
-  /* #42: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #43: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #41: @6 = 0.6875 */
+  w06 = 6.8750000000000000e-01;
+  /* #42: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #43: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #44: @5 = 0.75 */
-  w05 = 7.5000000000000000e-01;
-  /* #45: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #46: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #44: @6 = 0.75 */
+  w06 = 7.5000000000000000e-01;
+  /* #45: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #46: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #47: @5 = 0.8125 */
-  w05 = 8.1250000000000000e-01;
-  /* #48: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #49: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #47: @6 = 0.8125 */
+  w06 = 8.1250000000000000e-01;
+  /* #48: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #49: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #50: @5 = 0.875 */
-  w05 = 8.7500000000000000e-01;
-  /* #51: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #52: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #50: @6 = 0.875 */
+  w06 = 8.7500000000000000e-01;
+  /* #51: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #52: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #53: @5 = 0.9375 */
-  w05 = 9.3750000000000000e-01;
-  /* #54: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #55: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #53: @6 = 0.9375 */
+  w06 = 9.3750000000000000e-01;
+  /* #54: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #55: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #56: {@10, @0} = landing_with_derivative(@4, @1, @6, @8) */
-  arg1[0]=w04;
+  /* #56: {@10, @0} = landing_with_derivative(@5, @1, @7, @2) */
+  arg1[0]=w05;
   arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=w08;
+  arg1[2]=(&w07);
+  arg1[3]=w02;
   res1[0]=w10;
   res1[1]=w00;
   if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
@@ -9931,320 +9933,321 @@ CASADI_SYMBOL_EXPORT int compass_limit_cycle_192_work_bytes(casadi_int *sz_arg, 
 
 /* compass_residual_288:(u[4],p[6])->(R[4]) */
 static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, w3, w4, w5, *w6=w+129, *w7=w+135;
+  casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, *w3=w+131, w4, w5, w6, *w7=w+135;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w0);
   /* #1: @1 = @0[:3] */
   for (rr=w1, cs=w0+0; cs!=w0+3; cs+=1) *rr++ = *cs;
-  /* #2: {@2, NULL} = start(@1) */
+  /* #2: @2 = input[1][0] */
+  casadi_copy(arg[1], 6, w2);
+  /* #3: {@3, NULL} = start(@1, @2) */
   arg1[0]=w1;
-  res1[0]=w2;
+  arg1[1]=w2;
+  res1[0]=w3;
   res1[1]=0;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @3 = 0 */
-  w3 = 0.;
-  /* #4: @4 = @0[3] */
-  for (rr=(&w4), cs=w0+3; cs!=w0+4; cs+=1) *rr++ = *cs;
-  /* #5: @5 = 288 */
-  w5 = 288.;
-  /* #6: @5 = (@4/@5) */
-  w5  = (w4/w5);
-  /* #7: @6 = input[1][0] */
-  casadi_copy(arg[1], 6, w6);
-  /* #8: @7 = turns(@5, @6) */
-  arg1[0]=(&w5);
-  arg1[1]=w6;
+  /* #4: @4 = 0 */
+  w4 = 0.;
+  /* #5: @5 = @0[3] */
+  for (rr=(&w5), cs=w0+3; cs!=w0+4; cs+=1) *rr++ = *cs;
+  /* #6: @6 = 288 */
+  w6 = 288.;
+  /* #7: @6 = (@5/@6) */
+  w6  = (w5/w6);
+  /* #8: @7 = turns(@6, @2) */
+  arg1[0]=(&w6);
+  arg1[1]=w2;
   res1[0]=w7;
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #9: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #9: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @3 = 0.0416667 */
-  w3 = 4.1666666666666664e-02;
-  /* #11: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #12: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #10: @4 = 0.0416667 */
+  w4 = 4.1666666666666664e-02;
+  /* #11: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #12: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #13: @3 = 0.0833333 */
-  w3 = 8.3333333333333329e-02;
-  /* #14: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #15: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #13: @4 = 0.0833333 */
+  w4 = 8.3333333333333329e-02;
+  /* #14: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #15: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #16: @3 = 0.125 */
-  w3 = 1.2500000000000000e-01;
-  /* #17: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #18: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #16: @4 = 0.125 */
+  w4 = 1.2500000000000000e-01;
+  /* #17: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #18: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #19: @3 = 0.166667 */
-  w3 = 1.6666666666666666e-01;
-  /* #20: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #21: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #19: @4 = 0.166667 */
+  w4 = 1.6666666666666666e-01;
+  /* #20: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #21: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #22: @3 = 0.208333 */
-  w3 = 2.0833333333333334e-01;
-  /* #23: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #24: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #22: @4 = 0.208333 */
+  w4 = 2.0833333333333334e-01;
+  /* #23: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #24: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #25: @3 = 0.25 */
-  w3 = 2.5000000000000000e-01;
-  /* #26: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #27: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #25: @4 = 0.25 */
+  w4 = 2.5000000000000000e-01;
+  /* #26: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #27: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #28: @3 = 0.291667 */
-  w3 = 2.9166666666666669e-01;
-  /* #29: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #30: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #28: @4 = 0.291667 */
+  w4 = 2.9166666666666669e-01;
+  /* #29: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #30: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #31: @3 = 0.333333 */
-  w3 = 3.3333333333333331e-01;
-  /* #32: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #33: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #31: @4 = 0.333333 */
+  w4 = 3.3333333333333331e-01;
+  /* #32: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #33: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #34: @3 = 0.375 */
-  w3 = 3.7500000000000000e-01;
-  /* #35: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #36: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #34: @4 = 0.375 */
+  w4 = 3.7500000000000000e-01;
+  /* #35: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #36: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #37: @3 = 0.416667 */
-  w3 = 4.1666666666666669e-01;
-  /* #38: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #39: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #37: @4 = 0.416667 */
+  w4 = 4.1666666666666669e-01;
+  /* #38: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #39: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #40: @3 = 0.458333 */
-  w3 = 4.5833333333333331e-01;
-  /* #41: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #42: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #40: @4 = 0.458333 */
+  w4 = 4.5833333333333331e-01;
+  /* #41: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #42: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #43: @3 = 0.5 */
-  w3 = 5.0000000000000000e-01;
-  /* #44: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #45: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #43: @4 = 0.5 */
+  w4 = 5.0000000000000000e-01;
+  /* #44: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #45: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #46: @3 = 0.541667 */
-  w3 = 5.4166666666666663e-01;
-  /* #47: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #48: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #46: @4 = 0.541667 */
+  w4 = 5.4166666666666663e-01;
+  /* #47: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #48: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #49: @3 = 0.583333 */
-  w3 = 5.8333333333333337e-01;
-  /* #50: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #51: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #49: @4 = 0.583333 */
+  w4 = 5.8333333333333337e-01;
+  /* #50: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #51: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #52: @3 = 0.625 */
-  w3 = 6.2500000000000000e-01;
-  /* #53: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #54: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #52: @4 = 0.625 */
+  w4 = 6.2500000000000000e-01;
+  /* #53: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #54: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #55: @3 = 0.666667 */
-  w3 = 6.6666666666666663e-01;
-  /* #56: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #57: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #55: @4 = 0.666667 */
+  w4 = 6.6666666666666663e-01;
+  /* #56: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #57: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #58: @3 = 0.708333 */
-  w3 = 7.0833333333333337e-01;
-  /* #59: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #60: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #58: @4 = 0.708333 */
+  w4 = 7.0833333333333337e-01;
+  /* #59: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #60: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #61: @3 = 0.75 */
-  w3 = 7.5000000000000000e-01;
-  /* #62: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #63: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #61: @4 = 0.75 */
+  w4 = 7.5000000000000000e-01;
+  /* #62: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #63: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #64: @3 = 0.791667 */
-  w3 = 7.9166666666666663e-01;
-  /* #65: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #66: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #64: @4 = 0.791667 */
+  w4 = 7.9166666666666663e-01;
+  /* #65: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #66: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #67: @3 = 0.833333 */
-  w3 = 8.3333333333333337e-01;
-  /* #68: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #69: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #67: @4 = 0.833333 */
+  w4 = 8.3333333333333337e-01;
+  /* #68: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #69: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #70: @3 = 0.875 */
-  w3 = 8.7500000000000000e-01;
-  /* #71: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #72: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #70: @4 = 0.875 */
+  w4 = 8.7500000000000000e-01;
+  /* #71: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #72: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #73: @3 = 0.916667 */
-  w3 = 9.1666666666666663e-01;
-  /* #74: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #75: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #73: @4 = 0.916667 */
+  w4 = 9.1666666666666663e-01;
+  /* #74: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #75: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #76: @3 = 0.958333 */
-  w3 = 9.5833333333333337e-01;
-  /* #77: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #78: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #76: @4 = 0.958333 */
+  w4 = 9.5833333333333337e-01;
+  /* #77: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #78: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #79: @0 = landing(@2, @1, @6) */
-  arg1[0]=w2;
+  /* #79: @0 = landing(@3, @1, @2) */
+  arg1[0]=w3;
   arg1[1]=w1;
-  arg1[2]=w6;
+  arg1[2]=w2;
   res1[0]=w0;
   if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #80: output[0][0] = @0 */
@@ -10316,326 +10319,327 @@ static int casadi_f53(const casadi_real** arg, casadi_real** res, casadi_int* iw
 /* compass_jacobian_288:(u[4],p[6])->(J[4x4],R[4]) */
 static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+305, *w04=w+317, w05, w06, w07, *w08=w+333, *w09=w+339;
+  casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+307, *w04=w+311, *w05=w+323, w06, w07, w08, *w09=w+339;
   casadi_real *w10=w+363;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w00);
   /* #1: @1 = @0[:3] */
   for (rr=w01, cs=w00+0; cs!=w00+3; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
+  /* #2: @2 = input[1][0] */
+  casadi_copy(arg[1], 6, w02);
+  /* #3: {@3, @4} = start(@1, @2) */
   arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
+  arg1[1]=w02;
+  res1[0]=w03;
+  res1[1]=w04;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<4; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<12; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[3] */
-  for (rr=(&w06), cs=w00+3; cs!=w00+4; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 288 */
-  w07 = 288.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  casadi_copy(arg[1], 6, w08);
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=w08;
+  /* #4: @5 = horzcat(@3, @4) */
+  rr=w05;
+  for (i=0, cs=w03; i<4; ++i) *rr++ = *cs++;
+  for (i=0, cs=w04; i<12; ++i) *rr++ = *cs++;
+  /* #5: @6 = 0 */
+  w06 = 0.;
+  /* #6: @7 = @0[3] */
+  for (rr=(&w07), cs=w00+3; cs!=w00+4; cs+=1) *rr++ = *cs;
+  /* #7: @8 = 288 */
+  w08 = 288.;
+  /* #8: @8 = (@7/@8) */
+  w08  = (w07/w08);
+  /* #9: @9 = turns(@8, @2) */
+  arg1[0]=(&w08);
+  arg1[1]=w02;
   res1[0]=w09;
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: @5 = 0.0416667 */
-  w05 = 4.1666666666666664e-02;
-  /* #12: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #13: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #11: @6 = 0.0416667 */
+  w06 = 4.1666666666666664e-02;
+  /* #12: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #13: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #14: @5 = 0.0833333 */
-  w05 = 8.3333333333333329e-02;
-  /* #15: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #16: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #14: @6 = 0.0833333 */
+  w06 = 8.3333333333333329e-02;
+  /* #15: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #16: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #17: @5 = 0.125 */
-  w05 = 1.2500000000000000e-01;
-  /* #18: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #19: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #17: @6 = 0.125 */
+  w06 = 1.2500000000000000e-01;
+  /* #18: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #19: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #20: @5 = 0.166667 */
-  w05 = 1.6666666666666666e-01;
-  /* #21: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #22: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #20: @6 = 0.166667 */
+  w06 = 1.6666666666666666e-01;
+  /* #21: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #22: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #23: @5 = 0.208333 */
-  w05 = 2.0833333333333334e-01;
-  /* #24: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #25: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #23: @6 = 0.208333 */
+  w06 = 2.0833333333333334e-01;
+  /* #24: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #25: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #26: @5 = 0.25 */
-  w05 = 2.5000000000000000e-01;
-  /* #27: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #28: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #26: @6 = 0.25 */
+  w06 = 2.5000000000000000e-01;
+  /* #27: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #28: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #29: @5 = 0.291667 */
-  w05 = 2.9166666666666669e-01;
-  /* #30: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #31: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #29: @6 = 0.291667 */
+  w06 = 2.9166666666666669e-01;
+  /* #30: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #31: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #32: @5 = 0.333333 */
-  w05 = 3.3333333333333331e-01;
-  /* #33: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #34: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #32: @6 = 0.333333 */
+  w06 = 3.3333333333333331e-01;
+  /* #33: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #34: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #35: @5 = 0.375 */
-  w05 = 3.7500000000000000e-01;
-  /* #36: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #37: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #35: @6 = 0.375 */
+  w06 = 3.7500000000000000e-01;
+  /* #36: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #37: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #38: @5 = 0.416667 */
-  w05 = 4.1666666666666669e-01;
-  /* #39: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #40: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #38: @6 = 0.416667 */
+  w06 = 4.1666666666666669e-01;
+  /* #39: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #40: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #41: @5 = 0.458333 */
-  w05 = 4.5833333333333331e-01;
-  /* #42: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #43: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #41: @6 = 0.458333 */
+  w06 = 4.5833333333333331e-01;
+  /* #42: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #43: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #44: @5 = 0.5 */
-  w05 = 5.0000000000000000e-01;
-  /* #45: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #46: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #44: @6 = 0.5 */
+  w06 = 5.0000000000000000e-01;
+  /* #45: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #46: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #47: @5 = 0.541667 */
-  w05 = 5.4166666666666663e-01;
-  /* #48: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #49: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #47: @6 = 0.541667 */
+  w06 = 5.4166666666666663e-01;
+  /* #48: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #49: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #50: @5 = 0.583333 */
-  w05 = 5.8333333333333337e-01;
-  /* #51: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #52: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #50: @6 = 0.583333 */
+  w06 = 5.8333333333333337e-01;
+  /* #51: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #52: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #53: @5 = 0.625 */
-  w05 = 6.2500000000000000e-01;
-  /* #54: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #55: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #53: @6 = 0.625 */
+  w06 = 6.2500000000000000e-01;
+  /* #54: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #55: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #56: @5 = 0.666667 */
-  w05 = 6.6666666666666663e-01;
-  /* #57: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #58: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #56: @6 = 0.666667 */
+  w06 = 6.6666666666666663e-01;
+  /* #57: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #58: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #59: @5 = 0.708333 */
-  w05 = 7.0833333333333337e-01;
-  /* #60: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #61: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #59: @6 = 0.708333 */
+  w06 = 7.0833333333333337e-01;
+  /* #60: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #61: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #62: @5 = 0.75 */
-  w05 = 7.5000000000000000e-01;
-  /* #63: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #64: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #62: @6 = 0.75 */
+  w06 = 7.5000000000000000e-01;
+  /* #63: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #64: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #65: @5 = 0.791667 */
-  w05 = 7.9166666666666663e-01;
-  /* #66: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #67: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #65: @6 = 0.791667 */
+  w06 = 7.9166666666666663e-01;
+  /* #66: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #67: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #68: @5 = 0.833333 */
-  w05 = 8.3333333333333337e-01;
-  /* #69: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #70: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #68: @6 = 0.833333 */
+  w06 = 8.3333333333333337e-01;
+  /* #69: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #70: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #71: @5 = 0.875 */
-  w05 = 8.7500000000000000e-01;
-  /* #72: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #73: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #71: @6 = 0.875 */
+  w06 = 8.7500000000000000e-01;
+  /* #72: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #73: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #74: @5 = 0.916667 */
-  w05 = 9.1666666666666663e-01;
-  /* #75: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #76: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #74: @6 = 0.916667 */
+  w06 = 9.1666666666666663e-01;
+  /* #75: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #76: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #77: @5 = 0.958333 */
-  w05 = 9.5833333333333337e-01;
-  /* #78: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #79: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #77: @6 = 0.958333 */
+  w06 = 9.5833333333333337e-01;
+  /* #78: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #79: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #80: {@10, @0} = landing_with_derivative(@4, @1, @6, @8) */
-  arg1[0]=w04;
+  /* #80: {@10, @0} = landing_with_derivative(@5, @1, @7, @2) */
+  arg1[0]=w05;
   arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=w08;
+  arg1[2]=(&w07);
+  arg1[3]=w02;
   res1[0]=w10;
   res1[1]=w00;
   if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
@@ -10753,416 +10757,417 @@ CASADI_SYMBOL_EXPORT int compass_limit_cycle_288_work_bytes(casadi_int *sz_arg, 
 
 /* compass_residual_384:(u[4],p[6])->(R[4]) */
 static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, w3, w4, w5, *w6=w+129, *w7=w+135;
+  casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, *w3=w+131, w4, w5, w6, *w7=w+135;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w0);
   /* #1: @1 = @0[:3] */
   for (rr=w1, cs=w0+0; cs!=w0+3; cs+=1) *rr++ = *cs;
-  /* #2: {@2, NULL} = start(@1) */
+  /* #2: @2 = input[1][0] */
+  casadi_copy(arg[1], 6, w2);
+  /* #3: {@3, NULL} = start(@1, @2) */
   arg1[0]=w1;
-  res1[0]=w2;
+  arg1[1]=w2;
+  res1[0]=w3;
   res1[1]=0;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @3 = 0 */
-  w3 = 0.;
-  /* #4: @4 = @0[3] */
-  for (rr=(&w4), cs=w0+3; cs!=w0+4; cs+=1) *rr++ = *cs;
-  /* #5: @5 = 384 */
-  w5 = 384.;
-  /* #6: @5 = (@4/@5) */
-  w5  = (w4/w5);
-  /* #7: @6 = input[1][0] */
-  casadi_copy(arg[1], 6, w6);
-  /* #8: @7 = turns(@5, @6) */
-  arg1[0]=(&w5);
-  arg1[1]=w6;
+  /* #4: @4 = 0 */
+  w4 = 0.;
+  /* #5: @5 = @0[3] */
+  for (rr=(&w5), cs=w0+3; cs!=w0+4; cs+=1) *rr++ = *cs;
+  /* #6: @6 = 384 */
+  w6 = 384.;
+  /* #7: @6 = (@5/@6) */
+  w6  = (w5/w6);
+  /* #8: @7 = turns(@6, @2) */
+  arg1[0]=(&w6);
+  arg1[1]=w2;
   res1[0]=w7;
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #9: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #9: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @3 = 0.03125 */
-  w3 = 3.1250000000000000e-02;
-  /* #11: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #12: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #10: @4 = 0.03125 */
+  w4 = 3.1250000000000000e-02;
+  /* #11: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #12: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #13: @3 = 0.0625 */
-  w3 = 6.2500000000000000e-02;
-  /* #14: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #15: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #13: @4 = 0.0625 */
+  w4 = 6.2500000000000000e-02;
+  /* #14: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #15: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #16: @3 = 0.09375 */
-  w3 = 9.3750000000000000e-02;
-  /* #17: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #18: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #16: @4 = 0.09375 */
+  w4 = 9.3750000000000000e-02;
+  /* #17: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #18: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #19: @3 = 0.125 */
-  w3 = 1.2500000000000000e-01;
-  /* #20: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #21: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #19: @4 = 0.125 */
+  w4 = 1.2500000000000000e-01;
+  /* #20: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #21: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #22: @3 = 0.15625 */
-  w3 = 1.5625000000000000e-01;
-  /* #23: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #24: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #22: @4 = 0.15625 */
+  w4 = 1.5625000000000000e-01;
+  /* #23: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #24: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #25: @3 = 0.1875 */
-  w3 = 1.8750000000000000e-01;
-  /* #26: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #27: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #25: @4 = 0.1875 */
+  w4 = 1.8750000000000000e-01;
+  /* #26: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #27: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #28: @3 = 0.21875 */
-  w3 = 2.1875000000000000e-01;
-  /* #29: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #30: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #28: @4 = 0.21875 */
+  w4 = 2.1875000000000000e-01;
+  /* #29: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #30: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #31: @3 = 0.25 */
-  w3 = 2.5000000000000000e-01;
-  /* #32: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #33: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #31: @4 = 0.25 */
+  w4 = 2.5000000000000000e-01;
+  /* #32: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #33: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #34: @3 = 0.28125 */
-  w3 = 2.8125000000000000e-01;
-  /* #35: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #36: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #34: @4 = 0.28125 */
+  w4 = 2.8125000000000000e-01;
+  /* #35: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #36: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #37: @3 = 0.3125 */
-  w3 = 3.1250000000000000e-01;
-  /* #38: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #39: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #37: @4 = 0.3125 */
+  w4 = 3.1250000000000000e-01;
+  /* #38: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #39: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #40: @3 = 0.34375 */
-  w3 = 3.4375000000000000e-01;
-  /* #41: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #42: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #40: @4 = 0.34375 */
+  w4 = 3.4375000000000000e-01;
+  /* #41: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #42: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #43: @3 = 0.375 */
-  w3 = 3.7500000000000000e-01;
-  /* #44: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #45: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #43: @4 = 0.375 */
+  w4 = 3.7500000000000000e-01;
+  /* #44: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #45: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #46: @3 = 0.40625 */
-  w3 = 4.0625000000000000e-01;
-  /* #47: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #48: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #46: @4 = 0.40625 */
+  w4 = 4.0625000000000000e-01;
+  /* #47: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #48: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #49: @3 = 0.4375 */
-  w3 = 4.3750000000000000e-01;
-  /* #50: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #51: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #49: @4 = 0.4375 */
+  w4 = 4.3750000000000000e-01;
+  /* #50: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #51: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #52: @3 = 0.46875 */
-  w3 = 4.6875000000000000e-01;
-  /* #53: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #54: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #52: @4 = 0.46875 */
+  w4 = 4.6875000000000000e-01;
+  /* #53: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #54: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #55: @3 = 0.5 */
-  w3 = 5.0000000000000000e-01;
-  /* #56: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #57: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #55: @4 = 0.5 */
+  w4 = 5.0000000000000000e-01;
+  /* #56: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #57: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #58: @3 = 0.53125 */
-  w3 = 5.3125000000000000e-01;
-  /* #59: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #60: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #58: @4 = 0.53125 */
+  w4 = 5.3125000000000000e-01;
+  /* #59: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #60: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #61: @3 = 0.5625 */
-  w3 = 5.6250000000000000e-01;
-  /* #62: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #63: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #61: @4 = 0.5625 */
+  w4 = 5.6250000000000000e-01;
+  /* #62: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #63: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #64: @3 = 0.59375 */
-  w3 = 5.9375000000000000e-01;
-  /* #65: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #66: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #64: @4 = 0.59375 */
+  w4 = 5.9375000000000000e-01;
+  /* #65: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #66: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #67: @3 = 0.625 */
-  w3 = 6.2500000000000000e-01;
-  /* #68: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #69: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #67: @4 = 0.625 */
+  w4 = 6.2500000000000000e-01;
+  /* #68: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #69: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #70: @3 = 0.65625 */
-  w3 = 6.5625000000000000e-01;
-  /* #71: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #72: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #70: @4 = 0.65625 */
+  w4 = 6.5625000000000000e-01;
+  /* #71: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #72: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #73: @3 = 0.6875 */
-  w3 = 6.8750000000000000e-01;
-  /* #74: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #75: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #73: @4 = 0.6875 */
+  w4 = 6.8750000000000000e-01;
+  /* #74: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #75: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #76: @3 = 0.71875 */
-  w3 = 7.1875000000000000e-01;
-  /* #77: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #78: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #76: @4 = 0.71875 */
+  w4 = 7.1875000000000000e-01;
+  /* #77: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #78: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #79: @3 = 0.75 */
-  w3 = 7.5000000000000000e-01;
-  /* #80: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #81: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #79: @4 = 0.75 */
+  w4 = 7.5000000000000000e-01;
+  /* #80: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #81: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #82: @3 = 0.78125 */
-  w3 = 7.8125000000000000e-01;
-  /* #83: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #84: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #82: @4 = 0.78125 */
+  w4 = 7.8125000000000000e-01;
+  /* #83: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #84: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #85: @3 = 0.8125 */
-  w3 = 8.1250000000000000e-01;
-  /* #86: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #87: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #85: @4 = 0.8125 */
+  w4 = 8.1250000000000000e-01;
+  /* #86: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #87: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #88: @3 = 0.84375 */
-  w3 = 8.4375000000000000e-01;
-  /* #89: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #90: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #88: @4 = 0.84375 */
+  w4 = 8.4375000000000000e-01;
+  /* #89: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #90: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #91: @3 = 0.875 */
-  w3 = 8.7500000000000000e-01;
-  /* #92: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #93: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #91: @4 = 0.875 */
+  w4 = 8.7500000000000000e-01;
+  /* #92: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #93: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #94: @3 = 0.90625 */
-  w3 = 9.0625000000000000e-01;
-  /* #95: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #96: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #94: @4 = 0.90625 */
+  w4 = 9.0625000000000000e-01;
+  /* #95: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #96: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #97: @3 = 0.9375 */
-  w3 = 9.3750000000000000e-01;
-  /* #98: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #99: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #97: @4 = 0.9375 */
+  w4 = 9.3750000000000000e-01;
+  /* #98: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #99: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #100: @3 = 0.96875 */
-  w3 = 9.6875000000000000e-01;
-  /* #101: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #102: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #100: @4 = 0.96875 */
+  w4 = 9.6875000000000000e-01;
+  /* #101: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #102: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #103: @0 = landing(@2, @1, @6) */
-  arg1[0]=w2;
+  /* #103: @0 = landing(@3, @1, @2) */
+  arg1[0]=w3;
   arg1[1]=w1;
-  arg1[2]=w6;
+  arg1[2]=w2;
   res1[0]=w0;
   if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #104: output[0][0] = @0 */
@@ -11234,422 +11239,423 @@ static int casadi_f58(const casadi_real** arg, casadi_real** res, casadi_int* iw
 /* compass_jacobian_384:(u[4],p[6])->(J[4x4],R[4]) */
 static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+305, *w04=w+317, w05, w06, w07, *w08=w+333, *w09=w+339;
+  casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+307, *w04=w+311, *w05=w+323, w06, w07, w08, *w09=w+339;
   casadi_real *w10=w+363;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w00);
   /* #1: @1 = @0[:3] */
   for (rr=w01, cs=w00+0; cs!=w00+3; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
+  /* #2: @2 = input[1][0] */
+  casadi_copy(arg[1], 6, w02);
+  /* #3: {@3, @4} = start(@1, @2) */
   arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
+  arg1[1]=w02;
+  res1[0]=w03;
+  res1[1]=w04;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<4; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<12; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[3] */
-  for (rr=(&w06), cs=w00+3; cs!=w00+4; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 384 */
-  w07 = 384.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  casadi_copy(arg[1], 6, w08);
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=w08;
+  /* #4: @5 = horzcat(@3, @4) */
+  rr=w05;
+  for (i=0, cs=w03; i<4; ++i) *rr++ = *cs++;
+  for (i=0, cs=w04; i<12; ++i) *rr++ = *cs++;
+  /* #5: @6 = 0 */
+  w06 = 0.;
+  /* #6: @7 = @0[3] */
+  for (rr=(&w07), cs=w00+3; cs!=w00+4; cs+=1) *rr++ = *cs;
+  /* #7: @8 = 384 */
+  w08 = 384.;
+  /* #8: @8 = (@7/@8) */
+  w08  = (w07/w08);
+  /* #9: @9 = turns(@8, @2) */
+  arg1[0]=(&w08);
+  arg1[1]=w02;
   res1[0]=w09;
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: @5 = 0.03125 */
-  w05 = 3.1250000000000000e-02;
-  /* #12: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #13: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #11: @6 = 0.03125 */
+  w06 = 3.1250000000000000e-02;
+  /* #12: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #13: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #14: @5 = 0.0625 */
-  w05 = 6.2500000000000000e-02;
-  /* #15: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #16: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #14: @6 = 0.0625 */
+  w06 = 6.2500000000000000e-02;
+  /* #15: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #16: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #17: @5 = 0.09375 */
-  w05 = 9.3750000000000000e-02;
-  /* #18: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #19: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #17: @6 = 0.09375 */
+  w06 = 9.3750000000000000e-02;
+  /* #18: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #19: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #20: @5 = 0.125 */
-  w05 = 1.2500000000000000e-01;
-  /* #21: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #22: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #20: @6 = 0.125 */
+  w06 = 1.2500000000000000e-01;
+  /* #21: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #22: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #23: @5 = 0.15625 */
-  w05 = 1.5625000000000000e-01;
-  /* #24: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #25: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #23: @6 = 0.15625 */
+  w06 = 1.5625000000000000e-01;
+  /* #24: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #25: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #26: @5 = 0.1875 */
-  w05 = 1.8750000000000000e-01;
-  /* #27: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #28: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #26: @6 = 0.1875 */
+  w06 = 1.8750000000000000e-01;
+  /* #27: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #28: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #29: @5 = 0.21875 */
-  w05 = 2.1875000000000000e-01;
-  /* #30: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #31: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #29: @6 = 0.21875 */
+  w06 = 2.1875000000000000e-01;
+  /* #30: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #31: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #32: @5 = 0.25 */
-  w05 = 2.5000000000000000e-01;
-  /* #33: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #34: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #32: @6 = 0.25 */
+  w06 = 2.5000000000000000e-01;
+  /* #33: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #34: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #35: @5 = 0.28125 */
-  w05 = 2.8125000000000000e-01;
-  /* #36: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #37: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #35: @6 = 0.28125 */
+  w06 = 2.8125000000000000e-01;
+  /* #36: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #37: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #38: @5 = 0.3125 */
-  w05 = 3.1250000000000000e-01;
-  /* #39: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #40: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #38: @6 = 0.3125 */
+  w06 = 3.1250000000000000e-01;
+  /* #39: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #40: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #41: @5 = 0.34375 */
-  w05 = 3.4375000000000000e-01;
-  /* #42: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #43: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #41: @6 = 0.34375 */
+  w06 = 3.4375000000000000e-01;
+  /* #42: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #43: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #44: @5 = 0.375 */
-  w05 = 3.7500000000000000e-01;
-  /* #45: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #46: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #44: @6 = 0.375 */
+  w06 = 3.7500000000000000e-01;
+  /* #45: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #46: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #47: @5 = 0.40625 */
-  w05 = 4.0625000000000000e-01;
-  /* #48: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #49: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #47: @6 = 0.40625 */
+  w06 = 4.0625000000000000e-01;
+  /* #48: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #49: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #50: @5 = 0.4375 */
-  w05 = 4.3750000000000000e-01;
-  /* #51: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #52: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #50: @6 = 0.4375 */
+  w06 = 4.3750000000000000e-01;
+  /* #51: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #52: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #53: @5 = 0.46875 */
-  w05 = 4.6875000000000000e-01;
-  /* #54: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #55: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #53: @6 = 0.46875 */
+  w06 = 4.6875000000000000e-01;
+  /* #54: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #55: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #56: @5 = 0.5 */
-  w05 = 5.0000000000000000e-01;
-  /* #57: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #58: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #56: @6 = 0.5 */
+  w06 = 5.0000000000000000e-01;
+  /* #57: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #58: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #59: @5 = 0.53125 */
-  w05 = 5.3125000000000000e-01;
-  /* #60: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #61: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #59: @6 = 0.53125 */
+  w06 = 5.3125000000000000e-01;
+  /* #60: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #61: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #62: @5 = 0.5625 */
-  w05 = 5.6250000000000000e-01;
-  /* #63: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #64: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #62: @6 = 0.5625 */
+  w06 = 5.6250000000000000e-01;
+  /* #63: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #64: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #65: @5 = 0.59375 */
-  w05 = 5.9375000000000000e-01;
-  /* #66: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #67: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #65: @6 = 0.59375 */
+  w06 = 5.9375000000000000e-01;
+  /* #66: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #67: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #68: @5 = 0.625 */
-  w05 = 6.2500000000000000e-01;
-  /* #69: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #70: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #68: @6 = 0.625 */
+  w06 = 6.2500000000000000e-01;
+  /* #69: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #70: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #71: @5 = 0.65625 */
-  w05 = 6.5625000000000000e-01;
-  /* #72: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #73: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #71: @6 = 0.65625 */
+  w06 = 6.5625000000000000e-01;
+  /* #72: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #73: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #74: @5 = 0.6875 */
-  w05 = 6.8750000000000000e-01;
-  /* #75: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #76: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #74: @6 = 0.6875 */
+  w06 = 6.8750000000000000e-01;
+  /* #75: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #76: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #77: @5 = 0.71875 */
-  w05 = 7.1875000000000000e-01;
-  /* #78: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #79: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #77: @6 = 0.71875 */
+  w06 = 7.1875000000000000e-01;
+  /* #78: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #79: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #80: @5 = 0.75 */
-  w05 = 7.5000000000000000e-01;
-  /* #81: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #82: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #80: @6 = 0.75 */
+  w06 = 7.5000000000000000e-01;
+  /* #81: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #82: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #83: @5 = 0.78125 */
-  w05 = 7.8125000000000000e-01;
-  /* #84: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #85: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #83: @6 = 0.78125 */
+  w06 = 7.8125000000000000e-01;
+  /* #84: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #85: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #86: @5 = 0.8125 */
-  w05 = 8.1250000000000000e-01;
-  /* #87: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #88: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #86: @6 = 0.8125 */
+  w06 = 8.1250000000000000e-01;
+  /* #87: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #88: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #89: @5 = 0.84375 */
-  w05 = 8.4375000000000000e-01;
-  /* #90: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #91: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #89: @6 = 0.84375 */
+  w06 = 8.4375000000000000e-01;
+  /* #90: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #91: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #92: @5 = 0.875 */
-  w05 = 8.7500000000000000e-01;
-  /* #93: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #94: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #92: @6 = 0.875 */
+  w06 = 8.7500000000000000e-01;
+  /* #93: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #94: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #95: @5 = 0.90625 */
-  w05 = 9.0625000000000000e-01;
-  /* #96: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #97: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #95: @6 = 0.90625 */
+  w06 = 9.0625000000000000e-01;
+  /* #96: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #97: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #98: @5 = 0.9375 */
-  w05 = 9.3750000000000000e-01;
-  /* #99: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #100: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #98: @6 = 0.9375 */
+  w06 = 9.3750000000000000e-01;
+  /* #99: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #100: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #101: @5 = 0.96875 */
-  w05 = 9.6875000000000000e-01;
-  /* #102: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #103: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #101: @6 = 0.96875 */
+  w06 = 9.6875000000000000e-01;
+  /* #102: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #103: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #104: {@10, @0} = landing_with_derivative(@4, @1, @6, @8) */
-  arg1[0]=w04;
+  /* #104: {@10, @0} = landing_with_derivative(@5, @1, @7, @2) */
+  arg1[0]=w05;
   arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=w08;
+  arg1[2]=(&w07);
+  arg1[3]=w02;
   res1[0]=w10;
   res1[1]=w00;
   if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
@@ -14505,317 +14511,318 @@ static int casadi_f65(const casadi_real** arg, casadi_real** res, casadi_int* iw
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
   casadi_real a36, a37, a38, a39, a40, a41, a42, a43, a44, a45, a46, a47;
-  casadi_real a48, a49, a50, a51, a52, a53, a54, a55, a56, a57;
-  a00=arg[2]? arg[2][3] : 0;
-  a01=arg[1]? arg[1][3] : 0;
-  a02=arg[2]? arg[2][5] : 0;
-  a03=arg[2]? arg[2][0] : 0;
-  a04=(a02*a03);
-  a05=arg[0]? arg[0][0] : 0;
-  a05=(a03*a05);
-  a06=sin(a05);
-  a07=(a04*a06);
-  a07=(a01+a07);
-  a07=(a00*a07);
-  a08=arg[2]? arg[2][2] : 0;
-  a09=arg[2]? arg[2][4] : 0;
-  a05=cos(a05);
-  a10=1.;
-  a11=(a05+a10);
-  a11=(a02*a11);
-  a09=(a09-a11);
-  a11=arg[1]? arg[1][1] : 0;
-  a09=(a09+a11);
-  a09=(a08*a09);
-  a07=(a07+a09);
-  a09=(a07*a01);
-  a09=(-a09);
-  if (res[0]!=0) res[0][0]=a09;
-  a09=arg[2]? arg[2][1] : 0;
-  a12=arg[1]? arg[1][0] : 0;
-  a13=(a12-a11);
-  a14=sin(a13);
-  a15=sin(a12);
-  a16=(a14-a15);
-  a16=(a09*a16);
-  a16=(a16-a15);
-  a17=(2.*a09);
-  a18=(a17+a10);
-  a19=(a16/a18);
-  a20=cos(a12);
-  a13=cos(a13);
-  a21=(a20-a13);
-  a22=(a09*a21);
-  a22=(a22+a20);
-  a22=(a22/a18);
-  a23=(a09*a01);
-  a24=sin(a11);
-  a25=(a23*a24);
-  a26=arg[1]? arg[1][2] : 0;
-  a27=(2.*a26);
-  a28=(a01-a27);
-  a29=(a25*a28);
-  a30=(a29-a16);
-  a31=cos(a11);
-  a32=(a10-a31);
-  a32=(a17*a32);
-  a32=(a32+a10);
-  a33=(a30/a32);
-  a34=(a31-a10);
-  a34=(a09*a34);
-  a35=(a34/a32);
-  a36=casadi_sq(a26);
-  a37=(a36*a24);
-  a37=(a37+a14);
-  a37=(a09*a37);
-  a37=(a37-a07);
-  a38=(a35*a30);
-  a38=(a37-a38);
-  a39=(a34*a35);
-  a39=(a09-a39);
+  casadi_real a48, a49, a50, a51, a52, a53, a54, a55, a56, a57, a58, a59;
+  casadi_real a60, a61, a62, a63, a64;
+  a00=arg[2]? arg[2][1] : 0;
+  a01=arg[1]? arg[1][0] : 0;
+  a02=arg[1]? arg[1][1] : 0;
+  a03=(a01-a02);
+  a04=sin(a03);
+  a05=sin(a01);
+  a06=(a04-a05);
+  a06=(a00*a06);
+  a06=(a06-a05);
+  a07=(2.*a00);
+  a08=1.;
+  a09=(a07+a08);
+  a10=(a06/a09);
+  a11=cos(a01);
+  a03=cos(a03);
+  a12=(a11-a03);
+  a13=(a00*a12);
+  a13=(a13+a11);
+  a13=(a13/a09);
+  a14=arg[1]? arg[1][3] : 0;
+  a15=(a00*a14);
+  a16=sin(a02);
+  a17=(a15*a16);
+  a18=arg[1]? arg[1][2] : 0;
+  a19=(2.*a18);
+  a20=(a14-a19);
+  a21=(a17*a20);
+  a22=(a21-a06);
+  a23=cos(a02);
+  a24=(a08-a23);
+  a24=(a07*a24);
+  a24=(a24+a08);
+  a25=(a22/a24);
+  a26=(a23-a08);
+  a26=(a00*a26);
+  a27=(a26/a24);
+  a28=casadi_sq(a18);
+  a29=(a28*a16);
+  a29=(a29+a04);
+  a29=(a00*a29);
+  a30=arg[2]? arg[2][3] : 0;
+  a31=arg[2]? arg[2][5] : 0;
+  a32=arg[2]? arg[2][0] : 0;
+  a33=(a31*a32);
+  a34=arg[0]? arg[0][0] : 0;
+  a34=(a32*a34);
+  a35=sin(a34);
+  a36=(a33*a35);
+  a36=(a14+a36);
+  a36=(a30*a36);
+  a37=arg[2]? arg[2][2] : 0;
+  a38=arg[2]? arg[2][4] : 0;
+  a34=cos(a34);
+  a39=(a34+a08);
+  a39=(a31*a39);
+  a38=(a38-a39);
+  a38=(a38+a02);
+  a38=(a37*a38);
+  a36=(a36+a38);
+  a29=(a29-a36);
+  a38=(a27*a22);
+  a38=(a29-a38);
+  a39=(a26*a27);
+  a39=(a00-a39);
   a38=(a38/a39);
-  a40=(a35*a38);
-  a40=(a33-a40);
-  a41=(a13-a20);
-  a42=(a09*a41);
-  a42=(a42-a20);
+  a40=(a27*a38);
+  a40=(a25-a40);
+  a41=(a03-a11);
+  a42=(a00*a41);
+  a42=(a42-a11);
   a43=(a40*a42);
-  a44=(a38*a09);
-  a45=(a44*a13);
+  a44=(a38*a00);
+  a45=(a44*a03);
   a43=(a43-a45);
-  a45=(a23*a14);
-  a46=(a26-a01);
+  a45=(a15*a04);
+  a46=(a18-a14);
   a47=(a45*a46);
   a43=(a43+a47);
-  a47=(a15-a14);
-  a48=(a26*a47);
-  a49=(a01*a14);
+  a47=(a05-a04);
+  a48=(a18*a47);
+  a49=(a14*a04);
   a48=(a48+a49);
-  a48=(a09*a48);
-  a49=(a26*a15);
+  a48=(a00*a48);
+  a49=(a18*a05);
   a48=(a48+a49);
-  a49=(a26*a48);
+  a49=(a18*a48);
   a43=(a43+a49);
-  a49=(a22*a43);
-  a50=(a40*a16);
-  a51=(a44*a14);
+  a49=(a13*a43);
+  a50=(a40*a06);
+  a51=(a44*a04);
   a50=(a50-a51);
-  a51=(a09*a13);
-  a52=(a51*a01);
-  a53=(a01-a26);
+  a51=(a00*a03);
+  a52=(a51*a14);
+  a53=(a14-a18);
   a54=(a52*a53);
   a50=(a50+a54);
-  a54=(a26*a41);
-  a55=(a13*a01);
+  a54=(a18*a41);
+  a55=(a03*a14);
   a54=(a54-a55);
-  a54=(a09*a54);
-  a55=(a20*a26);
+  a54=(a00*a54);
+  a55=(a11*a18);
   a54=(a54-a55);
-  a56=(a26*a54);
+  a56=(a18*a54);
   a57=(a50+a56);
-  a57=(a57+a18);
+  a57=(a57+a09);
   a49=(a49/a57);
-  a19=(a19-a49);
-  a19=(-a19);
-  if (res[0]!=0) res[0][1]=a19;
-  a50=(a50+a17);
+  a10=(a10-a49);
+  a10=(-a10);
+  if (res[0]!=0) res[0][0]=a10;
+  a50=(a50+a07);
   a50=(a50+a56);
-  a50=(a50+a10);
-  if (res[0]!=0) res[0][2]=a50;
-  a10=(a43/a50);
-  if (res[0]!=0) res[0][3]=a10;
-  if (res[0]!=0) res[0][4]=a21;
-  a21=(a09*a47);
-  a29=(a29+a21);
-  a29=(a29+a15);
-  a21=(a29/a32);
-  a56=(a35*a29);
-  a37=(a37-a56);
-  a37=(a37/a39);
-  a56=(a35*a37);
-  a56=(a21-a56);
-  if (res[0]!=0) res[0][5]=a56;
-  a12=(2.*a12);
-  a11=(a11-a12);
-  if (res[0]!=0) res[0][6]=a11;
-  a11=0.;
-  if (res[0]!=0) res[0][7]=a11;
-  a05=(a05*a03);
-  a04=(a04*a05);
-  a04=(a37+a04);
-  a00=(a00*a04);
-  a06=(a06*a03);
-  a02=(a02*a06);
-  a02=(a02+a01);
-  a08=(a08*a02);
-  a00=(a00+a08);
-  a08=(a01*a00);
-  a07=(a07*a37);
-  a08=(a08+a07);
-  a08=(-a08);
-  if (res[1]!=0) res[1][0]=a08;
-  a08=(a13*a46);
-  a07=(a08-a55);
-  a07=(a09*a07);
-  a07=(a07-a55);
-  a02=(a07/a18);
-  a06=(a14*a46);
-  a03=(a15*a26);
-  a04=(a06-a03);
-  a05=(a09*a04);
-  a05=(a05-a03);
-  a05=(a05/a18);
-  a43=(a43*a05);
-  a05=(a09*a37);
-  a18=(a24*a05);
-  a31=(a31*a01);
-  a12=(a23*a31);
-  a18=(a18+a12);
-  a18=(a28*a18);
-  a12=(2.*a56);
-  a12=(a37-a12);
-  a25=(a25*a12);
-  a18=(a18+a25);
-  a25=(a18-a07);
-  a12=(a25/a32);
-  a33=(a33/a32);
-  a19=(a24*a01);
-  a17=(a17*a19);
-  a33=(a33*a17);
-  a12=(a12-a33);
-  a27=(a27*a56);
-  a24=(a24*a27);
-  a36=(a36*a31);
-  a24=(a24+a36);
-  a24=(a24+a08);
-  a24=(a09*a24);
-  a24=(a24-a00);
-  a25=(a35*a25);
-  a19=(a09*a19);
-  a00=(a19/a32);
-  a36=(a35/a32);
-  a36=(a36*a17);
-  a00=(a00+a36);
-  a30=(a30*a00);
-  a25=(a25-a30);
-  a25=(a24-a25);
-  a25=(a25/a39);
-  a30=(a38/a39);
-  a19=(a35*a19);
-  a34=(a34*a00);
-  a19=(a19+a34);
-  a30=(a30*a19);
-  a25=(a25-a30);
-  a30=(a35*a25);
-  a38=(a38*a00);
-  a30=(a30-a38);
-  a12=(a12-a30);
-  a42=(a42*a12);
-  a30=(a03-a06);
-  a38=(a09*a30);
-  a38=(a38+a03);
+  a50=(a50+a08);
+  if (res[0]!=0) res[0][1]=a50;
+  a08=(a43/a50);
+  if (res[0]!=0) res[0][2]=a08;
+  if (res[0]!=0) res[0][3]=a12;
+  a12=(a00*a47);
+  a21=(a21+a12);
+  a21=(a21+a05);
+  a12=(a21/a24);
+  a56=(a27*a21);
+  a29=(a29-a56);
+  a29=(a29/a39);
+  a56=(a27*a29);
+  a56=(a12-a56);
+  if (res[0]!=0) res[0][4]=a56;
+  a01=(2.*a01);
+  a02=(a02-a01);
+  if (res[0]!=0) res[0][5]=a02;
+  a02=0.;
+  if (res[0]!=0) res[0][6]=a02;
+  a01=(a36*a14);
+  a01=(-a01);
+  if (res[0]!=0) res[0][7]=a01;
+  a01=(a03*a46);
+  a10=(a01-a55);
+  a10=(a00*a10);
+  a10=(a10-a55);
+  a58=(a10/a09);
+  a59=(a04*a46);
+  a60=(a05*a18);
+  a61=(a59-a60);
+  a62=(a00*a61);
+  a62=(a62-a60);
+  a62=(a62/a09);
+  a43=(a43*a62);
+  a62=(a00*a29);
+  a09=(a16*a62);
+  a23=(a23*a14);
+  a63=(a15*a23);
+  a09=(a09+a63);
+  a09=(a20*a09);
+  a63=(2.*a56);
+  a63=(a29-a63);
+  a17=(a17*a63);
+  a09=(a09+a17);
+  a17=(a09-a10);
+  a63=(a17/a24);
+  a25=(a25/a24);
+  a64=(a16*a14);
+  a07=(a07*a64);
+  a25=(a25*a07);
+  a63=(a63-a25);
+  a19=(a19*a56);
+  a16=(a16*a19);
+  a28=(a28*a23);
+  a16=(a16+a28);
+  a16=(a16+a01);
+  a16=(a00*a16);
+  a34=(a34*a32);
+  a33=(a33*a34);
+  a33=(a29+a33);
+  a30=(a30*a33);
+  a35=(a35*a32);
+  a31=(a31*a35);
+  a31=(a31+a14);
+  a37=(a37*a31);
+  a30=(a30+a37);
+  a16=(a16-a30);
+  a17=(a27*a17);
+  a64=(a00*a64);
+  a37=(a64/a24);
+  a31=(a27/a24);
+  a31=(a31*a07);
+  a37=(a37+a31);
+  a22=(a22*a37);
+  a17=(a17-a22);
+  a17=(a16-a17);
+  a17=(a17/a39);
+  a22=(a38/a39);
+  a64=(a27*a64);
+  a26=(a26*a37);
+  a64=(a64+a26);
+  a22=(a22*a64);
+  a17=(a17-a22);
+  a22=(a27*a17);
+  a38=(a38*a37);
+  a22=(a22-a38);
+  a63=(a63-a22);
+  a42=(a42*a63);
+  a22=(a60-a59);
+  a38=(a00*a22);
+  a38=(a38+a60);
   a38=(a40*a38);
   a42=(a42+a38);
-  a25=(a09*a25);
-  a38=(a13*a25);
-  a34=(a44*a06);
-  a38=(a38-a34);
+  a17=(a00*a17);
+  a38=(a03*a17);
+  a26=(a44*a59);
+  a38=(a38-a26);
   a42=(a42-a38);
-  a05=(a14*a05);
-  a23=(a23*a08);
-  a05=(a05+a23);
-  a46=(a46*a05);
-  a05=(a56-a37);
-  a45=(a45*a05);
+  a62=(a04*a62);
+  a15=(a15*a01);
+  a62=(a62+a15);
+  a46=(a46*a62);
+  a62=(a56-a29);
+  a45=(a45*a62);
   a46=(a46+a45);
   a42=(a42+a46);
   a48=(a48*a56);
   a47=(a47*a56);
-  a46=(a55-a08);
-  a45=(a26*a46);
+  a46=(a55-a01);
+  a45=(a18*a46);
   a47=(a47+a45);
-  a45=(a14*a37);
-  a05=(a01*a08);
-  a45=(a45+a05);
+  a45=(a04*a29);
+  a62=(a14*a01);
+  a45=(a45+a62);
   a47=(a47+a45);
-  a47=(a09*a47);
-  a15=(a15*a56);
-  a45=(a26*a55);
-  a15=(a15+a45);
-  a47=(a47+a15);
-  a47=(a26*a47);
+  a47=(a00*a47);
+  a05=(a05*a56);
+  a45=(a18*a55);
+  a05=(a05+a45);
+  a47=(a47+a05);
+  a47=(a18*a47);
   a48=(a48+a47);
   a42=(a42+a48);
-  a22=(a22*a42);
-  a43=(a43+a22);
+  a13=(a13*a42);
+  a43=(a43+a13);
   a43=(a43/a57);
   a49=(a49/a57);
-  a16=(a16*a12);
-  a40=(a40*a07);
-  a16=(a16+a40);
-  a14=(a14*a25);
-  a44=(a44*a08);
-  a14=(a14+a44);
-  a16=(a16-a14);
-  a51=(a51*a37);
-  a14=(a09*a06);
-  a14=(a01*a14);
-  a51=(a51-a14);
+  a06=(a06*a63);
+  a40=(a40*a10);
+  a06=(a06+a40);
+  a04=(a04*a17);
+  a44=(a44*a01);
+  a04=(a04+a44);
+  a06=(a06-a04);
+  a51=(a51*a29);
+  a04=(a00*a59);
+  a04=(a14*a04);
+  a51=(a51-a04);
   a53=(a53*a51);
-  a51=(a37-a56);
+  a51=(a29-a56);
   a52=(a52*a51);
   a53=(a53+a52);
-  a16=(a16+a53);
+  a06=(a06+a53);
   a54=(a54*a56);
   a41=(a41*a56);
-  a30=(a26*a30);
-  a41=(a41+a30);
-  a13=(a13*a37);
-  a01=(a01*a06);
-  a13=(a13-a01);
-  a41=(a41-a13);
-  a41=(a09*a41);
-  a20=(a20*a56);
-  a03=(a26*a03);
-  a20=(a20-a03);
-  a41=(a41-a20);
-  a26=(a26*a41);
-  a54=(a54+a26);
-  a16=(a16+a54);
-  a49=(a49*a16);
+  a22=(a18*a22);
+  a41=(a41+a22);
+  a03=(a03*a29);
+  a59=(a14*a59);
+  a03=(a03-a59);
+  a41=(a41-a03);
+  a41=(a00*a41);
+  a11=(a11*a56);
+  a60=(a18*a60);
+  a11=(a11-a60);
+  a41=(a41-a11);
+  a18=(a18*a41);
+  a54=(a54+a18);
+  a06=(a06+a54);
+  a49=(a49*a06);
   a43=(a43-a49);
-  a02=(a02-a43);
-  a02=(-a02);
-  if (res[1]!=0) res[1][1]=a02;
-  if (res[1]!=0) res[1][2]=a16;
+  a58=(a58-a43);
+  a58=(-a58);
+  if (res[1]!=0) res[1][0]=a58;
+  if (res[1]!=0) res[1][1]=a06;
   a42=(a42/a50);
-  a10=(a10/a50);
-  a10=(a10*a16);
-  a42=(a42-a10);
-  if (res[1]!=0) res[1][3]=a42;
-  if (res[1]!=0) res[1][4]=a04;
-  a09=(a09*a46);
-  a18=(a18+a09);
-  a18=(a18+a55);
-  a55=(a18/a32);
-  a21=(a21/a32);
-  a21=(a21*a17);
-  a55=(a55-a21);
-  a18=(a35*a18);
-  a29=(a29*a00);
-  a18=(a18-a29);
-  a24=(a24-a18);
-  a24=(a24/a39);
-  a39=(a37/a39);
-  a39=(a39*a19);
-  a24=(a24-a39);
-  a35=(a35*a24);
-  a37=(a37*a00);
-  a35=(a35-a37);
-  a55=(a55-a35);
-  if (res[1]!=0) res[1][5]=a55;
-  if (res[1]!=0) res[1][6]=a28;
-  if (res[1]!=0) res[1][7]=a11;
+  a08=(a08/a50);
+  a08=(a08*a06);
+  a42=(a42-a08);
+  if (res[1]!=0) res[1][2]=a42;
+  if (res[1]!=0) res[1][3]=a61;
+  a00=(a00*a46);
+  a09=(a09+a00);
+  a09=(a09+a55);
+  a55=(a09/a24);
+  a12=(a12/a24);
+  a12=(a12*a07);
+  a55=(a55-a12);
+  a09=(a27*a09);
+  a21=(a21*a37);
+  a09=(a09-a21);
+  a16=(a16-a09);
+  a16=(a16/a39);
+  a39=(a29/a39);
+  a39=(a39*a64);
+  a16=(a16-a39);
+  a27=(a27*a16);
+  a37=(a29*a37);
+  a27=(a27-a37);
+  a55=(a55-a27);
+  if (res[1]!=0) res[1][4]=a55;
+  if (res[1]!=0) res[1][5]=a20;
+  if (res[1]!=0) res[1][6]=a02;
+  a14=(a14*a30);
+  a36=(a36*a29);
+  a14=(a14+a36);
+  a14=(-a14);
+  if (res[1]!=0) res[1][7]=a14;
   return 0;
 }
 
@@ -15321,8 +15328,9 @@ static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:3] */
   for (rr=w06, cs=w01+0; cs!=w01+3; cs+=1) *rr++ = *cs;
-  /* #8: {@1, NULL} = start(@6) */
+  /* #8: {@1, NULL} = start(@6, @4) */
   arg1[0]=w06;
+  arg1[1]=w04;
   res1[0]=w01;
   res1[1]=0;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
@@ -15545,8 +15553,9 @@ static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:3] */
   for (rr=w06, cs=w01+0; cs!=w01+3; cs+=1) *rr++ = *cs;
-  /* #8: {@1, NULL} = start(@6) */
+  /* #8: {@1, NULL} = start(@6, @4) */
   arg1[0]=w06;
+  arg1[1]=w04;
   res1[0]=w01;
   res1[1]=0;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
@@ -15811,8 +15820,9 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:3] */
   for (rr=w06, cs=w01+0; cs!=w01+3; cs+=1) *rr++ = *cs;
-  /* #8: {@1, NULL} = start(@6) */
+  /* #8: {@1, NULL} = start(@6, @4) */
   arg1[0]=w06;
+  arg1[1]=w04;
   res1[0]=w01;
   res1[1]=0;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
@@ -16120,8 +16130,9 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:3] */
   for (rr=w06, cs=w01+0; cs!=w01+3; cs+=1) *rr++ = *cs;
-  /* #8: {@1, NULL} = start(@6) */
+  /* #8: {@1, NULL} = start(@6, @4) */
   arg1[0]=w06;
+  arg1[1]=w04;
   res1[0]=w01;
   res1[1]=0;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
@@ -16513,8 +16524,9 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:3] */
   for (rr=w06, cs=w01+0; cs!=w01+3; cs+=1) *rr++ = *cs;
-  /* #8: {@1, NULL} = start(@6) */
+  /* #8: {@1, NULL} = start(@6, @4) */
   arg1[0]=w06;
+  arg1[1]=w04;
   res1[0]=w01;
   res1[1]=0;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
@@ -16992,8 +17004,9 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:3] */
   for (rr=w06, cs=w01+0; cs!=w01+3; cs+=1) *rr++ = *cs;
-  /* #8: {@1, NULL} = start(@6) */
+  /* #8: {@1, NULL} = start(@6, @4) */
   arg1[0]=w06;
+  arg1[1]=w04;
   res1[0]=w01;
   res1[1]=0;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
@@ -17640,8 +17653,9 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:3] */
   for (rr=w06, cs=w01+0; cs!=w01+3; cs+=1) *rr++ = *cs;
-  /* #8: {@1, NULL} = start(@6) */
+  /* #8: {@1, NULL} = start(@6, @4) */
   arg1[0]=w06;
+  arg1[1]=w04;
   res1[0]=w01;
   res1[1]=0;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
@@ -18459,8 +18473,9 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:3] */
   for (rr=w006, cs=w001+0; cs!=w001+3; cs+=1) *rr++ = *cs;
-  /* #8: {@1, NULL} = start(@6) */
+  /* #8: {@1, NULL} = start(@6, @4) */
   arg1[0]=w006;
+  arg1[1]=w004;
   res1[0]=w001;
   res1[1]=0;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
@@ -19616,8 +19631,9 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:3] */
   for (rr=w006, cs=w001+0; cs!=w001+3; cs+=1) *rr++ = *cs;
-  /* #8: {@1, NULL} = start(@6) */
+  /* #8: {@1, NULL} = start(@6, @4) */
   arg1[0]=w006;
+  arg1[1]=w004;
   res1[0]=w001;
   res1[1]=0;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
