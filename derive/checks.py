@@ -15,14 +15,14 @@ import sympy as sp
 from stridemap.errors import InputError
 
 if TYPE_CHECKING:
-    from stridemap.derive.declaration import Parameter, Walker
+    from stridemap.derive.declaration import Coordinate, Parameter, Walker
     from stridemap.derive.mechanics import Mechanics
 
 RESERVED = frozenset(
-    "t q v p z u xp M h dh side d com foot force zmp mass weight pull length positions masses kinetic potential "
-    "auto break case char const continue default do double else enum extern float for goto if inline int long "
-    "register restrict return short signed sizeof static struct switch typedef union unsigned void volatile "
-    "while sin cos tan sqrt exp log pow abs main period status stable model params state".split()
+    "t q v p z u xp M h dh side d com foot force zmp mass weight pull length positions masses kinetic "
+    "potential auto break case char const continue default do double else enum extern float for goto if inline "
+    "int long register restrict return short signed sizeof static struct switch typedef union unsigned void "
+    "volatile while sin cos tan sqrt exp log pow abs main period status stable model params state".split()
 ) | frozenset(keyword.kwlist)
 """Names that mean something else in generated code or in tables."""
 
@@ -72,10 +72,13 @@ def _names(walker: "Walker") -> None:
     for kind, name in kinds:
         if not name.isidentifier() or not name.isascii() or name.startswith("_"):
             _refuse(
-                walker, f"the {kind} {name!r} is no name for generated code; use letters, digits and underscores"
+                walker,
+                f"the {kind} {name!r} is no name for generated code; use letters, digits and underscores",
             )
         if name in RESERVED and kind != "model":
-            _refuse(walker, f"the {kind} {name} has a name that generated code needs itself; call it otherwise")
+            _refuse(
+                walker, f"the {kind} {name} has a name that generated code needs itself; call it otherwise"
+            )
         if kind != "model" and name in seen:
             if {kind, seen[name]} == {"parameter", "coordinate"}:
                 _refuse(walker, f"the parameter {name} shadows the coordinate {name}; rename one of them")
@@ -101,14 +104,16 @@ def _parameters(parameters: "Iterable[Parameter]", model: str) -> None:
 def _references(walker: "Walker") -> None:
     """What names coordinates names those of the model."""
     symbols, rates = list(walker.q), list(walker.v)
-    named = [("torques", c) for c in walker.torques]
+    named: list[tuple[str, Coordinate | None]] = [("torques", c) for c in walker.torques]
     named += [("massless", c) for c in (walker.massless.coordinates if walker.massless else ())]
     named += [("stance_angle", walker.stance_angle), ("wobbling", walker.wobbling)]
     for where, coordinate in named:
         if coordinate is not None and coordinate not in walker.coordinates:
             known = ", ".join(c.name for c in walker.coordinates)
             name = getattr(coordinate, "name", coordinate)
-            _refuse(walker, f"{where} names {name}, which is no coordinate of it; its coordinates are {known}")
+            _refuse(
+                walker, f"{where} names {name}, which is no coordinate of it; its coordinates are {known}"
+            )
     for symbol in walker.relabel:
         if symbol not in symbols:
             _refuse(walker, f"relabel gives {symbol} a new value, but that is no coordinate of it")
@@ -164,7 +169,7 @@ def _symbols(walker: "Walker") -> None:
     parameters = {a.symbol for a in walker.parameters}
     q, v, base = set(walker.q), set(walker.v), set(STANCE_FOOT)
     massless = {walker.massless.mass} if walker.massless is not None else set()
-    if massless & parameters:
+    if walker.massless is not None and massless & parameters:
         _refuse(walker, f"{walker.massless.mass} goes to zero, so it cannot be a parameter; take it out")
     allowed = {
         "mass": parameters | massless,
@@ -199,7 +204,9 @@ def _symbols(walker: "Walker") -> None:
         for symbol in sorted(value.free_symbols - known, key=str):
             twin = names.get(symbol.name)
             if twin is not None and twin != symbol:
-                cure = f"it is not the declared {symbol}: take Parameter(...).symbol or Coordinate(...).symbol"
+                cure = (
+                    f"it is not the declared {symbol}: take Parameter(...).symbol or Coordinate(...).symbol"
+                )
             elif twin is not None:
                 cure = "that may not stand there"
             else:
@@ -228,7 +235,9 @@ def _search(walker: "Walker") -> None:
         if name not in known:
             _refuse(walker, f"search_box names {name}, which is neither a coordinate nor a rate of it")
         if len(box) != 2 or not all(math.isfinite(x) for x in box) or box[1] < 0:
-            _refuse(walker, f"search_box gives {name} {box}; a middle and a half-width of at least 0 are needed")
+            _refuse(
+                walker, f"search_box gives {name} {box}; a middle and a half-width of at least 0 are needed"
+            )
     low, high = walker.period_range
     if not 0 < low < high < math.inf:
         _refuse(walker, f"period_range = {walker.period_range} is not allowed; 0 < shortest < longest")

@@ -17,6 +17,9 @@ STANCE_FOOT = sp.Matrix(sp.symbols("stance_x stance_y", real=True))
 Of a point foot it is the point; of a rolling foot, the centre of its arc.
 """
 
+DOWN = sp.ImmutableMatrix([0, -1])
+ORIGIN = sp.ImmutableMatrix([0, 0])
+
 TIME = sp.Symbol("t", real=True)
 """Time since the last touchdown."""
 
@@ -212,6 +215,7 @@ class Units:
         return f"{unit} sqrt(g/L)" if self.time == "sqrt(L/g)" else f"{unit}/{self.time}"
 
 
+DIMENSIONLESS = Units()
 SI = Units("kg", "m", "s", "J")
 """Units of a model that is written with a parameter for gravity."""
 
@@ -291,12 +295,12 @@ class Walker:
     touchdown: Touchdown
     relabel: Mapping[sp.Symbol, sp.Expr]
     search_box: Mapping[str, tuple[float, float]]
-    gravity: sp.Matrix = sp.ImmutableMatrix([0, -1])
+    gravity: sp.Matrix = DOWN
     potentials: Mapping[str, sp.Expr] = field(default_factory=dict)
     dissipation: sp.Expr = sp.S.Zero
     torques: Mapping[Coordinate, sp.Expr] = field(default_factory=dict)
     clock: Clock | None = None
-    stance: sp.Matrix = sp.ImmutableMatrix([0, 0])
+    stance: sp.Matrix = ORIGIN
     locks: tuple[sp.Expr, ...] = ()
     massless: Massless | None = None
     section: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
@@ -305,7 +309,7 @@ class Walker:
     wobbling: Coordinate | None = None
     drawing: tuple[Line, ...] = ()
     period_range: tuple[float, float] = (0.3, 3.0)
-    units: Units = Units()
+    units: Units = DIMENSIONLESS
     sources: Mapping[str, str] = field(default_factory=dict)
 
     def __post_init__(self) -> None:

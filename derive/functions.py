@@ -118,9 +118,7 @@ class Functions:
         names = ", ".join(c.name for c in self.walker.torques)
         out = Output("u", self.mechanics.applied_torques, f"torque on {names}")
         summary = "Torque of the controller" if len(self.walker.torques) == 1 else "Torques of the controller"
-        return self._close(
-            Builder(), "controller_torque", summary, self._source("controller_torque"), [out]
-        )
+        return self._close(Builder(), "controller_torque", summary, self._source("controller_torque"), [out])
 
     def _force(self, torques: Iterable[sp.Expr]) -> sp.Matrix:
         m = self.mechanics
@@ -172,7 +170,12 @@ class Functions:
 
     @staticmethod
     def _columns(
-        b: Builder, residual: sp.Matrix, wrt: sp.Matrix, held: sp.Matrix, solution: sp.Matrix, factors: Factors
+        b: Builder,
+        residual: sp.Matrix,
+        wrt: sp.Matrix,
+        held: sp.Matrix,
+        solution: sp.Matrix,
+        factors: Factors,
     ) -> list[sp.Matrix]:
         """Derivatives of the solution of ``residual = 0``, in which it stands as `held`."""
         back = dict(zip(held, solution, strict=True))
@@ -278,16 +281,16 @@ class Functions:
         held = simplified(self.mechanics.potential_energy)
         out = Output("potential", held, f"potential energy, in {energy}, zero level on the ground")
         terms = ", ".join(self.mechanics.potentials)
-        return self._close(
-            Builder(), "potential_energy", "Potential energy", f"sum over {terms}", [out]
-        )
+        return self._close(Builder(), "potential_energy", "Potential energy", f"sum over {terms}", [out])
 
     def total_mass(self) -> Program:
         """Mass and weight of the whole walker."""
         outputs = [
             Output("mass", simplified(self.mechanics.total_mass), f"mass, in {self.walker.units.mass}"),
             Output("weight", self.mechanics.weight, "mass times the acceleration of gravity"),
-            Output("pull", self.mechanics.pull, "component of the weight along the ground, in walking direction"),
+            Output(
+                "pull", self.mechanics.pull, "component of the weight along the ground, in walking direction"
+            ),
         ]
         summary = "Mass and weight of the whole walker"
         return self._close(Builder(), "total_mass", summary, "sum over the bodies", outputs)

@@ -96,7 +96,10 @@ class Batch:
             values = next(rows) if outcome.found else {"residual": float(self.residual[i])}
             out.append(
                 Orbit(
-                    self.model.source, dict(zip(names, self.params[i].tolist(), strict=True)), outcome, **values
+                    self.model.source,
+                    dict(zip(names, self.params[i].tolist(), strict=True)),
+                    outcome,
+                    **values,
                 )
             )
         return out

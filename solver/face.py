@@ -1,6 +1,7 @@
 """The solver's public functions for one point, by model name and keyword parameters."""
 
 from collections.abc import Mapping
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -12,13 +13,15 @@ from stridemap.solver.orbit import Orbit
 from stridemap.solver.simulate import Walk, walk
 
 
-def find_orbits(model: str, *, options: search.SearchOptions | None = None, **params: float) -> list[Orbit]:
+def find_orbits(
+    model: str | Path, *, options: search.SearchOptions | None = None, **params: float
+) -> list[Orbit]:
     """All limit cycles at one point of parameter space, ordered by period.
 
     Parameters
     ----------
-    model : str
-        Name of a built-in model.
+    model : str or path
+        Name of a built-in model, path of a model file (``.py``), or folder that `stridemap derive` wrote.
     options : SearchOptions, optional
     **params : float
         Parameters by name; what is not given comes from the preset.
@@ -42,12 +45,15 @@ def find_orbits(model: str, *, options: search.SearchOptions | None = None, **pa
     return search.find_orbits(loaded, loaded.point(params)[None, :], options)[0]
 
 
-def simulate(model: str, state: Mapping[str, Any] | None = None, *, steps: int = 10, **params: float) -> Walk:
+def simulate(
+    model: str | Path, state: Mapping[str, Any] | None = None, *, steps: int = 10, **params: float
+) -> Walk:
     """Walk from a state just after touchdown, with an event-driven integrator.
 
     Parameters
     ----------
-    model : str
+    model : str or path
+        As for `find_orbits`.
     state : mapping of str to float, optional
         Section point; by default the limit cycle with the smallest largest multiplier at that point.
     steps : int

@@ -72,7 +72,9 @@ class Oscillator:
 
     def __init__(self, model: Model, angle: ca.SX, t: ca.SX, p: ca.SX) -> None:
         self.model = model
-        self.at = ca.Function("phase", [t, p], [ca.vertcat(ca.cos(angle), ca.sin(angle))], ["t", "p"], ["phase"])
+        self.at = ca.Function(
+            "phase", [t, p], [ca.vertcat(ca.cos(angle), ca.sin(angle))], ["t", "p"], ["phase"]
+        )
 
     @staticmethod
     def later(start: ca.SX, turn: ca.SX) -> ca.SX:
@@ -122,7 +124,9 @@ def clock_of(model: Model) -> Oscillator | PlainTime:
     return Oscillator(model, angle, t, p)
 
 
-def _called(model: Model, name: str, namespace: Sines, t: ca.SX, values: dict[str, ca.SX]) -> dict[str, ca.SX]:
+def _called(
+    model: Model, name: str, namespace: Sines, t: ca.SX, values: dict[str, ca.SX]
+) -> dict[str, ca.SX]:
     inputs = [entry["name"] for entry in model.manifest["functions"][name]["inputs"]]
     scalars = [t if key == "t" else ca.vertsplit(values[key]) for key in inputs]
     result = getattr(model.equations, name)(namespace, *scalars)

@@ -91,10 +91,7 @@ class StepMap:
         """One Runge-Kutta step: (y, phase, turns, h, p) -> y, for a rate of (phase, y, p)."""
         phase, turns, h = ca.SX.sym("phase", 2), ca.SX.sym("turns", 2, STAGES), ca.SX.sym("h")
         p = ca.SX.sym("p", self.n_params)
-        phases = [
-            self._clock.later(phase, turns[:, i]) if node else phase
-            for i, node in enumerate(NODES)
-        ]
+        phases = [self._clock.later(phase, turns[:, i]) if node else phase for i, node in enumerate(NODES)]
         end = step(lambda s, x: rate(s, x, p), phases, y, h)
         inputs = {"y": y, "phase": phase, "turns": turns, "h": h, "p": p}
         return ca.Function(name, [*inputs.values()], [ca.cse(end)], [*inputs], ["y_end"])

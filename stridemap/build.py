@@ -19,6 +19,7 @@ from stridemap.derive.declaration import Walker
 from stridemap.derive.emit import emit
 from stridemap.derive.models import WALKERS
 from stridemap.errors import InputError
+from stridemap.solver.compiler import cache_folder
 
 MANIFEST = "manifest.json"
 

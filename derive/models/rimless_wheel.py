@@ -15,7 +15,9 @@ import sympy as sp
 from stridemap.derive import STANCE_FOOT, Body, Coordinate, Line, Parameter, Touchdown, Units, Walker
 from stridemap.derive.models.slope import SLOPE, downhill
 
-THETA = Coordinate("theta", "rad", "angle of the stance spoke from the ground's normal, positive leaning ahead")
+THETA = Coordinate(
+    "theta", "rad", "angle of the stance spoke from the ground's normal, positive leaning ahead"
+)
 SPOKES = Parameter("spokes", 6.0, "1", "number of spokes", 3.0)
 LAMBDA2 = Parameter(
     "lambda2", 2 / 3, "1", "m l^2 / (I + m l^2) with the moment of inertia I about the hub", 0.0, 1.0, True

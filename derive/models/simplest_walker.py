@@ -15,7 +15,7 @@ Syst. B 21 (2014) 137-148, agree to 4e-12).
 
 import sympy as sp
 
-from stridemap.derive import STANCE_FOOT, Body, Coordinate, Line, Massless, Parameter, Touchdown, Walker
+from stridemap.derive import STANCE_FOOT, Body, Coordinate, Line, Massless, Touchdown, Walker
 from stridemap.derive.models.slope import SLOPE, downhill
 
 THETA = Coordinate("theta", "rad", "angle of the stance leg from the ground's normal, positive leaning back")

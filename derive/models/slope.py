@@ -4,7 +4,9 @@ import sympy as sp
 
 from stridemap.derive.declaration import Parameter
 
-SLOPE = Parameter("slope", 0.009, "rad", "angle by which the ground falls in the walking direction", -1.5, 1.5)
+SLOPE = Parameter(
+    "slope", 0.009, "rad", "angle by which the ground falls in the walking direction", -1.5, 1.5
+)
 
 
 def downhill(slope: sp.Expr) -> sp.Matrix:
