@@ -126,6 +126,12 @@ LANE_BY_LANE(fabs)
 LANE_BY_LANE(tan)
 LANE_BY_LANE(exp)
 LANE_BY_LANE(log)
+LANE_BY_LANE(asin)
+LANE_BY_LANE(acos)
+LANE_BY_LANE(atan)
+LANE_BY_LANE(sinh)
+LANE_BY_LANE(cosh)
+LANE_BY_LANE(tanh)
 
 static inline Lanes fmax(Lanes x, Lanes y)
 {
