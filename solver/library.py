@@ -144,7 +144,7 @@ class InterpretedKernels(Kernels):
 
 
 class LockstepKernels(Kernels):
-    """Kernels as machine code for several points an instruction.
+    """Kernels as machine code for several points an instruction; the others differ in the last digits.
 
     Parameters
     ----------

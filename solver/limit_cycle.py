@@ -73,6 +73,10 @@ class Solver:
         """Runge-Kutta steps with which limit cycles of these periods are first computed, shape (n,)."""
         return self._resolution(self._phase(period, params), CYCLE_STEPS, per_step=CYCLE_PHASE)
 
+    def search_steps(self, period: Array, params: Array) -> NDArray[np.int64]:
+        """Runge-Kutta steps of a search near a period, shape (n,)."""
+        return self._resolution(self._phase(period, params), SEARCH_STEPS, per_step=SEARCH_PHASE)
+
     # -- search ------------------------------------------------------------------------------------------
 
     def search(self, guesses: Array, params: Array) -> tuple[Array, NDArray[np.bool_]]:
@@ -93,8 +97,7 @@ class Solver:
         """
         u = np.full(guesses.shape, np.nan)
         closed = np.zeros(len(guesses), dtype=bool)
-        phase = self._phase(guesses[:, -1], params)
-        steps = self._resolution(phase, SEARCH_STEPS, per_step=SEARCH_PHASE)
+        steps = self.search_steps(guesses[:, -1], params)
         for n in np.unique(steps):
             at = np.flatnonzero(steps == n)
             u[at], residual = self.kernels(f"search_{n}", guesses[at], params[at])

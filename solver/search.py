@@ -14,6 +14,10 @@ from stridemap.solver.orbit import Orbit
 
 Array = NDArray[np.float64]
 
+STARTS_MAX = 1_000_000
+STARTS_PER_SECOND = 5_000
+"""Assumed speed of the search, used only to say what too many starts would cost."""
+
 DUPLICATE = 1e-6
 """Largest difference, in any section coordinate or the period, between two solutions that are one."""
 
@@ -48,6 +52,12 @@ class SearchOptions:
     def __post_init__(self) -> None:
         if self.starts < 1:
             raise InputError(f"starts = {self.starts} is not allowed: at least 1 start is needed")
+        if self.starts > STARTS_MAX:
+            hours = self.starts / STARTS_PER_SECOND / 3600
+            raise InputError(
+                f"starts = {self.starts:,} is not allowed: at most {STARTS_MAX:,} (so many would take about "
+                f"{hours:.2g} hours a point); a few hundred find nearly every cycle"
+            )
         low, high = self.period_range
         if not (0 < low < np.inf and low < high <= np.inf) or self.period_max == np.inf:
             raise InputError(
@@ -87,7 +97,7 @@ def starts(model: Model, options: SearchOptions, point: int = 0) -> Array:
     model : Model
     options : SearchOptions
     point : int
-        Each point of a grid gets starts of its own.
+        Points of a grid may get starts of their own.
 
     Returns
     -------
@@ -123,8 +133,8 @@ def find_orbits(model: Model, points: Array, options: SearchOptions | None = Non
         return []
     solver = Solver.of(model)
     cell = np.repeat(np.arange(len(points)), options.starts)
-    guesses = [starts(model, options, i) for i in range(len(points))]
-    u, closed = solver.search(np.concatenate(guesses), points[cell])
+    # The same starts for each: what is found at a point does not depend on the others.
+    u, closed = solver.search(np.tile(starts(model, options), (len(points), 1)), points[cell])
     cell, u = distinct(cell[closed], u[closed])
     orbits = solver.complete(u, points[cell], options.period_range)
     return merge(len(points), cell, orbits)

@@ -235,6 +235,17 @@ def test_orbits_are_those_of_one_point_at_a_time(monkeypatch):
         assert a.work == pytest.approx(b.work, abs=1e-10)
 
 
+@pytest.mark.parametrize("compiler", ["gcc", "clang"])
+def test_the_compiler_does_not_change_a_bit(compiler):
+    if not shutil.which(compiler):
+        pytest.skip(f"there is no {compiler}")
+    model = load("compass")
+    u, params = cases(model, 40)
+    for kernel in KERNELS:
+        expected = lockstep_kernels(model)(kernel, u, params)
+        assert_same_bits(LockstepKernels(model, compiler)(kernel, u, params), expected)
+
+
 def test_cache_of_several_machines_keeps_their_libraries_apart(tmp_path, monkeypatch):
     monkeypatch.setenv("STRIDEMAP_CACHE", str(tmp_path / "cache"))
     text = 'extern "C" int one() { return 1; }\n'
