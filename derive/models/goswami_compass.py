@@ -13,7 +13,7 @@ from stridemap.derive import STANCE_FOOT, Body, Line, Parameter, Touchdown, Unit
 from stridemap.derive.models.compass import THETA1, THETA2
 from stridemap.derive.models.slope import SLOPE, downhill
 
-MU = Parameter("mu", 2.0, "m", "mass at the hip, in terms of a leg's", 0.0)
+MU = Parameter("mu", 2.0, "1", "mass at the hip, in terms of the mass of a leg", 0.0)
 BETA = Parameter("beta", 1.0, "1", "distance from hip to a leg's mass, over that from there to the foot", 0.0)
 theta1, theta2, beta = THETA1.symbol, THETA2.symbol, BETA.symbol
 
