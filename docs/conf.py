@@ -1,16 +1,18 @@
 """How the pages are built: `make docs`. Nothing here needs the network, nor do the pages that come out."""
 
+import enum
+import functools
 import os
 import sys
 from importlib.metadata import version as installed
 from pathlib import Path
+from types import FunctionType, MethodType
 
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE / "extensions"))
 
 # As in any terminal without a screen; set before the examples import matplotlib.
 os.environ["MPLBACKEND"] = "Agg"
-os.environ["COLUMNS"] = "96"
 
 project = "stridemap"
 author = "the stridemap authors"
@@ -23,15 +25,13 @@ extensions = [
     "numpydoc",
     "sphinx_gallery.gen_gallery",
     "commands",
+    "contents",
     "mathml",
     "quantities",
 ]
 exclude_patterns = ["_build", "gallery/*.ipynb", "gallery/*.json", "gallery/*.py", "images/*.md"]
 # In docstrings a name between single backticks is a name of ours.
 default_role = "py:obj"
-
-# Pages that tell of commands which not every version has stand in the contents where they exist.
-suppress_warnings = ["toc.empty_glob"]
 
 myst_enable_extensions = ["colon_fence", "dollarmath"]
 myst_heading_anchors = 3
@@ -41,6 +41,7 @@ autodoc_typehints = "none"
 autodoc_default_options = {"members": True, "undoc-members": False}
 numpydoc_show_class_members = False
 numpydoc_xref_param_type = False
+toc_object_entries_show_parents = "hide"
 
 html_math_renderer = "mathml"
 html_theme = "furo"
@@ -71,3 +72,14 @@ sphinx_gallery_conf = {
     "matplotlib_animations": False,
     "image_srcset": ["2x"],
 }
+
+DOCUMENTED = (FunctionType, MethodType, classmethod, property, functools.cached_property, enum.Enum)
+
+
+def _left_out(app, what, name, member, skip, options):
+    """Leave out the fields of records: the parameters above them say what they are."""
+    return True if what == "class" and not isinstance(member, DOCUMENTED) else None
+
+
+def setup(app):
+    app.connect("autodoc-skip-member", _left_out)

@@ -67,31 +67,28 @@ print(source[start : source.index("\n}\n", start) + 2])
 # %%
 # By hand
 # -------
-# Put the stance foot at the origin, with :math:`s_1 = \sin\theta_1`, :math:`c_1 = \cos\theta_1`. The hip is
-# at :math:`(-s_1, c_1)`, so its speed is :math:`\dot\theta_1` squared; the wobbling mass has :math:`\dot x`
-# more in the horizontal; the swing foot is the hip and a leg that turns at :math:`\dot\theta_1 -
-# \dot\theta_2`:
+# Put the stance foot at the origin, and write :math:`w_1, w_2, w_x` for the rates of :math:`\theta_1`,
+# :math:`\theta_2`, :math:`x`. The hip is at :math:`(-\sin\theta_1, \cos\theta_1)`, so its speed is
+# :math:`w_1`; the wobbling mass has :math:`w_x` more in the horizontal; the swing foot is the hip and a leg
+# that turns at :math:`w_1 - w_2`. Twice the kinetic energy is
 #
 # .. math::
 #
-#    2 T = (1-\alpha)\,\dot\theta_1^2
-#        + \alpha\,(\dot\theta_1^2 - 2 c_1 \dot\theta_1 \dot x + \dot x^2)
-#        + \beta\,(\dot\theta_1^2 + (\dot\theta_1 - \dot\theta_2)^2
-#        - 2 \cos\theta_2\, \dot\theta_1 (\dot\theta_1 - \dot\theta_2)).
+#    2 T = (1-\alpha)\, w_1^2
+#        + \alpha\,(w_1^2 - 2 \cos\theta_1\, w_1 w_x + w_x^2)
+#        + \beta\,\bigl(w_1^2 + (w_1 - w_2)^2 - 2 \cos\theta_2\, w_1 (w_1 - w_2)\bigr)
 #
-# The mass matrix collects the coefficients, :math:`2T = \dot q^\top M \dot q`:
+# and the mass matrix collects its coefficients:
 #
 # .. math::
 #
-#    M = \begin{pmatrix}
-#    1 + 2\beta(1-\cos\theta_2) & -\beta(1-\cos\theta_2) & -\alpha\cos\theta_1 \\
-#    -\beta(1-\cos\theta_2) & \beta & 0 \\
-#    -\alpha\cos\theta_1 & 0 & \alpha
-#    \end{pmatrix}.
+#    M_{11} &= 1 + 2 \beta (1 - \cos\theta_2) \\
+#    M_{12} &= \beta (\cos\theta_2 - 1) \\
+#    M_{13} &= -\alpha \cos\theta_1 \\
+#    M_{22} &= \beta, \quad M_{23} = 0, \quad M_{33} = \alpha
 #
-# That is the C above, entry by entry: ``M_11``, ``M_12``, ``M_13``, then :math:`\beta`, :math:`0`,
-# :math:`\alpha`. It is :math:`\mathcal M(q)` of eq. (1) in Kamimura and Sano's paper, which leaves the
-# entries to the reader.
+# That is the C above, entry by entry. It is the inertia matrix of eq. (1) in Kamimura and Sano's paper, which
+# leaves the entries to the reader.
 #
 # In numbers
 # ----------

@@ -6,6 +6,9 @@ from sphinx.util.docutils import SphinxDirective
 
 from stridemap.cli import app as command_line
 
+WIDTH = 96
+"""Characters in a line of the pages."""
+
 
 class Commands(SphinxDirective):
     def run(self):
@@ -14,7 +17,9 @@ class Commands(SphinxDirective):
 
 
 def _section(name, command):
-    context = command.context_class(command, info_name=f"stridemap {name}", max_content_width=96)
+    context = command.context_class(
+        command, info_name=f"stridemap {name}", max_content_width=WIDTH, terminal_width=WIDTH
+    )
     section = nodes.section(ids=[f"stridemap-{name}"])
     section += nodes.title("", "", nodes.literal("", f"stridemap {name}"))
     text = command.get_help(context)
