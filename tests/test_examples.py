@@ -38,8 +38,8 @@ def example(monkeypatch, tmp_path, capsys):
 def test_find_a_limit_cycle(example):
     names, out = example(1)
     assert re.search(r"unstable\n.*stable", out)
-    # The slope of the walk is the multiplier, though no code is shared. Of the pair, (0.9007/0.9694)^60 = 1.2 %
-    # is left at the first of the last thirty steps, which is 4e-4 a step.
+    # The slope of the walk is the multiplier, though no code is shared. At the first of the last thirty steps
+    # (0.9007/0.9694)^60 = 1.2 % of the pair is left, which is 4e-4 a step.
     assert names["rate"] == pytest.approx(names["stable"].spectral_radius, abs=4e-4)
 
 
