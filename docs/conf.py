@@ -62,6 +62,8 @@ sphinx_gallery_conf = {
     "filename_pattern": r"[\\/]\d_\w+\.py$",
     "within_subsection_order": "FileNameSortKey",
     "abort_on_example_error": True,
+    "run_stale_examples": True,  # what they print depends on the program, not on their own text alone
+    "capture_repr": (),
     "download_all_examples": False,
     "show_memory": False,
     "show_signature": False,

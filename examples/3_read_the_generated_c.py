@@ -2,8 +2,8 @@
 3. Read the generated C
 =======================
 
-Code that came out of a program can be read. Here the mass matrix of the walker is looked up in the
-generated C, laid beside a derivation by hand, and compared with it in numbers.
+Code that came out of a program can be read. Here the mass matrix of the walker is looked up
+in the generated C, laid beside a derivation by hand, and compared with it in numbers.
 """
 
 import matplotlib.pyplot as plt
@@ -17,9 +17,10 @@ model = stridemap.load("wobbling")
 # %%
 # What the coordinates are
 # ------------------------
-# ``theta1`` is the stance leg's angle from the vertical, positive leaning back; ``theta2`` the angle from
-# the stance leg to the swing leg; ``x`` how far the wobbling mass is ahead of the hip. The drawing is made
-# by the model itself: the generated function ``drawing`` gives the masses and the lines.
+# ``theta1`` is the stance leg's angle from the vertical, positive leaning back; ``theta2``
+# the angle from the stance leg to the swing leg; ``x`` how far the wobbling mass is ahead of
+# the hip. The drawing is made by the model itself: the generated function ``drawing`` gives
+# the masses and the lines.
 
 q, p = np.array([0.25, 0.6, 0.3]), model.point({})
 drawing = model.evaluate("drawing", q=q, p=p)
@@ -31,9 +32,16 @@ ax.scatter(*drawing["positions"].T, 1200 * drawing["masses"], color="#0072b2", z
 hip, wobbling_mass = drawing["spring"]
 swing_foot = drawing["legs"][-1]
 ax.plot([0, 0], [0, 1.1], color="0.6", linestyle=":")
-for centre, start, end, name in [(np.zeros(2), hip, [0, 1], "1"), (hip, swing_foot - hip, -hip, "2")]:
+for centre, start, end, name in [
+    (np.zeros(2), hip, [0, 1], "1"),
+    (hip, swing_foot - hip, -hip, "2"),
+]:
     angles = np.linspace(np.arctan2(*start[::-1]), np.arctan2(*end[::-1]), 30)
-    ax.plot(*(centre + 0.35 * np.column_stack([np.cos(angles), np.sin(angles)])).T, color="0.3", linewidth=1)
+    ax.plot(
+        *(centre + 0.35 * np.column_stack([np.cos(angles), np.sin(angles)])).T,
+        color="0.3",
+        linewidth=1,
+    )
     middle = angles.mean()
     ax.annotate(
         rf"$\theta_{name}$",
@@ -43,12 +51,14 @@ for centre, start, end, name in [(np.zeros(2), hip, [0, 1], "1"), (hip, swing_fo
     )
 for label, point, offset in [
     ("$x$", (hip + wobbling_mass) / 2, (0, 8)),
-    (r"hip $1-\alpha$", hip, (0, 18)),
+    (r"hip $1-\alpha$", hip, (0, 25)),
     (r"$\alpha$", wobbling_mass, (16, 0)),
     (r"stance foot $\beta$", np.zeros(2), (0, -18)),
     (r"swing foot $\beta$", swing_foot, (0, -18)),
 ]:
-    ax.annotate(label, point, xytext=offset, textcoords="offset points", ha="center", va="center")
+    ax.annotate(
+        label, point, xytext=offset, textcoords="offset points", ha="center", va="center"
+    )
 ax.axhline(0, color="0.8", zorder=0)
 ax.set_aspect("equal")
 ax.margins(0.25)
@@ -57,8 +67,8 @@ ax.set_axis_off()
 # %%
 # The C
 # -----
-# Every function takes named vectors, unpacks them at the top, and has one line a term. A comment names the
-# equation that it is.
+# Every function takes named vectors, unpacks them at the top, and has one line a term. A
+# comment names the equation that it is.
 
 source = model.path("wobbling.c").read_text()
 start = source.index("/* Mass matrix")
@@ -67,10 +77,11 @@ print(source[start : source.index("\n}\n", start) + 2])
 # %%
 # By hand
 # -------
-# Put the stance foot at the origin, and write :math:`w_1, w_2, w_x` for the rates of :math:`\theta_1`,
-# :math:`\theta_2`, :math:`x`. The hip is at :math:`(-\sin\theta_1, \cos\theta_1)`, so its speed is
-# :math:`w_1`; the wobbling mass has :math:`w_x` more in the horizontal; the swing foot is the hip and a leg
-# that turns at :math:`w_1 - w_2`. Twice the kinetic energy is
+# Put the stance foot at the origin, and write :math:`w_1, w_2, w_x` for the rates of
+# :math:`\theta_1`, :math:`\theta_2`, :math:`x`. The hip is at :math:`(-\sin\theta_1,
+# \cos\theta_1)`, so its speed is :math:`w_1`; the wobbling mass has :math:`w_x` more in the
+# horizontal; the swing foot is the hip and a leg that turns at :math:`w_1 - w_2`. Twice the
+# kinetic energy is
 #
 # .. math::
 #
@@ -85,15 +96,18 @@ print(source[start : source.index("\n}\n", start) + 2])
 #    M_{11} &= 1 + 2 \beta (1 - \cos\theta_2) \\
 #    M_{12} &= \beta (\cos\theta_2 - 1) \\
 #    M_{13} &= -\alpha \cos\theta_1 \\
-#    M_{22} &= \beta, \quad M_{23} = 0, \quad M_{33} = \alpha
+#    M_{22} &= \beta \\
+#    M_{23} &= 0 \\
+#    M_{33} &= \alpha
 #
-# That is the C above, entry by entry. It is the inertia matrix of eq. (1) in Kamimura and Sano's paper, which
-# leaves the entries to the reader.
+# That is the C above, entry by entry. It is the inertia matrix of eq. (1) in Kamimura and
+# Sano's paper, which leaves the entries to the reader.
 #
 # In numbers
 # ----------
-# A check that does not trust the derivation either: positions of the four masses, written down by hand,
-# their velocities from a complex step, and twice the kinetic energy at a thousand random states.
+# A check that does not trust the derivation either: positions of the four masses, written
+# down by hand, their velocities from a complex step, and twice the kinetic energy at a
+# thousand random states.
 
 
 def positions(q):
@@ -122,16 +136,16 @@ assert worst < 1e-13
 # %%
 # The same equations, three more times
 # ------------------------------------
-# The C, a Python module and CasADi functions come from one list of terms. The CasADi function has named
-# inputs and outputs, and can be differentiated or put into an optimisation:
+# The C, a Python module and CasADi functions come from one list of terms. The CasADi function
+# has named inputs and outputs, and can be differentiated or put into an optimisation:
 
 mass_matrix = model.mass_matrix
 print(mass_matrix)
 print(mass_matrix(q=[0.1, 0.2, 0.0], p=model.point({}))["M"])
 
 # %%
-# The Python module takes the namespace that it computes in, so the same lines run in NumPy, in CasADi and
-# at fifty digits:
+# The Python module takes the namespace that it computes in, so the same lines run in NumPy,
+# in CasADi and at fifty digits:
 
 with mpmath.workdps(50):
     q = [mpmath.mpf("0.1"), mpmath.mpf("0.2"), mpmath.mpf(0)]

@@ -2,9 +2,9 @@
 4. Use the C in your own program
 ================================
 
-The generated C needs a C99 compiler and nothing else: no CasADi, no allocation, no global state. This page
-writes a program around it, a controller's or a simulator's inner loop, compiles it, and compares with
-Python.
+The generated C needs a C99 compiler and nothing else: no CasADi, no allocation, no global
+state. This page writes a program around it, a controller's or a simulator's inner loop,
+compiles it, and compares with Python.
 """
 
 import shutil
@@ -20,10 +20,10 @@ import stridemap
 # %%
 # The program
 # -----------
-# It reads parameters and a state just after touchdown, integrates one swing phase with the classical
-# Runge-Kutta method, and prints the motion and the state after the impact. All mechanics comes from four
-# generated functions: ``section_state``, ``state_derivative``, ``zmp`` and ``impact_map``. The header
-# documents every argument.
+# It reads parameters and a state just after touchdown, integrates one swing phase with the
+# classical Runge-Kutta method, and prints the motion and the state after the impact. All
+# mechanics comes from four generated functions: ``section_state``, ``state_derivative``,
+# ``zmp`` and ``impact_map``. The header documents every argument.
 
 PROGRAM = r"""
 #include "wobbling.h"
@@ -34,7 +34,8 @@ PROGRAM = r"""
 enum { N = 3 };
 
 /* y = (q, v): y + a k as coordinates and rates */
-static void moved(const double y[2 * N], double a, const double k[2 * N], double q[N], double v[N])
+static void moved(const double y[2 * N], double a, const double k[2 * N],
+        double q[N], double v[N])
 {
     for (int i = 0; i < N; i++) {
         q[i] = y[i] + a * k[i];
@@ -80,7 +81,8 @@ int main(int argc, char **argv)
             runge_kutta(t, period / steps, p, y);
     }
     wobbling_impact_map(y, y + N, p, q_plus, v_plus);
-    printf("%.17g %.17g %.17g %.17g %.17g\n", q_plus[0], v_plus[0], v_plus[1], q_plus[2], v_plus[2]);
+    printf("%.17g %.17g %.17g %.17g %.17g\n",
+            q_plus[0], v_plus[0], v_plus[1], q_plus[2], v_plus[2]);
     return 0;
 }
 """
@@ -88,8 +90,8 @@ int main(int argc, char **argv)
 # %%
 # Compile and run
 # ---------------
-# Two files to compile, ``-lm`` to link. ``model.folder`` is where ``wobbling.c`` and ``wobbling.h`` are;
-# copy them into your own project, they stand alone.
+# Two files to compile, ``-lm`` to link. ``model.folder`` is where ``wobbling.c`` and
+# ``wobbling.h`` are; copy them into your own project, they stand alone.
 
 model = stridemap.load("wobbling")
 orbit = next(o for o in stridemap.find_orbits("wobbling", k=6, alpha=0.25, omega=3) if o.stable)
@@ -102,19 +104,8 @@ with tempfile.TemporaryDirectory() as scratch:
     (folder / "walk.c").write_text(PROGRAM)
     shutil.copy(model.path("wobbling.c"), folder)
     shutil.copy(model.path("wobbling.h"), folder)
-    command = [
-        compiler,
-        "-std=c99",
-        "-O2",
-        "-Wall",
-        "-Wextra",
-        "-Werror",
-        "walk.c",
-        "wobbling.c",
-        "-lm",
-        "-o",
-        "walk",
-    ]
+    flags = ["-std=c99", "-O2", "-Wall", "-Wextra", "-Werror"]
+    command = [compiler, *flags, "walk.c", "wobbling.c", "-lm", "-o", "walk"]
     print("$", " ".join(command))
     subprocess.run(command, cwd=folder, check=True)
     printed = subprocess.run(
@@ -127,15 +118,20 @@ t, c_motion, after_impact = rows[:-1, 0], rows[:-1, 1:], rows[-1]
 # %%
 # Compare
 # -------
-# The motion of the same limit cycle from Python, at the same times. The Runge-Kutta method in C has order
-# 4, and its error at 400 steps is what is seen; the state after the impact is the one that the step began
-# with, because it is a limit cycle.
+# The motion of the same limit cycle from Python, at the same times. The Runge-Kutta method in
+# C has order 4, and its error at 400 steps is what is seen; the state after the impact is the
+# one that the step began with, because it is a limit cycle.
 
 motion = stridemap.motion(orbit, samples=len(t))
-python_motion = np.column_stack([*(motion.coordinate(name) for name in model.coordinates), motion.d])
+python_motion = np.column_stack(
+    [*(motion.coordinate(name) for name in model.coordinates), motion.d]
+)
 difference = np.abs(c_motion - python_motion).max(axis=0)
 closing = np.abs(after_impact - list(orbit.state.values())).max()
-print("largest difference in theta1, theta2, x, d:", " ".join(f"{value:.0e}" for value in difference))
+print(
+    "largest difference in theta1, theta2, x, d:",
+    " ".join(f"{value:.0e}" for value in difference),
+)
 print(f"the cycle closes to {closing:.0e}")
 assert difference.max() < 1e-8
 assert closing < 1e-8
@@ -152,12 +148,15 @@ for i, (label, style) in enumerate(lines):
         markersize=4,
         label="dots: from C" if i == 3 else None,
     )
-    axes[1].semilogy(t[1:], np.abs(c_motion - python_motion)[1:, i], style, color="0.2", label=label)
+    axes[1].semilogy(
+        t[1:], np.abs(c_motion - python_motion)[1:, i], style, color="0.2", label=label
+    )
 axes[0].set_ylabel("rad, L")
 axes[0].legend(ncols=5, loc="lower left", bbox_to_anchor=(0, 1), frameon=False, columnspacing=1)
 axes[1].set_ylabel("difference, C and Python")
 axes[1].set_xlabel(r"time since touchdown in $\sqrt{L/g}$")
 
 # %%
-# In a real-time program, call the functions with your own state estimate: each takes well below a
-# microsecond, and none of them keeps anything between calls, so they may run in any thread.
+# In a real-time program, call the functions with your own state estimate: none has a loop or a
+# branch, the longest is some 150 operations, and none of them keeps anything between calls, so
+# they may run in any thread.
