@@ -23,10 +23,8 @@ orbits = stridemap.find_orbits("wobbling", k=6, alpha=0.25, omega=3)
 
 for orbit in orbits:
     kind = "stable" if orbit.stable else "unstable"
-    largest = orbit.spectral_radius
-    print(
-        f"group {orbit.group}: period {orbit.period:.6f}, largest multiplier {largest:.6f}, {kind}"
-    )
+    print(f"group {orbit.group}, {kind}: period {orbit.period:.6f}")
+    print(f"    largest modulus of a multiplier {orbit.spectral_radius:.6f}")
 
 # %%
 # There are two cycles at this one point. A solver that stops at the first one tells half of

@@ -35,9 +35,7 @@ with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(1) as executor:
     summary = stridemap.sweep(config, folder, executor=executor)
     orbits = stridemap.read_orbits(folder)
 
-print(
-    f"{summary.orbits} limit cycles in {summary.cells} cells, {summary.stable_orbits} of them stable"
-)
+print(f"{summary.orbits} limit cycles, {summary.stable_orbits} of them stable")
 print(orbits.groupby("group").agg(cycles=("k", "size"), k_min=("k", "min"), k_max=("k", "max")))
 
 # %%
