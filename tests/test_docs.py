@@ -86,16 +86,19 @@ def test_shell_blocks(page, reader, run):
     for _, _, text in blocks(page, "toml"):
         (reader / "my.toml").write_text(re.sub(r"num = \d+", "num = 3", text))
         assert load_config("my.toml").n_cells > 1
-    for _, _, text in blocks(page, "sh"):
+    commands = typer.main.get_command(app).commands
+    for _, words, text in blocks(page, "sh"):
         for line in text.splitlines():
-            words = shlex.split(line, comments=True)
-            if not words or " ".join(words) in NOT_RUN:
+            command, *rest = shlex.split(line, comments=True) or [""]
+            if not command or " ".join([command, *rest]) in NOT_RUN:
                 continue
-            if words[0] == "make":
-                assert set(words[1:2]) <= targets, line
-            else:
-                assert words[0] == "stridemap", f"{name_of(page)} has a command that no test runs: {line}"
-                status, out, err = run(*words[1:])
+            if command == "make":
+                assert set(rest[:1]) <= targets, line
+                continue
+            assert command == "stridemap", f"{name_of(page)} has a command that no test runs: {line}"
+            assert rest[0] in commands, line
+            if "no-run" not in words:
+                status, out, err = run(*rest)
                 assert status == 0, line
                 assert not re.search("error|warning|Traceback", err), line  # but for a sweep's progress
                 assert out
