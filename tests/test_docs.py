@@ -210,13 +210,13 @@ def test_the_table_of_parameters_is_that_of_the_models():
         r"^\| (`\w+`(?:, `\w+`)*) \| (\S[^|]*) \| ([\d.]+) \| ([^|]+) \| (\w+) \|$", text, re.MULTILINE
     )
     written = {
-        name: (unit.strip("`"), float(default), model)
-        for names, unit, default, _, model in table
+        name: (unit.strip("`"), float(default), allowed, models)
+        for names, unit, default, allowed, models in table
         for name in re.findall(r"\w+", names)
     }
     compass = stridemap.load("compass").preset
     wanted = {
-        p.name: (p.unit, p.default, "both" if p.name in compass else "wobbling")
+        p.name: (p.unit, p.default, p.allowed, "both" if p.name in compass else "wobbling")
         for p in stridemap.load("wobbling").parameters
     }
     assert written == wanted
