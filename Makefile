@@ -56,14 +56,9 @@ bench: $(DEV) ## measure the speed, beside the paper's practice
 recall: $(DEV) ## measure what share of all limit cycles the sweep finds (CELLS=, STARTS=)
 	$(BIN)/python -m benchmarks.recall $(if $(CELLS),--cells $(CELLS)) $(if $(STARTS),--starts $(STARTS)) $(ARGS)
 
-ifneq ($(wildcard docs/conf.py),)
-docs: $(DOCS)
-	$(BIN)/python -m sphinx -W --keep-going docs docs/_build/html $(ARGS)
+docs: $(DOCS) ## build the pages in docs/, running every example
+	$(BIN)/python -m sphinx -W --keep-going -q docs docs/_build/html $(ARGS)
 	@echo "The pages are in docs/_build/html/index.html."
-else
-docs: ## build the pages in docs/
-	@echo "There are no pages to build yet: docs/conf.py is missing. Start with README.md."
-endif
 
 lock: $(UV) ## remake requirements/*.txt after a change of what is required (ARGS=--upgrade for newer versions)
 	$(LOCK) $(ARGS) -o requirements/run.txt pyproject.toml requirements/build.in

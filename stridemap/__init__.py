@@ -5,7 +5,7 @@
 >>> [orbit.group for orbit in orbits]
 ['B', 'B']
 >>> stridemap.load("wobbling").mass_matrix
-Function(mass_matrix:(q[3],p[8])->(M[3x3,7nz]) SXFunction)
+Function(mass_matrix:(q[3],p[8])->(M[3x3]) SXFunction)
 """
 
 from importlib.metadata import version
@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from stridemap.solver.search import SearchOptions
     from stridemap.sweeps.run import sweep
     from stridemap.sweeps.store import read_cells, read_orbits
+    from stridemap.units import Units
 
 __version__ = version("stridemap")
 
@@ -30,6 +31,7 @@ _HOMES = {
     "Orbit": "stridemap.solver.orbit",
     "SearchOptions": "stridemap.solver.search",
     "Status": "stridemap.solver.orbit",
+    "Units": "stridemap.units",
     "find_orbits": "stridemap.solver.face",
     "load": "stridemap.solver.model",
     "motion": "stridemap.solver.motion",
@@ -46,6 +48,7 @@ __all__ = [
     "Orbit",
     "SearchOptions",
     "Status",
+    "Units",
     "__version__",
     "find_orbits",
     "load",
