@@ -15,7 +15,7 @@ extern "C" {
  *
  *  in   q[0]   theta1   [rad] angle of the stance leg from the vertical, positive leaning back
  *  in   q[1]   theta2   [rad] angle from the stance leg to the swing leg
- *  in   p[0]   mu       [m] mass at the hip, in terms of a leg's
+ *  in   p[0]   mu       [1] mass at the hip, in terms of the mass of a leg
  *  in   p[1]   beta     [1] distance from hip to a leg's mass, over that from there to the foot
  *  in   p[2]   slope    [rad] angle by which the ground falls in the walking direction
  *  out  M               mass matrix, symmetric positive definite (2 x 2 matrix, row-major)
@@ -30,7 +30,7 @@ void goswami_compass_mass_matrix(const double q[2], const double p[3], double M[
  *  in   q[1]   theta2   [rad] angle from the stance leg to the swing leg
  *  in   v[0]   dtheta1  [rad sqrt(g/L)] rate of theta1
  *  in   v[1]   dtheta2  [rad sqrt(g/L)] rate of theta2
- *  in   p[0]   mu       [m] mass at the hip, in terms of a leg's
+ *  in   p[0]   mu       [1] mass at the hip, in terms of the mass of a leg
  *  in   p[1]   beta     [1] distance from hip to a leg's mass, over that from there to the foot
  *  in   p[2]   slope    [rad] angle by which the ground falls in the walking direction
  *  out  h               Coriolis and centrifugal forces (2 vector)
@@ -47,7 +47,7 @@ void goswami_compass_bias_forces(const double q[2], const double v[2], const dou
  *  in   q[1]   theta2   [rad] angle from the stance leg to the swing leg
  *  in   v[0]   dtheta1  [rad sqrt(g/L)] rate of theta1
  *  in   v[1]   dtheta2  [rad sqrt(g/L)] rate of theta2
- *  in   p[0]   mu       [m] mass at the hip, in terms of a leg's
+ *  in   p[0]   mu       [1] mass at the hip, in terms of the mass of a leg
  *  in   p[1]   beta     [1] distance from hip to a leg's mass, over that from there to the foot
  *  in   p[2]   slope    [rad] angle by which the ground falls in the walking direction
  *  out  dq              rates of q (2 vector)
@@ -64,7 +64,7 @@ void goswami_compass_state_derivative(const double q[2], const double v[2], cons
  *  in   q[1]   theta2   [rad] angle from the stance leg to the swing leg
  *  in   v[0]   dtheta1  [rad sqrt(g/L)] rate of theta1
  *  in   v[1]   dtheta2  [rad sqrt(g/L)] rate of theta2
- *  in   p[0]   mu       [m] mass at the hip, in terms of a leg's
+ *  in   p[0]   mu       [1] mass at the hip, in terms of the mass of a leg
  *  in   p[1]   beta     [1] distance from hip to a leg's mass, over that from there to the foot
  *  in   p[2]   slope    [rad] angle by which the ground falls in the walking direction
  *  out  dv_dq           derivative of dv with respect to q (2 x 2 matrix, row-major)
@@ -80,7 +80,7 @@ void goswami_compass_state_derivative_dq(const double q[2], const double v[2], c
  *  in   q[1]   theta2   [rad] angle from the stance leg to the swing leg
  *  in   v[0]   dtheta1  [rad sqrt(g/L)] rate of theta1
  *  in   v[1]   dtheta2  [rad sqrt(g/L)] rate of theta2
- *  in   p[0]   mu       [m] mass at the hip, in terms of a leg's
+ *  in   p[0]   mu       [1] mass at the hip, in terms of the mass of a leg
  *  in   p[1]   beta     [1] distance from hip to a leg's mass, over that from there to the foot
  *  in   p[2]   slope    [rad] angle by which the ground falls in the walking direction
  *  out  dv_dv           derivative of dv with respect to v (2 x 2 matrix, row-major)
@@ -119,7 +119,7 @@ void goswami_compass_touchdown_condition_dq(double h_dq[2]);
  *  in   q[1]   theta2   [rad] angle from the stance leg to the swing leg
  *  in   v[0]   dtheta1  [rad sqrt(g/L)] rate of theta1
  *  in   v[1]   dtheta2  [rad sqrt(g/L)] rate of theta2
- *  in   p[0]   mu       [m] mass at the hip, in terms of a leg's
+ *  in   p[0]   mu       [1] mass at the hip, in terms of the mass of a leg
  *  in   p[1]   beta     [1] distance from hip to a leg's mass, over that from there to the foot
  *  in   p[2]   slope    [rad] angle by which the ground falls in the walking direction
  *  out  q_plus          coordinates after the legs swapped names (2 vector)
@@ -137,7 +137,7 @@ void goswami_compass_impact_map(const double q[2], const double v[2], const doub
  *  in   q[1]   theta2   [rad] angle from the stance leg to the swing leg
  *  in   v[0]   dtheta1  [rad sqrt(g/L)] rate of theta1
  *  in   v[1]   dtheta2  [rad sqrt(g/L)] rate of theta2
- *  in   p[0]   mu       [m] mass at the hip, in terms of a leg's
+ *  in   p[0]   mu       [1] mass at the hip, in terms of the mass of a leg
  *  in   p[1]   beta     [1] distance from hip to a leg's mass, over that from there to the foot
  *  in   p[2]   slope    [rad] angle by which the ground falls in the walking direction
  *  out  v_plus_dq       derivative of v_plus with respect to q (2 x 2 matrix, row-major)
@@ -152,7 +152,7 @@ void goswami_compass_impact_map_dq(const double q[2], const double v[2], const d
  *
  *  in   q[0]   theta1   [rad] angle of the stance leg from the vertical, positive leaning back
  *  in   q[1]   theta2   [rad] angle from the stance leg to the swing leg
- *  in   p[0]   mu       [m] mass at the hip, in terms of a leg's
+ *  in   p[0]   mu       [1] mass at the hip, in terms of the mass of a leg
  *  in   p[1]   beta     [1] distance from hip to a leg's mass, over that from there to the foot
  *  in   p[2]   slope    [rad] angle by which the ground falls in the walking direction
  *  out  v_plus_dv       derivative of v_plus with respect to v (2 x 2 matrix, row-major)
@@ -167,7 +167,7 @@ void goswami_compass_impact_map_dv(const double q[2], const double p[3], double 
  *  in   q[1]   theta2   [rad] angle from the stance leg to the swing leg
  *  in   v[0]   dtheta1  [rad sqrt(g/L)] rate of theta1
  *  in   v[1]   dtheta2  [rad sqrt(g/L)] rate of theta2
- *  in   p[0]   mu       [m] mass at the hip, in terms of a leg's
+ *  in   p[0]   mu       [1] mass at the hip, in terms of the mass of a leg
  *  in   p[1]   beta     [1] distance from hip to a leg's mass, over that from there to the foot
  *  in   p[2]   slope    [rad] angle by which the ground falls in the walking direction
  *  out  Lambda          impulse on the swing foot, horizontal and vertical (2 vector)
@@ -183,7 +183,7 @@ void goswami_compass_impact_impulse(const double q[2], const double v[2], const 
  *  in   q[1]   theta2   [rad] angle from the stance leg to the swing leg
  *  in   v[0]   dtheta1  [rad sqrt(g/L)] rate of theta1
  *  in   v[1]   dtheta2  [rad sqrt(g/L)] rate of theta2
- *  in   p[0]   mu       [m] mass at the hip, in terms of a leg's
+ *  in   p[0]   mu       [1] mass at the hip, in terms of the mass of a leg
  *  in   p[1]   beta     [1] distance from hip to a leg's mass, over that from there to the foot
  *  in   p[2]   slope    [rad] angle by which the ground falls in the walking direction
  *  out  kinetic         kinetic energy, in m g L (scalar)
@@ -197,7 +197,7 @@ void goswami_compass_kinetic_energy(const double q[2], const double v[2], const 
  *
  *  in   q[0]   theta1   [rad] angle of the stance leg from the vertical, positive leaning back
  *  in   q[1]   theta2   [rad] angle from the stance leg to the swing leg
- *  in   p[0]   mu       [m] mass at the hip, in terms of a leg's
+ *  in   p[0]   mu       [1] mass at the hip, in terms of the mass of a leg
  *  in   p[1]   beta     [1] distance from hip to a leg's mass, over that from there to the foot
  *  in   p[2]   slope    [rad] angle by which the ground falls in the walking direction
  *  out  potential       potential energy, in m g L, zero level on the ground (scalar)
@@ -208,7 +208,7 @@ void goswami_compass_potential_energy(const double q[2], const double p[3], doub
  *
  * Source: sum over the bodies.
  *
- *  in   p[0]   mu       [m] mass at the hip, in terms of a leg's
+ *  in   p[0]   mu       [1] mass at the hip, in terms of the mass of a leg
  *  in   p[1]   beta     [1] distance from hip to a leg's mass, over that from there to the foot
  *  in   p[2]   slope    [rad] angle by which the ground falls in the walking direction
  *  out  mass            mass, in m (scalar)
@@ -225,7 +225,7 @@ void goswami_compass_total_mass(const double p[3], double mass[1], double weight
  *  in   q[1]   theta2   [rad] angle from the stance leg to the swing leg
  *  in   v[0]   dtheta1  [rad sqrt(g/L)] rate of theta1
  *  in   v[1]   dtheta2  [rad sqrt(g/L)] rate of theta2
- *  in   p[0]   mu       [m] mass at the hip, in terms of a leg's
+ *  in   p[0]   mu       [1] mass at the hip, in terms of the mass of a leg
  *  in   p[1]   beta     [1] distance from hip to a leg's mass, over that from there to the foot
  *  in   p[2]   slope    [rad] angle by which the ground falls in the walking direction
  *  out  com             centre of mass from the stance foot, horizontal and vertical (2 vector)
@@ -242,7 +242,7 @@ void goswami_compass_centre_of_mass(const double q[2], const double v[2], const 
  *  in   q[1]   theta2   [rad] angle from the stance leg to the swing leg
  *  in   v[0]   dtheta1  [rad sqrt(g/L)] rate of theta1
  *  in   v[1]   dtheta2  [rad sqrt(g/L)] rate of theta2
- *  in   p[0]   mu       [m] mass at the hip, in terms of a leg's
+ *  in   p[0]   mu       [1] mass at the hip, in terms of the mass of a leg
  *  in   p[1]   beta     [1] distance from hip to a leg's mass, over that from there to the foot
  *  in   p[2]   slope    [rad] angle by which the ground falls in the walking direction
  *  out  force           force on the stance foot, horizontal and vertical (2 vector)
@@ -257,7 +257,7 @@ void goswami_compass_ground_force(const double q[2], const double v[2], const do
  *  in   q[1]   theta2   [rad] angle from the stance leg to the swing leg
  *  in   v[0]   dtheta1  [rad sqrt(g/L)] rate of theta1
  *  in   v[1]   dtheta2  [rad sqrt(g/L)] rate of theta2
- *  in   p[0]   mu       [m] mass at the hip, in terms of a leg's
+ *  in   p[0]   mu       [1] mass at the hip, in terms of the mass of a leg
  *  in   p[1]   beta     [1] distance from hip to a leg's mass, over that from there to the foot
  *  in   p[2]   slope    [rad] angle by which the ground falls in the walking direction
  *  out  zmp             zero moment point ahead of the stance foot (scalar)
@@ -284,7 +284,7 @@ void goswami_compass_swing_foot(const double q[2], const double v[2], double foo
  *
  *  in   q[0]   theta1   [rad] angle of the stance leg from the vertical, positive leaning back
  *  in   q[1]   theta2   [rad] angle from the stance leg to the swing leg
- *  in   p[0]   mu       [m] mass at the hip, in terms of a leg's
+ *  in   p[0]   mu       [1] mass at the hip, in terms of the mass of a leg
  *  in   p[1]   beta     [1] distance from hip to a leg's mass, over that from there to the foot
  *  in   p[2]   slope    [rad] angle by which the ground falls in the walking direction
  *  out  positions       bodies from the stance foot, a row each (3 x 2 matrix, row-major)
