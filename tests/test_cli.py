@@ -287,8 +287,10 @@ def test_without_a_compiler_the_same_comes_with_one_warning(run, tmp_path, monke
     assert err.count("\n") == 1
     assert err.startswith("warning: no C compiler found")
     found = json.loads(out)
-    assert [o["period"] for o in found["orbits"]] == [o["period"] for o in compiled["orbits"]]
-    assert found["orbits"][0]["state"] == compiled["orbits"][0]["state"]
+    # Kernels for several points an instruction have sines of their own: the last digits differ.
+    periods = [o["period"] for o in compiled["orbits"]]
+    assert [o["period"] for o in found["orbits"]] == pytest.approx(periods, rel=0, abs=1e-12)
+    assert found["orbits"][0]["state"] == pytest.approx(compiled["orbits"][0]["state"], rel=0, abs=1e-11)
 
 
 def test_a_sweep_without_a_compiler_warns_once(tmp_path):

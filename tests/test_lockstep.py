@@ -1,7 +1,9 @@
 """Kernels that work on several points an instruction: the same numbers, whatever is beside them."""
 
 import ctypes
+import re
 import shutil
+import subprocess
 from itertools import chain
 from pathlib import Path
 
@@ -184,6 +186,62 @@ def test_part_of_a_step_and_no_points():
     for a, b in zip(one, kernels("advance", *inputs), strict=True):
         np.testing.assert_allclose(b, a, rtol=1e-13, atol=1e-13)
     assert [len(out) for out in kernels("advance", *(x[:0] for x in inputs))] == [0, 0, 0]
+
+
+# -- memory ----------------------------------------------------------------------------------------------
+
+MAIN = """
+int main()
+{
+    const casadi_int nu = 4, np = 6, in_size[] = {nu, np}, out_size[] = {nu * nu, nu};
+    const double start[] = {0.09, -0.17, -0.003, 1.2}, params[] = PARAMS;
+    for (casadi_int n = 1; n < 18; n++) {
+        double* u = (double*) malloc((size_t) (n * nu) * sizeof(double));
+        double* p = (double*) malloc((size_t) (n * np) * sizeof(double));
+        double* j = (double*) malloc((size_t) (n * nu * nu) * sizeof(double));
+        double* r = (double*) malloc((size_t) (n * nu) * sizeof(double));
+        for (casadi_int i = 0; i < n; i++) {
+            const double off = i % 5 == 3 ? NAN : 1 + 0.01 * (double) i;
+            for (casadi_int k = 0; k < nu; k++) u[i * nu + k] = start[k] * off;
+            for (casadi_int k = 0; k < np; k++) p[i * np + k] = params[k];
+        }
+        const double* in[] = {u, p};
+        double* out[] = {j, r};
+        int status = lockstep_newton(&lockstep_compass_jacobian_12, &lockstep_compass_residual_24,
+            n, nu, np, u, p, 1e-14, 1e-9, 6);
+        status |= lockstep_newton(&lockstep_compass_jacobian_12, NULL, n, nu, np, u, p, 1e-14, 1e-9, 6);
+        status |= lockstep_map(&lockstep_compass_jacobian_12, n, 2, in, in_size, 2, out, out_size);
+        if (status || !(fabs(r[0]) < 1e-9)) return 1;
+        free(u); free(p); free(j); free(r);
+    }
+    return 0;
+}
+"""
+
+
+def test_drivers_under_the_address_sanitizer(tmp_path):
+    model, compiler = load("compass"), shutil.which(find_compiler())
+    shown = r"^KERNEL\((?!compass_(jacobian_12|residual_24)\)).*$"  # the rest would take long to compile
+    text = re.sub(shown, "", lockstep.source(model), flags=re.M)
+    params = "{" + ", ".join(map(repr, model.point({}).tolist())) + "}"
+    (tmp_path / "main.cpp").write_text(text + MAIN.replace("PARAMS", params))
+    flags = [flag for flag in lockstep.FLAGS if flag != "-shared"]
+    command = [
+        compiler,
+        *flags,
+        "-Wall",
+        "-Wextra",
+        "-Werror",
+        "-Wno-unused-parameter",
+        "-Wno-unused-function",
+    ]
+    command += ["-fsanitize=address", tmp_path / "main.cpp", "-o", tmp_path / "main", "-lm"]
+    built = subprocess.run(command, capture_output=True, text=True, check=False)
+    if "cannot find" in built.stderr:
+        pytest.skip("the compiler has no address sanitizer")
+    assert built.returncode == 0, built.stderr[:2000]
+    ran = subprocess.run([tmp_path / "main"], capture_output=True, text=True, check=False)
+    assert ran.returncode == 0, ran.stderr[:2000]
 
 
 # -- falling back ----------------------------------------------------------------------------------------
