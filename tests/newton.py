@@ -199,7 +199,9 @@ class Newton:
         return times(point.jacobian, self.v)
 
     def kinetic_energy(self):
-        turning = sum(b.inertia * (b.turn * self.v).sum(axis=-1) ** 2 for b in self.bodies if b.turn is not None)
+        turning = sum(
+            b.inertia * (b.turn * self.v).sum(axis=-1) ** 2 for b in self.bodies if b.turn is not None
+        )
         return {"kinetic": (self.sum(lambda p: (self.velocity(p) ** 2).sum(axis=-1)) + turning) / 2}
 
     def potential_energy(self):
@@ -293,14 +295,11 @@ class Goswami(Newton):
 class Garcia(Newton):
     """The published equations of the simplest walker, J. Biomech. Eng. 120 (1998) 281-288.
 
-    Its swing leg moves on a pivot that takes no notice of it. With a mass at the feet (`foot`), the same legs
-    are an ordinary walker, which has to tend to this one.
+    The swing leg hangs on a hip that takes no notice of it.
     """
 
-    foot_mass = 0
-
     def build(self):
-        self.par["beta"] = self.foot_mass + 0 * self.t
+        self.par["beta"] = 0 * self.t
         super().build()
 
     def mass_matrix(self):
