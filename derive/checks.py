@@ -154,9 +154,7 @@ def _references(walker: "Walker") -> None:
         if coordinate is not None and coordinate not in walker.coordinates:
             known = ", ".join(c.name for c in walker.coordinates)
             name = getattr(coordinate, "name", coordinate)
-            refuse(
-                walker, f"{where} names {name}, which is no coordinate of it; its coordinates are {known}"
-            )
+            refuse(walker, f"{where} names {name}, which is no coordinate of it; its coordinates are {known}")
     for symbol in walker.relabel:
         if symbol not in symbols:
             cure = "take Coordinate(...).symbol" if str(symbol) in map(str, symbols) else "leave it out"

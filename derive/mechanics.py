@@ -231,8 +231,16 @@ class Mechanics:
     @cached_property
     def weight(self) -> sp.Expr:
         """Weight of the whole walker."""
-        size = sp.simplify(self.walker.gravity.dot(self.walker.gravity))
-        return simplified(self.total_mass * sp.sqrt(size))
+        signed = [a.symbol for a in self.walker.parameters if a.lower is not None and a.lower >= 0]
+        known = {symbol: sp.Dummy(symbol.name, nonnegative=True) for symbol in signed}
+        gravity = self.walker.gravity.xreplace(known)
+        size = sp.sqrt(sp.simplify(gravity.dot(gravity)))
+        if open_ := size.atoms(sp.Abs):
+            raise InputError(
+                f"model {self.walker.name}: the sign of {min(map(str, open_))[4:-1]} in gravity is open; give its "
+                "parameter a lower limit of 0"
+            )
+        return simplified(self.total_mass * size.xreplace({d: s for s, d in known.items()}))
 
     @cached_property
     def pull(self) -> sp.Expr:
@@ -319,6 +327,16 @@ class Mechanics:
     def lock_jacobian(self) -> sp.Matrix:
         """What the impact locks, a rate in the new names, shape (n_locks, n)."""
         return sp.Matrix(self.walker.locks).jacobian(self.walker.q) * self.swap.inv()
+
+    @cached_property
+    def impact_equations(self) -> tuple[sp.Matrix, sp.Matrix]:
+        """Matrix and right-hand side for the rates after touchdown, in the new names, and the locks' forces."""
+        locks = len(self.walker.locks)
+        if not locks:
+            return self.impact_mass_matrix, self.impact_momentum
+        jacobian = self.lock_jacobian
+        blocks = [[self.impact_mass_matrix, jacobian.T], [jacobian, sp.zeros(locks)]]
+        return sp.Matrix(sp.BlockMatrix(blocks)), sp.Matrix.vstack(self.impact_momentum, sp.zeros(locks, 1))
 
     def impact_impulse(self, after: sp.Matrix) -> sp.Matrix:
         """Impulse on the swing foot for given rates after the impact, in the new names, shape (2, 1)."""

@@ -41,7 +41,6 @@ def try_out(walker: "Walker") -> None:
     _after_touchdown(walker, values)
 
 
-
 def _relabelling(walker: "Walker") -> None:
     q = sp.Matrix(list(walker.q))
     new = sp.Matrix([walker.relabel[s] for s in q])
@@ -113,7 +112,10 @@ def _locks(walker: "Walker", values: Mapping[sp.Symbol, float]) -> None:
     if not walker.locks:
         return
     jacobian = sp.Matrix(walker.locks).jacobian(list(walker.q))
-    ranks = [jacobian.subs({**values, **place}).evalf(30).rank(iszerofunc=_nearly_zero) for place in _points(walker, values)]
+    ranks = [
+        jacobian.subs({**values, **place}).evalf(30).rank(iszerofunc=_nearly_zero)
+        for place in _points(walker, values)
+    ]
     if max(ranks) < len(walker.locks):
         refuse(
             walker,
@@ -238,9 +240,10 @@ def check_rates(mechanics: "Mechanics") -> None:
         if walker.phase is not None and walker.clock is not None:
             rates[walker.phase.rate] = float(walker.clock.rate.subs(values))
         place = {**values, **before, **rates}
-        matrix = mpmath.matrix(mechanics.impact_mass_matrix.subs(place).evalf().tolist())
-        momentum = mpmath.matrix(mechanics.impact_momentum.subs(place).evalf().tolist())
-        solved = mpmath.lu_solve(matrix, momentum)
+        matrix, right = (
+            mpmath.matrix(part.subs(place).evalf().tolist()) for part in mechanics.impact_equations
+        )
+        solved = list(mpmath.lu_solve(matrix, right))[: len(walker.q)]  # without the locks' forces
         after = {s: float(sp.sympify(e).subs(place).evalf()) for s, e in walker.relabel.items()}
         after |= dict(zip(walker.v, map(float, solved), strict=True))
         for symbol, value in fixed.items():
