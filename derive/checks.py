@@ -17,8 +17,8 @@ if TYPE_CHECKING:
 
 RESERVED = frozenset(
     "t q v p z u xp M h dh side d com foot force zmp mass weight pull length positions masses kinetic "
-    "potential auto break case char const continue default do double else enum extern float for goto if inline "
-    "int long register restrict return short signed sizeof static struct switch typedef union unsigned void "
+    "potential auto break case char const continue default do double else enum extern float for goto if "
+    "inline int long register restrict return short signed sizeof static struct switch typedef union unsigned void "
     "volatile while sin cos tan sqrt exp log pow abs main period status stable model params state".split()
 ) | frozenset(keyword.kwlist)
 """Names that mean something else in generated code or in tables."""
@@ -51,11 +51,12 @@ def check(walker: "Walker") -> None:
 
 
 def refuse(walker: "Walker", sentence: str) -> NoReturn:
+    """Raise an InputError that names the walker."""
     one_line = " ".join(sentence.split())  # matrices have several
     raise InputError(f"model {walker.name}: {one_line}")
 
 
-# -- kinds, names and shapes ------------------------------------------------------------------------------------
+# -- kinds, names and shapes -----------------------------------------------------------------------------
 
 
 def _kinds(walker: "Walker") -> None:
@@ -89,7 +90,8 @@ def _kinds(walker: "Walker") -> None:
 def _texts(walker: "Walker") -> None:
     """Texts stand in comments of generated code, which they must not end."""
     texts = [walker.title, walker.reference, *vars(walker.units).values(), *walker.sources.values()]
-    texts += [text for x in (*walker.coordinates, *walker.parameters) for text in (x.unit, x.meaning)]
+    described: list[Coordinate | Parameter] = [*walker.coordinates, *walker.parameters]
+    texts += [text for x in described for text in (x.unit, x.meaning)]
     texts += [body.name for body in walker.bodies]
     for text in texts:
         if not isinstance(text, str) or not text.isprintable() or any(x in text for x in BREAKING):

@@ -15,7 +15,8 @@ DEFAULT_SOURCES = {
     "controller_torque": "the model's declaration",
     "state_derivative": "M ddq + h + v = Q",
     "touchdown_condition": "the model's declaration",
-    "impact_map": "plastic impact: Me (v+ - v-) = J^T Lambda, J v+ = 0, projected on the velocities with J v = 0",
+    "impact_map": "plastic impact: Me (v+ - v-) = J^T Lambda, J v+ = 0, "
+    "projected on the velocities with J v = 0",
     "zmp": "p = x_g - F_x / F_y y_g with the ground force F",
 }
 """Sources of equations for which a declaration names none."""

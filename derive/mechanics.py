@@ -235,10 +235,11 @@ class Mechanics:
         known = {symbol: sp.Dummy(symbol.name, nonnegative=True) for symbol in signed}
         gravity = self.walker.gravity.xreplace(known)
         size = sp.sqrt(sp.simplify(gravity.dot(gravity)))
-        if open_ := size.atoms(sp.Abs):
+        if unsigned := size.atoms(sp.Abs):
+            which = min(str(a.args[0]) for a in unsigned)
             raise InputError(
-                f"model {self.walker.name}: the sign of {min(map(str, open_))[4:-1]} in gravity is open; give its "
-                "parameter a lower limit of 0"
+                f"model {self.walker.name}: gravity can have either sign of {which}; give the parameter a lower "
+                "limit of 0"
             )
         return simplified(self.total_mass * size.xreplace({d: s for s, d in known.items()}))
 
@@ -330,7 +331,7 @@ class Mechanics:
 
     @cached_property
     def impact_equations(self) -> tuple[sp.Matrix, sp.Matrix]:
-        """Matrix and right-hand side for the rates after touchdown, in the new names, and the locks' forces."""
+        """Matrix and right-hand side for the rates after touchdown, in the new names, and locks' forces."""
         locks = len(self.walker.locks)
         if not locks:
             return self.impact_mass_matrix, self.impact_momentum

@@ -6,7 +6,6 @@ from stridemap.derive.declaration import Walker
 from stridemap.derive.print_c import signature
 from stridemap.derive.program import Program
 
-
 CALLED = (
     "section_state", "mass_matrix", "kinetic_energy", "potential_energy", "ground_force", "state_derivative",
     "impact_map",

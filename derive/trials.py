@@ -66,8 +66,8 @@ def _masses(walker: "Walker", values: Mapping[sp.Symbol, float]) -> None:
             if not (number.is_real and number.is_finite and number >= 0):
                 refuse(
                     walker,
-                    f"the {what} of the body {body.name} is {number.n(6)} with the parameters' defaults; it must "
-                    "not be negative",
+                    f"the {what} of the body {body.name} is {number.n(6)} with the parameters' defaults; it "
+                    "must not be negative",
                 )
 
 
@@ -119,7 +119,7 @@ def _locks(walker: "Walker", values: Mapping[sp.Symbol, float]) -> None:
     if max(ranks) < len(walker.locks):
         refuse(
             walker,
-            f"of the {len(walker.locks)} locks only {max(ranks)} can be told apart by the coordinates' rates; "
+            f"of the {len(walker.locks)} locks only {max(ranks)} can be told apart by the rates; "
             "leave out those that follow from others",
         )
     if len(walker.locks) >= len(walker.q):

@@ -101,7 +101,7 @@ class ByHand(Newton):
         return rows
 
     def motion(self):
-        """Accelerations of base and coordinates, and the ground's force, which acts where the foot touches."""
+        """Accelerations of base and coordinates, and the ground's force where the foot touches."""
         inertia, _ = self.floating()
         held = self.rolling(np.array([1, 0, 0]))
         held[:, :2, :2] = np.eye(2)

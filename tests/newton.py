@@ -279,7 +279,7 @@ class Wobbling(Newton):
 
 
 class Goswami(Newton):
-    """Leg masses part-way along the legs: ``a = 1/(1 + beta)`` above the foot, ``b = beta/(1 + beta)`` below the hip."""
+    """Leg masses ``a = 1/(1 + beta)`` above the feet, ``b = beta/(1 + beta)`` below the hip."""
 
     def build(self):
         super().build()

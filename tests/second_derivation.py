@@ -1,4 +1,4 @@
-"""The built-in walkers as SymPy's own mechanics sees them: frames, points, particles, rigid bodies and forces.
+"""The built-in walkers as SymPy's own mechanics sees them: frames, particles, rigid bodies and forces.
 
 Nothing here comes from `derive`. What is built is handed to `LagrangesMethod` and `KanesMethod`.
 """

@@ -144,7 +144,11 @@ SHAPES = [
 ]
 
 SYMBOLS = [
-    (with_cargo(HIP.position, sp.Symbol("m")), 'the mass of the body cargo has the symbol m, which is no', "declare Parameter(\"m\", ...)"),
+    (
+        with_cargo(HIP.position, sp.Symbol("m")),
+        "the mass of the body cargo has the symbol m, which is no",
+        'declare Parameter("m", ...)',
+    ),
     (
         with_cargo(HIP.position, sp.Symbol("beta")),
         "the mass of the body cargo has the symbol beta",
@@ -155,24 +159,42 @@ SYMBOLS = [
         "the position of the body cargo has the symbol theta1",
         "Coordinate(...).symbol",
     ),
-    (with_cargo(HIP.position, theta1), "the mass of the body cargo has the symbol theta1", "may not stand there"),
+    (
+        with_cargo(HIP.position, theta1),
+        "the mass of the body cargo has the symbol theta1",
+        "may not stand there",
+    ),
     ({"gravity": sp.Matrix([0, -theta1])}, "gravity has the symbol theta1", "may not stand there"),
     (
         {"touchdown": Touchdown(theta2 - 2 * theta1 + THETA1.rate, theta1)},
         "the touchdown's condition has the symbol dtheta1",
         "may not stand there",
     ),
-    ({"touchdown": Touchdown(theta2 - 2 * theta1, TIME)}, "the touchdown's region has the symbol t", "may not stand"),
-    ({"potentials": {"spring": TIME * theta1}}, "the potential spring has the symbol t", "may not stand there"),
+    (
+        {"touchdown": Touchdown(theta2 - 2 * theta1, TIME)},
+        "the touchdown's region has the symbol t",
+        "may not stand",
+    ),
+    (
+        {"potentials": {"spring": TIME * theta1}},
+        "the potential spring has the symbol t",
+        "may not stand there",
+    ),
     ({"stance": STANCE_FOOT}, "stance has the symbol stance_x", "may not stand there"),
     ({"clock": Clock(theta1)}, "the rate of the clock has the symbol theta1"),
     ({"locks": (THETA1.rate,)}, "lock 1 has the symbol dtheta1"),
     ({"spring_mode": theta1}, "spring_mode has the symbol theta1"),
     ({"dissipation": sp.Symbol("c") * THETA1.rate**2}, "the dissipation has the symbol c"),
-    ({"clock": Clock(COMPASS.clock.rate, resets=False, turn=sp.Symbol("turn"))}, "the symbol turn, which is no"),
-    (with_cargo(sp.Matrix([sp.sin(theta1), 1])), "the position of the body cargo does not move along with the"),
+    (
+        {"clock": Clock(COMPASS.clock.rate, resets=False, turn=sp.Symbol("turn"))},
+        "the symbol turn, which is no",
+    ),
+    (
+        with_cargo(sp.Matrix([sp.sin(theta1), 1])),
+        "the position of the body cargo does not move along with the",
+    ),
     ({"swing_foot": 2 * STANCE_FOOT}, "swing_foot does not move along with the stance foot"),
-]  # fmt: skip
+]
 
 SEARCH = [
     ({"search_box": {"theta1": (0, 1), "dtheta1": (0, 1)}}, "search_box lacks dtheta2; give its middle"),
@@ -189,7 +211,10 @@ SEARCH = [
 # -- mechanics -----------------------------------------------------------------------------------------------
 
 MECHANICS = [
-    ({"relabel": {theta1: theta1 - theta2, theta2: sp.sin(theta2)}}, "relabel is not linear in the coordinates"),
+    (
+        {"relabel": {theta1: theta1 - theta2, theta2: sp.sin(theta2)}},
+        "relabel is not linear in the coordinates",
+    ),
     (
         {"relabel": {theta1: theta1 - theta2, theta2: theta2}},
         "relabel is no involution: to swap the legs twice does not give theta1 back, but theta1 - 2*theta2",
@@ -197,16 +222,24 @@ MECHANICS = [
     ),
     ({"relabel": {theta1: beta * theta1, theta2: theta2}}, "relabel is no involution", "but beta**2*theta1"),
     (
-        {"coordinates": (THETA1, THETA2, OTHER), "relabel": {**COMPASS.relabel, OTHER.symbol: OTHER.symbol},
-         **boxes(COMPASS, other=(0, 1), dother=(0, 1))},
+        {
+            "coordinates": (THETA1, THETA2, OTHER),
+            "relabel": {**COMPASS.relabel, OTHER.symbol: OTHER.symbol},
+            **boxes(COMPASS, other=(0, 1), dother=(0, 1)),
+        },
         "the coordinate other has no inertia: no body moves with it; give a body that does a mass",
     ),
     (
-        {"coordinates": (THETA1, THETA2, X), "relabel": {**COMPASS.relabel, x: x},
-         "bodies": (*(Body(b.name, b.mass, b.position.subs(theta1, theta1 + x)) for b in COMPASS.bodies[:2]),
-                    Body("swing foot", beta, COMPASS.bodies[2].position.subs(theta1, theta1 + x))),
-         **boxes(COMPASS, x=(0, 1), dx=(0, 1))},
-        "the mass matrix has no inverse: some coordinates move all bodies alike; take one of theta1, theta2, x",
+        {
+            "coordinates": (THETA1, THETA2, X),
+            "relabel": {**COMPASS.relabel, x: x},
+            "bodies": (
+                *(Body(b.name, b.mass, b.position.subs(theta1, theta1 + x)) for b in COMPASS.bodies[:2]),
+                Body("swing foot", beta, COMPASS.bodies[2].position.subs(theta1, theta1 + x)),
+            ),
+            **boxes(COMPASS, x=(0, 1), dx=(0, 1)),
+        },
+        "the mass matrix has no inverse: some coordinates move all bodies alike; take one of theta1, theta2",
     ),
     (with_cargo(HIP.position, beta - 1), "the mass of the body cargo is -0.85", "must not be negative"),
     (with_cargo(HIP.position, 1 / (beta - sp.Rational(3, 20))), "the mass of the body cargo is zoo"),
@@ -216,17 +249,24 @@ MECHANICS = [
     ({"locks": (theta1, theta2)}, "locks leave no coordinate free to move"),
     (
         {"touchdown": Touchdown(theta2 - theta1, theta1), "section": {}, **boxes(COMPASS, theta2=(0, 1))},
-        "the touchdown's condition is ", "just after touchdown and must be zero, because the old stance foot",
+        "the touchdown's condition is ",
+        "just after touchdown and must be zero, because the old stance foot",
     ),
-    ({"touchdown": Touchdown(theta2 - 2 * theta1, sp.Integer(1))}, "no touchdown was found near the search box"),
+    (
+        {"touchdown": Touchdown(theta2 - 2 * theta1, sp.Integer(1))},
+        "no touchdown was found near the search box",
+    ),
     ({"touchdown": Touchdown(theta1**2 + 1, theta1)}, "no touchdown was found near the search box"),
     (
         {"touchdown": Touchdown(sp.sqrt(-1 - theta1**2), theta1)},
         "no touchdown was found near the search box",
     ),
     ({"touchdown": Touchdown(beta, theta1)}, "no touchdown was found near the search box"),
-    ({"section": {theta2: 3 * theta1}}, "section fixes theta2 = 3*theta1, but just after touchdown theta2 can be"),
-]  # fmt: skip
+    (
+        {"section": {theta2: 3 * theta1}},
+        "section fixes theta2 = 3*theta1, but just after touchdown theta2 can be",
+    ),
+]
 
 REFUSALS = [*NAMES, *RANGES, *REFERENCES, *SHAPES, *SYMBOLS, *SEARCH, *MECHANICS]
 

@@ -34,7 +34,7 @@ def assert_close(result, expected, tolerance=1e-11, scale=None):
 
 
 def second_equations(method, name, at, *more):
-    """Mass matrix and force at all states by another method; `more` are (name, value) of further parameters."""
+    """Mass matrix and force at all states by another method; `more` are further parameters (name, value)."""
     parameters = [a.name for a in load(name).parameters] + [key for key, _ in more]
     evaluate = equations(method, name, load(name).coordinates, parameters)
     torque = np.zeros(len(at["t"]))
@@ -299,7 +299,11 @@ def test_swapping_the_legs_twice_changes_nothing(name):
 def test_a_step_is_as_long_as_the_swing_foot_was_ahead(name):
     before, after = after_impact(name)
     landed = quantities(name, "swing_foot", at=before)["foot"][:, 0]
-    np.testing.assert_allclose(quantities(name, "step_length", at=after)["length"], landed, atol=1e-15)
+    length = quantities(name, "step_length", at=after)["length"]
+    np.testing.assert_allclose(length, landed, atol=1e-15)
+    # Seen from the new foot the walker is where it was.
+    before, after = (quantities(name, "centre_of_mass", at=at)["com"] for at in (before, after))
+    np.testing.assert_allclose(before - after, np.stack([length, 0 * length], axis=1), atol=1e-15)
 
 
 @all_models

@@ -1,4 +1,4 @@
-"""What no built-in walker has (rolling feet, dampers, locks, a clock that goes on, motors), against laws by hand."""
+"""What no built-in walker has (rolling feet, dampers, locks, a clock that goes on) against laws by hand."""
 
 import numpy as np
 import pytest
