@@ -232,14 +232,14 @@ class Mechanics:
     def weight(self) -> sp.Expr:
         """Weight of the whole walker."""
         signed = [a.symbol for a in self.walker.parameters if a.lower is not None and a.lower >= 0]
-        known = {symbol: sp.Dummy(symbol.name, nonnegative=True) for symbol in signed}
+        known = {symbol: sp.Symbol(symbol.name, nonnegative=True) for symbol in signed}
         gravity = self.walker.gravity.xreplace(known)
         size = sp.sqrt(sp.simplify(gravity.dot(gravity)))
         if unsigned := size.atoms(sp.Abs):
             which = min(str(a.args[0]) for a in unsigned)
             raise InputError(
-                f"model {self.walker.name}: gravity can have either sign of {which}; give the parameter a lower "
-                "limit of 0"
+                f"model {self.walker.name}: gravity can have either sign of {which}; give the parameter a "
+                "lower limit of 0"
             )
         return simplified(self.total_mass * size.xreplace({d: s for s, d in known.items()}))
 

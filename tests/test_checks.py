@@ -337,6 +337,16 @@ def test_functions_that_generated_code_has_no_form_for_are_refused(name):
     assert "cannot print" in sentence and (name in sentence or name == "I")
 
 
+def test_the_acceleration_of_gravity_is_not_negative():
+    def weight(*limits):
+        g = parameter("g", 9.81, *limits)
+        downwards = g.symbol * WHEEL.gravity
+        return Mechanics(WHEEL.with_(parameters=(*WHEEL.parameters, g), gravity=downwards)).weight
+
+    assert weight(0.0) == sp.Symbol("g", real=True)
+    assert "gravity can have either sign of g; give the parameter a lower limit of 0" in refusal(weight)
+
+
 def test_names_that_generated_code_makes_itself_are_refused():
     walker = WHEEL.with_(parameters=(*WHEEL.parameters, parameter("M_11")))
     assert "has two things named M_11" in refusal(lambda: emit(walker, "test"))
