@@ -19,7 +19,8 @@ RESERVED = frozenset(
     "t q v p z u xp M h dh side d com foot force zmp mass weight pull length positions masses kinetic "
     "potential auto break case char const continue default do double else enum extern float for goto if "
     "inline int long register restrict return short signed sizeof static struct switch typedef union "
-    "unsigned void volatile while sin cos tan sqrt exp log pow abs main period status stable model params state".split()
+    "unsigned void volatile while sin cos tan sqrt exp log pow abs main period status stable model params "
+    "state".split()
 ) | frozenset(keyword.kwlist)
 """Names that mean something else in generated code or in tables."""
 
