@@ -56,8 +56,8 @@ WALKER = Walker(
     swing_foot=swing_foot,
     touchdown=Touchdown(2 * theta1 - theta2, theta1, rising=False),
     relabel={theta1: theta1 - theta2, theta2: -theta2, psi: psi},
-    locks=(psi,),
-    section={theta2: 2 * theta1, PSI.rate: sp.Integer(0)},
+    locks=(psi + theta1 - theta2,),  # the torso to the leg that stands next
+    section={theta2: 2 * theta1, PSI.rate: -THETA1.rate},
     search_box={"theta1": (0.2, 0.1), "dtheta1": (-0.5, 0.5), "dtheta2": (0.0, 0.5), "psi": (0.0, 0.1)},
     units=SI,
 )
@@ -121,7 +121,7 @@ class ByHand(Newton):
         inertia, swing = self.floating()
         free = np.zeros((self.count, 3, 5))
         free[:, :2] = swing + self.rolling(np.array([1, -1, 0]))
-        free[:, 2, 4] = 1  # the torso's rate
+        free[:, 2, 2:] = [1, -1, 1]  # the torso's rate from the leg that stands next
         before = np.concatenate([0 * self.v[:, :2], self.v], axis=1)
         before[:, 0] = -self.par["radius"] * self.v[:, 0]
         system = np.block([[inertia, -transposed(free)], [free, np.zeros((self.count, 3, 3))]])
