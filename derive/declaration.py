@@ -282,7 +282,7 @@ class Walker:
     Raises
     ------
     InputError
-        For a declaration that contradicts itself; see `checks`.
+        For a declaration that contradicts itself; see `checks` and `trials`.
     """
 
     name: str
@@ -314,12 +314,14 @@ class Walker:
 
     def __post_init__(self) -> None:
         from stridemap.derive.checks import check
+        from stridemap.derive.trials import try_out
 
         for name, value in vars(self).items():
             object.__setattr__(self, name, exact(value))
-        if self.clock is not None and not self.clock.resets:
+        if isinstance(self.clock, Clock) and not self.clock.resets:
             self._add_clock(self.clock)
         check(self)
+        try_out(self)
 
     def _add_clock(self, clock: Clock) -> None:
         """Make the phase of a clock that is not reset a coordinate; see `Mechanics.inertia` for its row."""

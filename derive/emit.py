@@ -7,10 +7,10 @@ from typing import Any
 import sympy as sp
 
 from stridemap.derive import print_c, print_example, print_python
-from stridemap.derive.checks import check_rates
 from stridemap.derive.declaration import Walker
 from stridemap.derive.functions import Functions
 from stridemap.derive.program import Program
+from stridemap.derive.trials import check_rates
 from stridemap.errors import InputError
 
 
@@ -35,14 +35,18 @@ def emit(walker: Walker, generator: str) -> tuple[dict[str, str], dict[str, Any]
     manifest : dict
         What the files hold: functions, argument order, shapes, units, parameters, hash of the model.
     """
-    functions = Functions(walker)
-    check_rates(functions.mechanics)
     try:
-        programs = list(functions.programs())
+        return _printed(walker, generator)
     except (TypeError, ValueError) as error:
         if isinstance(error, InputError):
             raise
         raise InputError(f"model {walker.name}: {error}") from error
+
+
+def _printed(walker: Walker, generator: str) -> tuple[dict[str, str], dict[str, Any]]:
+    functions = Functions(walker)
+    check_rates(functions.mechanics)
+    programs = list(functions.programs())
     python = print_python.module(walker.title, programs, generator)
     model_hash = hashlib.sha256(print_python.body(programs).encode()).hexdigest()
     first_lines = print_c.banner(f"{walker.title}: readable equations", generator, model_hash)

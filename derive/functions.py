@@ -15,7 +15,8 @@ DEFAULT_SOURCES = {
     "controller_torque": "the model's declaration",
     "state_derivative": "M ddq + h + v = Q",
     "touchdown_condition": "the model's declaration",
-    "impact_map": "plastic impact: Me (v+ - v-) = J^T Lambda, J v+ = 0, projected on the velocities with J v = 0",
+    "impact_map": "plastic impact: Me (v+ - v-) = J^T Lambda, J v+ = 0, "
+    "projected on the velocities with J v = 0",
     "zmp": "p = x_g - F_x / F_y y_g with the ground force F",
 }
 """Sources of equations for which a declaration names none."""
@@ -207,20 +208,10 @@ class Functions:
         summary = "Gradient of the touchdown condition"
         return self._close(Builder(), "touchdown_condition_dq", summary, "derivative of h", [out])
 
-    def _impact_equations(self) -> tuple[sp.Matrix, sp.Matrix]:
-        """Matrix and right-hand side of the equations of the rates after touchdown, and of the locks' forces."""
-        m = self.mechanics
-        locks = len(self.walker.locks)
-        if not locks:
-            return m.impact_mass_matrix, m.impact_momentum
-        jacobian = m.lock_jacobian
-        matrix = sp.Matrix(sp.BlockMatrix([[m.impact_mass_matrix, jacobian.T], [jacobian, sp.zeros(locks)]]))
-        return matrix, sp.Matrix.vstack(m.impact_momentum, sp.zeros(locks, 1))
-
     def _impact(self, b: Builder) -> tuple[sp.Matrix, Factors]:
         """Rates after touchdown in the new names (and the locks' forces), and the factors."""
         symmetric = self.mechanics.symmetric
-        equations, right = self._impact_equations()
+        equations, right = self.mechanics.impact_equations
         matrix = b.let_matrix("A", equations, symmetric)
         momentum = b.let_vector("momentum", right)
         factors = b.factor("A", matrix, symmetric)
@@ -243,7 +234,7 @@ class Functions:
 
     def impact_map_jacobians(self) -> Iterator[Program]:
         """Derivatives of the rates after the impact: ``A dv+ = d(momentum) - dA v+``."""
-        equations, right = self._impact_equations()
+        equations, right = self.mechanics.impact_equations
         for name, wrt in (("q", self.walker.q), ("v", self.walker.v)):
             b = Builder()
             after, factors = self._impact(b)

@@ -231,8 +231,17 @@ class Mechanics:
     @cached_property
     def weight(self) -> sp.Expr:
         """Weight of the whole walker."""
-        size = sp.simplify(self.walker.gravity.dot(self.walker.gravity))
-        return simplified(self.total_mass * sp.sqrt(size))
+        signed = [a.symbol for a in self.walker.parameters if a.lower is not None and a.lower >= 0]
+        known = {symbol: sp.Symbol(symbol.name, nonnegative=True) for symbol in signed}
+        gravity = self.walker.gravity.xreplace(known)
+        size = sp.sqrt(sp.simplify(gravity.dot(gravity)))
+        if unsigned := size.atoms(sp.Abs):
+            which = min(str(a.args[0]) for a in unsigned)
+            raise InputError(
+                f"model {self.walker.name}: gravity can have either sign of {which}; give the parameter a "
+                "lower limit of 0"
+            )
+        return simplified(self.total_mass * size.xreplace({d: s for s, d in known.items()}))
 
     @cached_property
     def pull(self) -> sp.Expr:
@@ -319,6 +328,16 @@ class Mechanics:
     def lock_jacobian(self) -> sp.Matrix:
         """What the impact locks, a rate in the new names, shape (n_locks, n)."""
         return sp.Matrix(self.walker.locks).jacobian(self.walker.q) * self.swap.inv()
+
+    @cached_property
+    def impact_equations(self) -> tuple[sp.Matrix, sp.Matrix]:
+        """Matrix and right-hand side for the rates after touchdown, in the new names, and locks' forces."""
+        locks = len(self.walker.locks)
+        if not locks:
+            return self.impact_mass_matrix, self.impact_momentum
+        jacobian = self.lock_jacobian
+        blocks = [[self.impact_mass_matrix, jacobian.T], [jacobian, sp.zeros(locks)]]
+        return sp.Matrix(sp.BlockMatrix(blocks)), sp.Matrix.vstack(self.impact_momentum, sp.zeros(locks, 1))
 
     def impact_impulse(self, after: sp.Matrix) -> sp.Matrix:
         """Impulse on the swing foot for given rates after the impact, in the new names, shape (2, 1)."""

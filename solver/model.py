@@ -118,8 +118,8 @@ class Model:
             ) from None
         if self.manifest["format"] != FORMAT:
             raise InputError(
-                f"{folder} was written by another version of stridemap (format {self.manifest['format']}, not "
-                f"{FORMAT}); run `stridemap derive`"
+                f"{folder} was written by another version of stridemap (format {self.manifest['format']}, "
+                f"not {FORMAT}); run `stridemap derive`"
             )
 
     def __getattr__(self, name: str) -> ca.Function:

@@ -3,8 +3,8 @@
 A. Goswami, B. Espiau, A. Keramane, "Limit cycles in a passive compass gait biped and passivity-mimicking
 control laws", Autonomous Robots 4 (1997) 273-286, doi:10.1023/A:1008844026298; A. Goswami, B. Thuilot,
 B. Espiau, "A study of the passive gait of a compass-like biped robot", Int. J. Robotics Research 17 (1998)
-1282-1301, doi:10.1177/027836499801701202. With ``mu = 2`` and ``beta = 1`` the period of the gait doubles first
-near a slope of 4.4 degrees.
+1282-1301, doi:10.1177/027836499801701202. With ``mu = 2`` and ``beta = 1`` the period of the gait doubles
+first near a slope of 4.4 degrees.
 """
 
 import sympy as sp

@@ -1,6 +1,7 @@
 """The rimless wheel: spokes without a rim, rolling down a slope.
 
-T. McGeer, "Passive dynamic walking", Int. J. Robotics Research 9 (1990) 62-82, doi:10.1177/027836499000900206;
+T. McGeer, "Passive dynamic walking", Int. J. Robotics Research 9 (1990) 62-82,
+doi:10.1177/027836499000900206;
 M. J. Coleman, "Dynamics and stability of a rimless spoked wheel", Dynamical Systems 25 (2010) 215-238,
 doi:10.1080/14689360903429188. All is known in closed form: with n spokes and
 ``mu = 1 + lambda2 (cos(2 pi/n) - 1)``, just after impact
