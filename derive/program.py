@@ -135,7 +135,7 @@ class Builder:
 
     def let_symmetric(self, name: str, matrix: sp.Matrix) -> sp.Matrix:
         """Name the entries of a symmetric matrix ``<name>_11``, ``<name>_12``, ..., each once."""
-        named = matrix.copy()
+        named = sp.Matrix(matrix)
         for i in range(matrix.rows):
             for j in range(i + 1):
                 named[i, j] = named[j, i] = self.let(f"{name}_{j + 1}{i + 1}", matrix[i, j])
