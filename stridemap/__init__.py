@@ -12,6 +12,7 @@ from importlib.metadata import version
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from stridemap.build import derive_model
     from stridemap.errors import InputError
     from stridemap.solver.face import find_orbits, simulate
     from stridemap.solver.model import Model, load
@@ -30,6 +31,7 @@ _HOMES = {
     "Orbit": "stridemap.solver.orbit",
     "SearchOptions": "stridemap.solver.search",
     "Status": "stridemap.solver.orbit",
+    "derive_model": "stridemap.build",
     "find_orbits": "stridemap.solver.face",
     "load": "stridemap.solver.model",
     "motion": "stridemap.solver.motion",
@@ -47,6 +49,7 @@ __all__ = [
     "SearchOptions",
     "Status",
     "__version__",
+    "derive_model",
     "find_orbits",
     "load",
     "motion",

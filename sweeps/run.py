@@ -223,7 +223,7 @@ class _Run:
         cells = self.tiles[tile]
         known = np.isin(self.cells, cells)
         return Task(
-            model=str(self.model.folder) if self.model.source.endswith(".py") else self.model.source,
+            model=self.model.source if self.model.builtin else str(self.model.folder),
             grid=self.grid,
             params=dict(self.config.params),
             options=self.options,

@@ -15,7 +15,7 @@ int main(void)
     const double p[3] = {2.0, 1.0, 0.05};
     /* a state just after touchdown: theta1, dtheta1, dtheta2 */
     const double z[3] = {0.3, -0.217, 0.083};
-    const double t = 0.0, dt = 1e-3;
+    const double dt = 1e-3;
     double q[2], v[2], M[4], dq[2], dv[2], kinetic[1], potential[1];
     double force[2], q_plus[2], v_plus[2];
     int i, j;

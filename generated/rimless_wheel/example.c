@@ -15,7 +15,7 @@ int main(void)
     const double p[3] = {0.2, 6.0, 0.6666666666666666};
     /* a state just after touchdown: theta, dtheta */
     const double z[2] = {-0.417, 0.667};
-    const double t = 0.0, dt = 1e-3;
+    const double dt = 1e-3;
     double q[1], v[1], M[1], dq[1], dv[1], kinetic[1], potential[1];
     double force[2], q_plus[1], v_plus[1];
     int i, j;
