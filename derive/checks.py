@@ -95,9 +95,12 @@ def _parameters(parameters: "Iterable[Parameter]", model: str) -> None:
         below = a.lower is not None and (a.default < a.lower or (a.default == a.lower and a.lower_open))
         above = a.upper is not None and (a.default > a.upper or (a.default == a.upper and a.upper_open))
         if not math.isfinite(a.default) or below or above:
+            low = "(" if a.lower_open or a.lower is None else "["
+            high = ")" if a.upper_open or a.upper is None else "]"
+            ends = [str(end) if x is None else f"{x:g}" for x, end in ((a.lower, "-inf"), (a.upper, "inf"))]
             raise InputError(
-                f"model {model}: the default {a.default!r} of the parameter {a.name} is not in its own range "
-                f"({a.lower} to {a.upper}); change one of them"
+                f"model {model}: the default {a.default:g} of the parameter {a.name} is not in its own range "
+                f"{low}{', '.join(ends)}{high}; change one of them"
             )
 
 
@@ -116,7 +119,9 @@ def _references(walker: "Walker") -> None:
             )
     for symbol in walker.relabel:
         if symbol not in symbols:
-            _refuse(walker, f"relabel gives {symbol} a new value, but that is no coordinate of it")
+            twin = str(symbol) in {c.name for c in walker.coordinates}
+            cure = "; take Coordinate(...).symbol, which is real" if twin else ""
+            _refuse(walker, f"relabel gives {symbol} a new value, but that is no coordinate of it{cure}")
     for symbol in symbols:
         if symbol not in walker.relabel:
             _refuse(walker, f"relabel says nothing of {symbol}; write {{{symbol}: {symbol}}} if it stays")
@@ -126,6 +131,8 @@ def _references(walker: "Walker") -> None:
 
 
 def _shapes(walker: "Walker") -> None:
+    from stridemap.derive.declaration import Coordinate, Parameter
+
     vectors = [(f"the position of the body {b.name}", b.position) for b in walker.bodies]
     vectors += [("swing_foot", walker.swing_foot), ("gravity", walker.gravity), ("stance", walker.stance)]
     vectors += [(f"a point of the line {line.name}", p) for line in walker.drawing for p in line.points]
@@ -134,6 +141,9 @@ def _shapes(walker: "Walker") -> None:
         if shape != (2, 1):
             _refuse(walker, f"{what} has shape {shape}; a point has shape (2, 1), as sympy.Matrix([x, y])")
     for what, value in _scalars(walker):
+        if isinstance(value, Parameter | Coordinate):
+            kind = type(value).__name__
+            _refuse(walker, f"{what} is the {kind} {value.name} itself; take its symbol, {kind}(...).symbol")
         if not isinstance(value, sp.Expr):
             _refuse(walker, f"{what} is {value!r}, and must be one SymPy expression")
 
@@ -367,6 +377,7 @@ def _after_touchdown(walker: "Walker", values: Mapping[sp.Symbol, float]) -> Non
                 "old stance foot is still on the ground: correct relabel, or write a condition that is zero "
                 "for both feet on the ground whichever is in front",
             )
+        _same_place(walker, {**values, **before}, {**values, **after})
         for symbol, value in walker.section.items():
             if symbol in after:
                 wanted = float(sp.sympify(value).subs({**values, **after}).evalf())
@@ -381,6 +392,28 @@ def _after_touchdown(walker: "Walker", values: Mapping[sp.Symbol, float]) -> Non
             walker,
             "no touchdown was found near the search box: the touchdown's condition has no zero where its "
             "region is negative; correct the condition, the region or search_box",
+        )
+
+
+def _same_place(
+    walker: "Walker", before: Mapping[sp.Symbol, float], after: Mapping[sp.Symbol, float]
+) -> None:
+    """The centre of mass stays where it is when the legs swap names and the other foot is the stance foot."""
+    from stridemap.derive.declaration import STANCE_FOOT
+
+    mass = sum(body.mass for body in walker.bodies)
+    centre = sum((body.mass * body.position for body in walker.bodies), sp.zeros(2, 1)) / mass
+    if walker.massless is not None:
+        centre = centre.subs(walker.massless.mass, 0.1)
+    origin = dict.fromkeys(STANCE_FOOT, 0)
+    was, landed = (m.subs(origin).subs(before) for m in (centre, walker.swing_foot))
+    now = landed + centre.subs(origin).subs(after)
+    moved = float((now - was).evalf().norm())
+    if moved > TOLERANCE * (1 + float(was.evalf().norm())):
+        _refuse(
+            walker,
+            f"to swap the legs moves the centre of mass by {moved:.6g}: the coordinates in relabel do not describe "
+            "the walker that has just touched down, seen from its new stance foot; correct relabel",
         )
 
 

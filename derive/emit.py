@@ -39,10 +39,16 @@ def emit(walker: Walker, generator: str) -> tuple[dict[str, str], dict[str, Any]
     check_rates(functions.mechanics)
     try:
         programs = list(functions.programs())
+        return _printed(walker, programs, generator)
     except (TypeError, ValueError) as error:
         if isinstance(error, InputError):
             raise
         raise InputError(f"model {walker.name}: {error}") from error
+
+
+def _printed(
+    walker: Walker, programs: list[Program], generator: str
+) -> tuple[dict[str, str], dict[str, Any]]:
     python = print_python.module(walker.title, programs, generator)
     model_hash = hashlib.sha256(print_python.body(programs).encode()).hexdigest()
     first_lines = print_c.banner(f"{walker.title}: readable equations", generator, model_hash)

@@ -231,8 +231,17 @@ class Mechanics:
     @cached_property
     def weight(self) -> sp.Expr:
         """Weight of the whole walker."""
-        size = sp.simplify(self.walker.gravity.dot(self.walker.gravity))
-        return simplified(self.total_mass * sp.sqrt(size))
+        # So that the root of g^2 is g for a parameter g that is never negative.
+        limited = [a for a in self.walker.parameters if a.lower is not None and a.lower >= 0]
+        signed = {a.symbol: sp.Dummy(a.name, nonnegative=True) for a in limited}
+        square = sp.simplify(self.walker.gravity.dot(self.walker.gravity)).subs(signed)
+        size = sp.sqrt(square).subs({dummy: symbol for symbol, dummy in signed.items()})
+        if size.has(sp.Abs):
+            raise InputError(
+                f"model {self.walker.name}: gravity has the size {size}, so the parameter in it needs a lower "
+                "limit of at least 0"
+            )
+        return simplified(self.total_mass * size)
 
     @cached_property
     def pull(self) -> sp.Expr:
