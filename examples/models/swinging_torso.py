@@ -35,7 +35,6 @@ WALKER = COMPASS.with_(
     potentials={"spring": K.symbol * twist**2 / 2},
     dissipation=C.symbol * twist_rate**2 / 2,
     relabel={**COMPASS.relabel, psi: psi},
-    spring_mode=sp.sqrt(K.symbol / (alpha * (1 - alpha))) / r,  # hip free, without gravity
     wobbling=PSI,
     drawing=(LEGS, Line("torso", (hip, mass))),
     search_box={**COMPASS.search_box, "psi": (0.0, 0.3), "dpsi": (0.0, 1.5)},
