@@ -141,9 +141,12 @@ def _parameters(parameters: "Iterable[Parameter]", model: str) -> None:
         below = a.lower is not None and (a.default < a.lower or (a.default == a.lower and a.lower_open))
         above = a.upper is not None and (a.default > a.upper or (a.default == a.upper and a.upper_open))
         if below or above:
+            low = "(" if a.lower_open or a.lower is None else "["
+            high = ")" if a.upper_open or a.upper is None else "]"
+            ends = [str(end) if x is None else f"{x:g}" for x, end in ((a.lower, "-inf"), (a.upper, "inf"))]
             raise InputError(
-                f"model {model}: the default {a.default!r} of the parameter {a.name} is not in its own range "
-                f"({a.lower} to {a.upper}); change one of them"
+                f"model {model}: the default {a.default:g} of the parameter {a.name} is not in its own range "
+                f"{low}{', '.join(ends)}{high}; change one of them"
             )
 
 
@@ -173,6 +176,8 @@ def _references(walker: "Walker") -> None:
 
 
 def _shapes(walker: "Walker") -> None:
+    from stridemap.derive.declaration import Coordinate, Parameter
+
     vectors = [(f"the position of the body {b.name}", b.position) for b in walker.bodies]
     vectors += [("swing_foot", walker.swing_foot), ("gravity", walker.gravity), ("stance", walker.stance)]
     vectors += [(f"a point of the line {line.name}", p) for line in walker.drawing for p in line.points]
@@ -181,6 +186,9 @@ def _shapes(walker: "Walker") -> None:
         if shape != (2, 1):
             refuse(walker, f"{what} has shape {shape}; a point has shape (2, 1), as sympy.Matrix([x, y])")
     for what, value in _scalars(walker):
+        if isinstance(value, Parameter | Coordinate):
+            kind = type(value).__name__
+            refuse(walker, f"{what} is the {kind} {value.name} itself; take its symbol, {kind}(...).symbol")
         if not isinstance(value, sp.Expr) or isinstance(value, sp.MatrixBase):
             refuse(walker, f"{what} is {value!r}, and must be one SymPy expression")
     for symbol, value in walker.section.items():

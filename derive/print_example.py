@@ -13,6 +13,13 @@ CALLED = (
 """The functions that the example calls."""
 
 
+CALLED = (
+    "section_state", "mass_matrix", "kinetic_energy", "potential_energy", "ground_force", "state_derivative",
+    "impact_map",
+)  # fmt: skip
+"""The functions that the example calls."""
+
+
 def example(walker: Walker, programs: list[Program], first_lines: list[str]) -> str:
     """A C program that takes one Euler step and one touchdown with the readable functions."""
     name, n = walker.name, len(walker.coordinates)

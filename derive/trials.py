@@ -200,6 +200,7 @@ def _after_touchdown(walker: "Walker", values: Mapping[sp.Symbol, float]) -> Non
                 "old stance foot is still on the ground: correct relabel, or write a condition that is zero "
                 "for both feet on the ground whichever is in front",
             )
+        _same_place(walker, {**values, **before}, {**values, **after})
         for symbol, value in walker.section.items():
             if symbol in after:
                 wanted = float(sp.sympify(value).subs({**values, **after}).evalf())
@@ -214,6 +215,28 @@ def _after_touchdown(walker: "Walker", values: Mapping[sp.Symbol, float]) -> Non
             walker,
             "no touchdown was found near the search box: the touchdown's condition has no zero where its "
             "region is negative; correct the condition, the region or search_box",
+        )
+
+
+def _same_place(
+    walker: "Walker", before: Mapping[sp.Symbol, float], after: Mapping[sp.Symbol, float]
+) -> None:
+    """The centre of mass stays where it is when the legs swap names and the other foot is the stance foot."""
+    from stridemap.derive.declaration import STANCE_FOOT
+
+    mass = sum(body.mass for body in walker.bodies)
+    centre = sum((body.mass * body.position for body in walker.bodies), sp.zeros(2, 1)) / mass
+    if walker.massless is not None:
+        centre = centre.subs(walker.massless.mass, 0.1)
+    origin = dict.fromkeys(STANCE_FOOT, 0)
+    was, landed = (m.subs(origin).subs(before) for m in (centre, walker.swing_foot))
+    now = landed + centre.subs(origin).subs(after)
+    moved = float((now - was).evalf().norm())
+    if moved > TOLERANCE * (1 + float(was.evalf().norm())):
+        refuse(
+            walker,
+            f"to swap the legs moves the centre of mass by {moved:.6g}: the coordinates in relabel do not describe "
+            "the walker that has just touched down, seen from its new stance foot; correct relabel",
         )
 
 

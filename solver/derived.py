@@ -25,18 +25,26 @@ def derived_folder(path: Path) -> Path:
     InputError
         When there is no such file, or it declares no walker that can be derived.
     """
+    if not path.is_file():
+        raise InputError(f"cannot read the model file {path}; give the path of a Python file (.py)")
+    beside = sorted(path.resolve().parent.glob("*.py"))  # it may import them
+    return _derived(path.resolve(), tuple((p.name, _changed(p)) for p in beside), str(path))
+
+
+def _changed(path: Path) -> int:
     try:
-        changed = path.stat().st_mtime_ns
-    except OSError as error:
-        raise InputError(f"cannot read the model file {path} ({error.strerror}); give its path") from None
-    return _derived(path.resolve(), changed)
+        return path.stat().st_mtime_ns
+    except OSError:  # a dangling link, say
+        return 0
 
 
 @cache
-def _derived(path: Path, _changed: int) -> Path:
-    command = [sys.executable, "-m", "stridemap", "derive", str(path)]
+def _derived(path: Path, _beside: tuple[tuple[str, int], ...], shown: str) -> Path:
+    if sys.stderr.isatty():
+        print(f"reading {shown}; a walker that is new is derived first, about half a minute", file=sys.stderr)
+    command = [sys.executable, "-m", "stridemap", "derive", shown, "--keep"]
     run = subprocess.run(command, capture_output=True, text=True, check=False)
     if run.returncode:
-        said = run.stderr.strip().splitlines() or ["the derivation said nothing"]
+        said = run.stderr.strip().splitlines() or ["the derivation ended without a word"]
         raise InputError(said[-1].removeprefix("error: "))
     return Path(run.stdout.splitlines()[-1]).parent

@@ -113,13 +113,11 @@ class Model:
             self.actuated: tuple[str, ...] = tuple(self.manifest["actuated"])
             self.period_range: tuple[float, float] = tuple(self.manifest["section"]["period_range"])
         except (OSError, ValueError, KeyError, TypeError) as error:
-            raise InputError(
-                f"{folder} holds no readable manifest.json ({error}); run `stridemap derive`"
-            ) from None
+            raise InputError(f"{folder} holds no readable manifest.json ({error}); {self._cure}") from None
         if self.manifest["format"] != FORMAT:
             raise InputError(
-                f"{folder} was written by another version of stridemap (format {self.manifest['format']}, "
-                f"not {FORMAT}); run `stridemap derive`"
+                f"{folder} was written by another version of stridemap (format {self.manifest['format']}, not "
+                f"{FORMAT}); {self._cure}"
             )
 
     def __getattr__(self, name: str) -> ca.Function:
@@ -137,6 +135,20 @@ class Model:
         """Name and hash."""
         return f"Model({self.name!r}, hash={self.hash[:12]!r})"
 
+    @property
+    def builtin(self) -> bool:
+        """Whether it comes with stridemap."""
+        return self.folder.parent == GENERATED
+
+    @property
+    def _cure(self) -> str:
+        """How the generated files are written again."""
+        if self.builtin:
+            return "run `stridemap derive`"
+        if self.source.endswith(".py"):
+            return f"run `stridemap derive {self.source}`"
+        return f"run `stridemap derive` with its model file and --out {self.folder}"
+
     def path(self, file: str) -> Path:
         """Path of a generated file, checked against the manifest.
 
@@ -149,11 +161,9 @@ class Model:
         try:
             digest = hashlib.sha256(path.read_bytes()).hexdigest()
         except OSError as error:
-            raise InputError(f"cannot read {path}: {error.strerror}; run `stridemap derive`") from None
+            raise InputError(f"cannot read {path}: {error.strerror}; {self._cure}") from None
         if digest != self.manifest["files"].get(file):
-            raise InputError(
-                f"{path} is not the file that manifest.json names; run `stridemap derive` to restore it"
-            )
+            raise InputError(f"{path} is not the file that manifest.json names; {self._cure} to restore it")
         return path
 
     @cached_property
@@ -250,33 +260,43 @@ def available() -> list[str]:
     return sorted(path.parent.name for path in GENERATED.glob("*/manifest.json"))
 
 
-def load(name: str | Path) -> Model:
+def load(name: "str | Path | Model") -> Model:
     """Load a model.
 
     Parameters
     ----------
-    name : str or path
-        A built-in model's name, the path of a model file (``.py``), which is derived if that was not done
-        before, or the folder that `stridemap derive` wrote.
+    name : str, path or Model
+        A built-in model's name; the path of a model file (``.py``), which is derived if that was not done
+        before; or the folder that `stridemap derive` wrote. A model that is loaded is returned as it is.
 
     Raises
     ------
     InputError
         When there is no such model, or its file declares none.
     """
+    if isinstance(name, Model):
+        return name
     text = str(name)
     if text.endswith(".py"):
-        return _load(derived_folder(Path(text)), text)
+        return _loaded(derived_folder(Path(text)), text)
     if text in available():
-        return _load(GENERATED / text, text)
+        return _loaded(GENERATED / text, text)
     if (Path(text) / "manifest.json").exists():
-        return _load(Path(text).resolve(), text)
+        return _loaded(Path(text).resolve(), text)
     raise InputError(
         f"there is no model {text!r}; models are {', '.join(available())}, or give the path of a model file "
         "(.py) or of a folder that `stridemap derive` wrote"
     )
 
 
+def _loaded(folder: Path, source: str) -> Model:
+    try:
+        manifest = (folder / "manifest.json").read_bytes()
+    except OSError:
+        manifest = b""  # `Model` tells
+    return _load(folder, source, hashlib.sha256(manifest).hexdigest())
+
+
 @cache
-def _load(folder: Path, source: str) -> Model:
+def _load(folder: Path, source: str, _manifest: str) -> Model:
     return Model(folder, source)

@@ -12,6 +12,7 @@ from importlib.metadata import version
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from stridemap.build import derive_model
     from stridemap.errors import InputError
     from stridemap.solver.face import find_orbits, simulate
     from stridemap.solver.model import Model, load
@@ -32,6 +33,7 @@ _HOMES = {
     "SearchOptions": "stridemap.solver.search",
     "Status": "stridemap.solver.orbit",
     "Units": "stridemap.units",
+    "derive_model": "stridemap.build",
     "find_orbits": "stridemap.solver.face",
     "load": "stridemap.solver.model",
     "motion": "stridemap.solver.motion",
@@ -50,6 +52,7 @@ __all__ = [
     "Status",
     "Units",
     "__version__",
+    "derive_model",
     "find_orbits",
     "load",
     "motion",

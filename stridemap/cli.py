@@ -233,6 +233,9 @@ def derive(
     check: Annotated[
         bool, typer.Option("--check", help="Write nothing; tell which generated files would change.")
     ] = False,
+    keep: Annotated[
+        bool, typer.Option("--keep", help="Leave files in the cache as they are, even if they were changed.")
+    ] = False,
 ) -> int:
     """Derive a model and write its equations, C and kernels: a model file's, or all built-in ones'.
 
@@ -245,7 +248,9 @@ def derive(
     if path is None and out is not None:
         raise InputError("--out is for a model file; give its path, or leave --out out")
     if path is not None:
-        for written in build.derive_file(path, out):
+        walker = build.declared(path)
+        folder = build.into_cache(walker, keep) if out is None else build.into_folder(walker, out)
+        for written in build.generated_files(folder):
             print(written)
         return FOUND
     if not check:

@@ -113,7 +113,7 @@ class _File(BaseModel):
 
     model_config = _STRICT
 
-    model: str = Field(description='the name of a model in quotes, such as "wobbling"')
+    model: str = Field(description='the name or path of a model in quotes, such as "wobbling"')
     params: dict[str, Any] = Field({}, description="a table of numbers, [params]")
     grid: dict[str, Any] = Field({}, description="a table of lists or ranges, [grid]")
     search: dict[str, Any] = Field({}, description="a table, [search]")
@@ -159,9 +159,11 @@ class SweepConfig(BaseModel):
 
     def canonical(self) -> str:
         """Return the configuration as canonical JSON (see `canonical_json`)."""
+        from stridemap.solver.model import load
+
         data = self.model_dump()
         data["search"]["subgrid"] = self.strides
-        data["model"] = Path(self.model).name  # where a model file lies is no part of the configuration
+        data["model"] = load(self.model).name  # where a model file lies is no part of the configuration
         return canonical_json(data)
 
     @property
@@ -261,9 +263,13 @@ def parse_config(data: Mapping[str, Any], source: str = "configuration") -> Swee
 
 
 def _beside(source: str, model: str) -> str:
-    """A model file's path, which is meant from the folder of the configuration."""
+    """Where a model that is no built-in one lies: its path is meant from the folder of the configuration."""
+    from stridemap.solver.model import available
+
     path = Path(source).parent / model
-    return str(path) if model.endswith(".py") and path.exists() else model
+    if model in available():
+        return model
+    return str(path) if model.endswith(".py") or (path / "manifest.json").exists() else model
 
 
 def _check_names(file: _File, parameters: Mapping[str, "Parameter"], source: str) -> None:

@@ -213,7 +213,7 @@ class _Run:
 
     def _task(self, round_: int, tile: int, seeds: Ints, offers: list[Offer]) -> Task:
         return Task(
-            model=str(self.model.folder) if self.model.source.endswith(".py") else self.model.source,
+            model=self.model.source if self.model.builtin else str(self.model.folder),
             grid=self.grid,
             params=dict(self.config.params),
             options=self.options,
