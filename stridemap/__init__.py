@@ -18,18 +18,23 @@ if TYPE_CHECKING:
     from stridemap.solver.motion import Motion, motion
     from stridemap.solver.orbit import Orbit, Status
     from stridemap.solver.search import SearchOptions
+    from stridemap.sweeps.paper.claim import Claim, Verdict
+    from stridemap.sweeps.paper.evaluate import claims
     from stridemap.sweeps.run import sweep
     from stridemap.sweeps.store import read_cells, read_orbits
 
 __version__ = version("stridemap")
 
 _HOMES = {
+    "Claim": "stridemap.sweeps.paper.claim",
     "InputError": "stridemap.errors",
     "Model": "stridemap.solver.model",
     "Motion": "stridemap.solver.motion",
     "Orbit": "stridemap.solver.orbit",
     "SearchOptions": "stridemap.solver.search",
     "Status": "stridemap.solver.orbit",
+    "Verdict": "stridemap.sweeps.paper.claim",
+    "claims": "stridemap.sweeps.paper.evaluate",
     "find_orbits": "stridemap.solver.face",
     "load": "stridemap.solver.model",
     "motion": "stridemap.solver.motion",
@@ -40,13 +45,16 @@ _HOMES = {
 }
 
 __all__ = [
+    "Claim",
     "InputError",
     "Model",
     "Motion",
     "Orbit",
     "SearchOptions",
     "Status",
+    "Verdict",
     "__version__",
+    "claims",
     "find_orbits",
     "load",
     "motion",

@@ -34,7 +34,8 @@ def fixed_point_index(orbits: pd.DataFrame) -> NDArray[np.float64]:
     """Sign of ``det(1 - DP)`` from the multipliers, shape (n,): 1 on the sheets of stable cycles."""
     n = sum(name.startswith("multiplier_") and name.endswith("_re") for name in orbits.columns)
     multipliers = [
-        orbits[f"multiplier_{i}_re"].to_numpy() + 1j * orbits[f"multiplier_{i}_im"].to_numpy() for i in range(n)
+        orbits[f"multiplier_{i}_re"].to_numpy() + 1j * orbits[f"multiplier_{i}_im"].to_numpy()
+        for i in range(n)
     ]
     determinant: NDArray[np.float64] = np.prod([1 - m for m in multipliers], axis=0).real
     return np.sign(determinant)
@@ -69,7 +70,5 @@ def _links(left: NDArray[np.float64], right: NDArray[np.float64]) -> list[tuple[
     distance = np.abs(left[:, None] - right[None, :])
     nearest = distance.argmin(axis=1)
     return [
-        (i, int(j))
-        for i, j in enumerate(nearest)
-        if distance[:, j].argmin() == i and distance[i, j] < LINK
+        (i, int(j)) for i, j in enumerate(nearest) if distance[:, j].argmin() == i and distance[i, j] < LINK
     ]

@@ -22,8 +22,8 @@ from stridemap.sweeps.config import SweepConfig, parse_config
 from stridemap.sweeps.paper.branch import on_main_branch, walks
 from stridemap.sweeps.paper.edges import COLUMNS as EDGE_COLUMNS
 from stridemap.sweeps.paper.edges import bisected
+from stridemap.sweeps.paper.profiles import BESIDE, beside, with_profiles
 from stridemap.sweeps.paper.profiles import COLUMNS as PROFILE_COLUMNS
-from stridemap.sweeps.paper.profiles import distances, with_profiles
 from stridemap.sweeps.run import Progress, sweep
 from stridemap.sweeps.store import read_cells, read_orbits
 
@@ -49,7 +49,7 @@ class PaperData:
     Parameters
     ----------
     typical : DataFrame
-        Cycles at the three typical solutions, with time profiles and distances from the compass.
+        Cycles at the three typical solutions, with time profiles, and laid beside the compass's.
     compass : DataFrame
         Cycles of the compass, a row each.
     lines : DataFrame
@@ -74,7 +74,7 @@ class PaperData:
 
     def __post_init__(self) -> None:
         for name, columns in {
-            "typical": (*_WALKER, *PROFILE_COLUMNS, "angle_distance", "rate_distance"),
+            "typical": (*_WALKER, *PROFILE_COLUMNS, *BESIDE),
             "compass": (*MEASURES, "omega"),
             "lines": (*_WALKER, *PROFILE_COLUMNS, "main"),
             "edges": EDGE_COLUMNS,
@@ -207,8 +207,8 @@ def tables(found: Mapping[str, pd.DataFrame], cells: Mapping[str, pd.DataFrame])
 
 
 def _typical(walker: Model, orbits: pd.DataFrame, compass: Model, cycles: pd.DataFrame) -> pd.DataFrame:
-    with_d = with_profiles(walker, orbits)
-    return distances(walker, with_d, compass, cycles[cycles["omega"].isin(orbits["omega"])])
+    profiled = with_profiles(walker, orbits)
+    return beside(walker, profiled, compass, cycles[cycles["omega"].isin(orbits["omega"])])
 
 
 def _lines(walker: Model, orbits: pd.DataFrame) -> pd.DataFrame:

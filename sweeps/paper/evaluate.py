@@ -3,6 +3,7 @@
 from collections.abc import Callable, Mapping
 from concurrent.futures import Executor
 from pathlib import Path
+from typing import Any
 
 from stridemap.sweeps.paper import gaits, measures, stability
 from stridemap.sweeps.paper.claim import STATEMENTS, Claim
@@ -13,11 +14,10 @@ MODULES = (gaits, stability, measures)
 """Where the statements are; importing them declares the statements."""
 
 
-def default_folder(params: Mapping[str, float] | None = None) -> Path:
-    """Folder of the sweeps, another one for each set of parameters."""
-    return Path("results") / "-".join(
-        ["paper-claims", *(f"{name}={value:g}" for name, value in sorted((params or {}).items()))]
-    )
+def default_folder(params: Mapping[str, Any] | None = None, thin: int = 1) -> Path:
+    """Folder of the sweeps below the current one: another one for each choice of parameters."""
+    words = ["paper-claims", *(f"{name}={value}" for name, value in sorted((params or {}).items()))]
+    return Path("results") / "-".join([*words, f"thin={thin}"] if thin != 1 else words)
 
 
 def evaluate(data: PaperData) -> list[Claim]:
@@ -34,7 +34,7 @@ def evaluate(data: PaperData) -> list[Claim]:
 def claims(
     out: str | Path | None = None,
     *,
-    params: Mapping[str, float] | None = None,
+    params: Mapping[str, Any] | None = None,
     thin: int = 1,
     workers: int | None = None,
     executor: Executor | None = None,
@@ -69,7 +69,5 @@ def claims(
     InputError
         For unusable parameters, a folder with tables of another configuration, or when nothing walks.
     """
-    folder = default_folder(params) if out is None else out
-    return evaluate(
-        collect(folder, params, thin=thin, workers=workers, executor=executor, progress=progress)
-    )
+    folder = default_folder(params, thin) if out is None else out
+    return evaluate(collect(folder, params, thin=thin, workers=workers, executor=executor, progress=progress))

@@ -11,6 +11,7 @@ from stridemap.sweeps.paper.select import (
     GROUPS,
     TYPICAL,
     at,
+    compass,
     extremes,
     main_branch,
     slices,
@@ -84,7 +85,9 @@ def c3(data: PaperData) -> Decided:
             first, second = rows["x_first_behind"], rows["x_second_ahead"]
             if sign < 0:
                 first, second = 1 - first, 1 - second
-            good = (first > 0.5) & (second > 0.5) & (sign * rows["x_first"] < 0) & (sign * rows["x_second"] > 0)
+            good = (
+                (first > 0.5) & (second > 0.5) & (sign * rows["x_first"] < 0) & (sign * rows["x_second"] > 0)
+            )
             share = min(first.min(), second.min()) if len(rows) else np.nan
             least = min(least, share) if len(rows) else least
             parts.add(
@@ -143,25 +146,37 @@ def c5(data: PaperData) -> Decided:
     return parts, "peaks: " + ", ".join(counts), {"stable_cycles_by_peaks": further}
 
 
-@statement("C6", "The compass has one cycle at each omega, with one peak in the rate of theta1, and resembles A")
+@statement(
+    "C6", "The compass has one cycle at each omega, with one peak in the rate of theta1, and resembles A"
+)
 def c6(data: PaperData) -> Decided:
-    """One cycle and one peak at each omega; of the typical solutions, A's is the nearest one to the compass.
+    """One cycle and one peak at each omega; the likeness with the typical solutions, at omega = 3.
 
-    The distance is the root mean square, over the step, of the difference in the angles of the legs (``angles``),
-    and in their rates (``rates``).
+    ``as many peaks as A alone``: as the typical solution of A, and not as those of B and C. ``most like A``: the least
+    of the correlations, over the step, between the compass's angles and rates of the legs and a typical
+    solution's is larger for A than for B and for C. The greatest differences are further evidence: by these C is
+    as near as A in the angles.
     """
     parts = Parts()
     for omega in OMEGAS:
         rows = at(data.compass, omega=omega)
         parts.add(f"one cycle at omega {omega:g}", len(rows) == 1, cycles=len(rows))
         parts.add(f"one peak at omega {omega:g}", len(rows) and (rows["peaks"] == 1).all())
-    texts = []
-    for what in ("angle", "rate"):
-        distance = {g: _number(typical(data, g), f"{what}_distance") for g in TYPICAL}
-        nearest = min(distance, key=lambda g: np.inf if np.isnan(distance[g]) else distance[g])
-        parts.add(f"{what}s nearest to A", nearest == "A" and not np.isnan(distance["A"]), distance=distance)
-        texts.append(f"{what}s " + ", ".join(f"{g} {d:.2g}" for g, d in distance.items()))
-    return parts, "distance from the compass: " + "; ".join(texts), {}
+    own = compass(data, OMEGAS[-1], "peaks")
+    peaks = {g: _number(typical(data, g), "peaks") for g in TYPICAL}
+    alone = [g for g in TYPICAL if peaks[g] == own] == ["A"]
+    parts.add("as many peaks as A alone", alone, compass=own, typical=peaks)
+    likeness = {g: _number(typical(data, g), "likeness") for g in TYPICAL}
+    difference = {
+        name: {g: _number(typical(data, g), name) for g in TYPICAL}
+        for name in ("angle_difference", "rate_difference")
+    }
+    likest = likeness["A"] > max(likeness["B"], likeness["C"])
+    parts.add("most like A", likest, least_correlation=likeness, **difference)
+    text = "least correlation with typical solutions: " + ", ".join(
+        f"{g} {c:.4f}" for g, c in likeness.items()
+    )
+    return parts, text, {}
 
 
 @statement("C20", "The wobbling mass moves by about 0.05 of the leg length in the solutions shown")

@@ -37,20 +37,28 @@ def with_profiles(model: Model, orbits: pd.DataFrame) -> pd.DataFrame:
     return orbits.assign(**_of_x(motion.coordinate("x")), **_of_d(motion.d))
 
 
-def distances(model: Model, orbits: pd.DataFrame, other: Model, cycle: pd.DataFrame) -> pd.DataFrame:
-    """Cycles with their distance from one cycle of another model, at the same fractions of the step.
+def beside(model: Model, orbits: pd.DataFrame, other: Model, cycle: pd.DataFrame) -> pd.DataFrame:
+    """Cycles laid beside one cycle of another model, at the same fractions of the step.
 
-    ``angle_distance``, ``rate_distance`` : root mean square, over the step, of the difference in the angles of the
-    legs (rad), and in their rates. NaN where there is not exactly one such cycle.
+    Of the angles of the legs and their rates: ``likeness``, the least of the four correlations with the other
+    model's cycle over the step, so 1 for curves of one shape; ``angle_difference`` and ``rate_difference``, the
+    greatest difference as a share of the range that the angle, or the rate, goes through in the other model's
+    cycle. NaN where there is not exactly one such cycle.
     """
-    columns = {"angle_distance": np.full(len(orbits), np.nan), "rate_distance": np.full(len(orbits), np.nan)}
+    columns = {name: np.full(len(orbits), np.nan) for name in BESIDE}
     if len(orbits) and len(cycle) == 1:
         one, reference = sampled(model, orbits), sampled(other, cycle)
-        for column, prefix in (("angle_distance", ""), ("rate_distance", "d")):
-            squares = [
-                (one.coordinate(prefix + name) - reference.coordinate(prefix + name)) ** 2 for name in ANGLES
-            ]
-            columns[column] = np.sqrt(np.mean(squares, axis=(0, 2)))
+        correlation, difference = [], []
+        for name in (*ANGLES, *(f"d{angle}" for angle in ANGLES)):
+            here, there = one.coordinate(name), reference.coordinate(name)[0]
+            correlation.append([np.corrcoef(curve, there)[0, 1] for curve in here])
+            difference.append(np.abs(here - there).max(axis=1) / np.ptp(there))
+        angles = len(ANGLES)
+        columns = {
+            "likeness": np.min(correlation, axis=0),
+            "angle_difference": np.max(difference[:angles], axis=0),
+            "rate_difference": np.max(difference[angles:], axis=0),
+        }
     return orbits.assign(**columns)
 
 
@@ -90,3 +98,6 @@ def _of_d(d: Array) -> dict[str, Array]:
 
 COLUMNS = tuple([*_of_x(np.zeros((1, SAMPLES))), *_of_d(np.zeros((1, SAMPLES)))])
 """Names of the columns that `with_profiles` adds."""
+
+BESIDE = ("likeness", "angle_difference", "rate_difference")
+"""Names of the columns that `beside` adds."""

@@ -7,7 +7,7 @@ import pandas as pd
 
 from stridemap.sweeps.paper.claim import Decided, Parts, statement
 from stridemap.sweeps.paper.data import ALPHAS, OMEGAS, PaperData
-from stridemap.sweeps.paper.edges import Run, runs, stable_runs
+from stridemap.sweeps.paper.edges import Run, stable_runs
 from stridemap.sweeps.paper.select import GROUPS, at, compass, extremes, main_branch, slices, stable
 
 
@@ -20,8 +20,8 @@ def c7(data: PaperData) -> Decided:
         least = found.get("least", np.nan)
         below = int((orbits["spectral_radius"] <= reference).sum())
         parts.add(name, least > reference, compass=reference, cycles_not_above=below, **found)
-        texts.append(f"{least:.3f} > {reference:.3f}" if least > reference else f"{least:.3f} and {reference:.3f}")
-    return parts, "smallest and compass: " + ", ".join(texts), {}
+        texts.append(f"{least:.3f} (compass {reference:.3f})")
+    return parts, "smallest: " + ", ".join(texts), {}
 
 
 @statement("C8", "Within B, C and D the largest multiplier is smallest towards the group's small-k end")
@@ -68,8 +68,10 @@ def c9(data: PaperData) -> Decided:
         found = {omega: _runs(data, alpha, omega) for omega in OMEGAS}
         total = {omega: _length(groups) for omega, groups in found.items()}
         slow, fast = (total[omega] for omega in OMEGAS)
-        parts.add(f"all groups at alpha {alpha:g}", fast > slow, k_length={f"{w:g}": total[w] for w in OMEGAS})
-        texts.append(f"alpha {alpha:g}: {fast:.2f} > {slow:.2f}" if fast > slow else f"alpha {alpha:g}: {fast:.2f} and {slow:.2f}")
+        parts.add(
+            f"all groups at alpha {alpha:g}", fast > slow, k_length={f"{w:g}": total[w] for w in OMEGAS}
+        )
+        texts.append(f"alpha {alpha:g}: {fast:.2f} at omega 3, {slow:.2f} at omega 2")
         for group in GROUPS:
             both = [found[omega][group] for omega in OMEGAS]
             if all(both) and not any(run.cut_high for one in both for run in one):
@@ -100,7 +102,9 @@ def _length(groups: dict[str, list[Run]]) -> float:
     return length
 
 
-@statement("C10", "Stable cycles take most of k for alpha from 0.4 to 0.5, little for very small or large alpha")
+@statement(
+    "C10", "Stable cycles take most of k for alpha from 0.4 to 0.5, little for very small or large alpha"
+)
 def c10(data: PaperData) -> Decided:
     """The share of the values of `k` up to 60 at which there is a stable cycle, over a fine axis of alpha.
 
@@ -115,15 +119,23 @@ def c10(data: PaperData) -> Decided:
         walk, firm = _share(orbits, alpha, count), _share(stable(orbits), alpha, count)
         kept = np.divide(firm, walk, out=np.zeros_like(firm), where=walk > 0)
         middle = (alpha >= 0.4 - 1e-9) & (alpha <= 0.5 + 1e-9)
-        best = alpha[firm.argmax()]
+        best, around = alpha[firm.argmax()], firm[middle].max(initial=0)
         here = f"at omega {omega:g}"
-        parts.add(f"largest from 0.4 to 0.5 {here}", 0.4 <= round(best, 9) <= 0.5, largest_at_alpha=best, share=firm.max())
+        parts.add(
+            f"largest from 0.4 to 0.5 {here}",
+            0.4 <= round(best, 9) <= 0.5,
+            largest_at_alpha=best,
+            share=firm.max(),
+        )
         for which, i in (("smallest", 0), ("largest", -1)):
-            parts.add(f"few at the {which} alpha {here}", firm[i] < firm.max() / 2, alpha=alpha[i], share=firm[i])
-        lost = middle.any() and walk[-1] > 0 and kept[-1] < kept[middle].max() / 2
+            parts.add(
+                f"few at the {which} alpha {here}", firm[i] < firm.max() / 2, alpha=alpha[i], share=firm[i]
+            )
+        kept_around = kept[middle].max(initial=0)
+        lost = walk[-1] > 0 and kept[-1] < kept_around / 2
         parts.add(
             f"stability is lost {here}", lost,
-            kept_at_largest_alpha=kept[-1], kept_from_04_to_05=kept[middle].max() if middle.any() else None,
+            kept_at_largest_alpha=kept[-1], kept_from_04_to_05=kept_around,
         )  # fmt: skip
         by_group = {g: _share(stable(orbits, g), alpha, count) for g in GROUPS}
         further[f"omega {omega:g}"] = {
@@ -133,7 +145,15 @@ def c10(data: PaperData) -> Decided:
             "by_group": by_group,
             "largest_by_group_at_alpha": {g: alpha[s.argmax()] for g, s in by_group.items() if s.any()},
         }
-        texts.append(f"omega {omega:g}: largest ({firm.max():.0%}) at alpha {best:g}, {firm[middle].max() if middle.any() else np.nan:.0%} from 0.4 to 0.5, {firm[-1]:.0%} at {alpha[-1]:g}")
+        single = ", ".join(
+            f"{g} {a:g}"
+            for g, a in further[f"omega {omega:g}"]["largest_by_group_at_alpha"].items()
+            if g in "ABC"
+        )
+        texts.append(
+            f"omega {omega:g}: largest ({firm.max():.0%}) at alpha {best:g}, {around:.0%} from 0.4 to 0.5, "
+            f"{firm[-1]:.0%} at {alpha[-1]:g}, group by group at {single}"
+        )
     return parts, "; ".join(texts), further
 
 
@@ -141,6 +161,3 @@ def _share(orbits: pd.DataFrame, alpha: np.ndarray, count: int) -> np.ndarray:
     """Share of `count` values of `k` that occur among `orbits`, for each alpha."""
     found = orbits.groupby("alpha")["k"].nunique()
     return found.reindex(alpha).fillna(0).to_numpy(dtype=np.float64) / count
-
-
-__all__ = ["c7", "c8", "c9", "c10", "runs"]
