@@ -31,9 +31,9 @@ def claims(
 ) -> int:
     """Decide the statements of the paper, C1 to C20, by computation: holds, in part, or differs.
 
-    The limit cycles they are about are swept the first time, and read again afterwards; an interrupted run goes
-    on where it was. What the paper does not print can be set: beta, Kp, Kd, S and gamma. docs/claims.md has
-    the definitions, --json the numbers behind each verdict.
+    The limit cycles they are about are swept the first time, and read again afterwards; an interrupted run
+    goes on where it was. What the paper does not print can be set: beta, Kp, Kd, S and gamma.
+    docs/claims.md has the definitions, --json the numbers behind each verdict.
     """
     from stridemap.solver.model import load
     from stridemap.sweeps.paper.data import FREE

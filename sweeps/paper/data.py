@@ -1,6 +1,7 @@
 """The limit cycles that the paper's statements are about, as tables.
 
-Four sweeps, whose configurations lie beside this file, are run or read again from where an earlier run left them.
+Four sweeps, whose configurations lie beside this file, are run or read again from where an earlier run left
+them.
 """
 
 import math
@@ -100,7 +101,7 @@ def require(table: pd.DataFrame, columns: Sequence[str], name: str) -> None:
     for column in columns:
         if column not in table.columns:
             raise InputError(
-                f"the table {name} has no column {column}; give tables of the sweeps that belong to the statements"
+                f"the table {name} has no column {column}; give the tables of the sweeps behind the statements"
             )
 
 

@@ -1,4 +1,4 @@
-"""Where the stable cycles of a group begin and end in `k`: runs on the grid, ends bisected between its points."""
+"""Where stable cycles begin and end in `k`: runs on the grid, with ends bisected between its points."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -18,8 +18,8 @@ BISECTIONS = 8
 """A spacing of 0.1 becomes 0.0004."""
 
 COLUMNS = ("alpha", "omega", "group", "k_grid", "side", "k")
-"""Columns of a table of edges: the last grid point with a stable cycle, the side of it on which the edge is (-1 or
-1), and the edge."""
+"""Columns of a table of edges: the last grid point with a stable cycle, the side of it on which the edge is
+(-1 or 1), and the edge."""
 
 
 @dataclass(frozen=True)
@@ -80,9 +80,9 @@ def stable_runs(orbits: pd.DataFrame, grid: Floats, edges: pd.DataFrame) -> list
 def bisected(model: Model, orbits: pd.DataFrame, grid: Floats) -> pd.DataFrame:
     """Every edge of stable cycles between two points of a grid of `k`, by bisection.
 
-    From the cycle at the edge's grid point one is sought half way to the next grid point: if it is there, stable
-    and of the same group, the edge is beyond, and so on. Whether the cycle turns unstable there or ends in
-    a fold makes no difference.
+    From the cycle at the edge's grid point one is sought half way to the next grid point: if it is there,
+    stable and of the same group, the edge is beyond, and so on. Whether the cycle turns unstable there or
+    ends in a fold makes no difference.
 
     Parameters
     ----------

@@ -42,15 +42,16 @@ def claims(
 ) -> list[Claim]:
     """Decide the paper's statements C1 to C20 by computation.
 
-    Sweeps what the statements are about (the first time it takes minutes), or takes up what an earlier call left
-    in the folder.
+    Sweeps what the statements are about (the first time it takes minutes), or takes up what an earlier call
+    left in the folder.
 
     Parameters
     ----------
     out : path, optional
         Folder of the sweeps; ``results/paper-claims`` if it is left out.
     params : mapping of str to float, optional
-        Other values than the preset's for ``beta``, ``Kp``, ``Kd``, ``S`` and ``gamma``, which the paper does not print.
+        Other values than the preset's for ``beta``, ``Kp``, ``Kd``, ``S`` and ``gamma``, which the paper
+        does not print.
     thin : int
         Search only every so-manieth value of k and alpha: faster, and less sure.
     workers : int, optional

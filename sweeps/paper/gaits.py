@@ -1,5 +1,6 @@
 """C1 to C6 and C20: which cycles there are, and what their time profiles look like."""
 
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -40,19 +41,19 @@ def c1(data: PaperData) -> Decided:
 def c2(data: PaperData) -> Decided:
     """Whether the main branch (see `branch`) comes in pieces, lettered in order.
 
-    At each alpha and omega: ``order``, the letters on the main branch, by their smallest k, are A, B, C ... without
-    one left out, as far as k = 60 reaches; ``gaps``, between the largest k of each letter and the smallest of
-    the next there are values of k without a cycle on the main branch. For each omega: ``all five`` letters have
-    stable cycles somewhere on the map.
+    At each alpha and omega: ``order``, the letters on the main branch, by their smallest k, are A, B, C ...
+    without one left out, as far as k = 60 reaches; ``gaps``, between the largest k of each letter and the
+    smallest of the next there are values of k without a cycle on the main branch. For each omega: ``all
+    five`` letters have stable cycles somewhere on the map.
     """
     parts, letters = Parts(), []
-    for name, _, omega, orbits in slices(data):
+    for name, _, _, orbits in slices(data):
         main = orbits[orbits["main"].astype(bool)]
         spans = {g: span(main_branch(main, g)) for g in sorted(main["group"].unique())}
         found = "".join(sorted(spans, key=lambda g: spans[g][0]))
         letters.append(f"{found or 'none'} ({name})")
         parts.add(f"order at {name}", bool(found) and "ABCDEFGHIJ".startswith(found), letters=found, k=spans)
-        gaps = [_gap(data, spans[a], spans[b]) for a, b in zip(found, found[1:], strict=False)]
+        gaps = [_gap(data, spans[a], spans[b]) for a, b in pairwise(found)]
         good = bool(gaps) and all(gap["k_without"] > 0 for gap in gaps)
         parts.add(f"gaps at {name}", good, gaps=gaps)
     for omega in OMEGAS:
@@ -103,8 +104,9 @@ def c3(data: PaperData) -> Decided:
 def c4(data: PaperData) -> Decided:
     """Oscillations are half the sign changes of `x` within a step.
 
-    For each of these groups that has stable cycles at an alpha and omega: ``most`` of them and ``all`` of them
-    oscillate so; a group without stable cycles anywhere fails. Maxima of `x` are counted as further evidence.
+    For each of these groups that has stable cycles at an alpha and omega: ``most`` of them and ``all`` of
+    them oscillate so; a group without stable cycles anywhere fails. Maxima of `x` are counted as further
+    evidence.
     """
     parts, texts, seen = Parts(), [], set()
     for name, _, _, orbits in slices(data):
@@ -152,10 +154,10 @@ def c5(data: PaperData) -> Decided:
 def c6(data: PaperData) -> Decided:
     """One cycle and one peak at each omega; the likeness with the typical solutions, at omega = 3.
 
-    ``as many peaks as A alone``: as the typical solution of A, and not as those of B and C. ``most like A``: the least
-    of the correlations, over the step, between the compass's angles and rates of the legs and a typical
-    solution's is larger for A than for B and for C. The greatest differences are further evidence: by these C is
-    as near as A in the angles.
+    ``as many peaks as A alone``: as the typical solution of A, and not as those of B and C. ``most like
+    A``: the least of the correlations, over the step, between the compass's angles and rates of the legs
+    and a typical solution's is larger for A than for B and for C. The greatest differences are further
+    evidence: by these C is as near as A in the angles.
     """
     parts = Parts()
     for omega in OMEGAS:
@@ -183,8 +185,8 @@ def c6(data: PaperData) -> Decided:
 def c20(data: PaperData) -> Decided:
     """The greatest modulus of `x` over the three typical solutions.
 
-    ``rounds to 0.05``: from 0.045 to 0.055. ``within a factor of two``: from 0.025 to 0.1. Stable cycles elsewhere are
-    further evidence: the paper does not say which solution it means.
+    ``rounds to 0.05``: from 0.045 to 0.055. ``within a factor of two``: from 0.025 to 0.1. Stable cycles
+    elsewhere are further evidence: the paper does not say which solution it means.
     """
     shown = {g: _number(typical(data, g), "x_amplitude") for g in TYPICAL}
     travel = {g: _number(typical(data, g), "x_travel") for g in TYPICAL}

@@ -24,7 +24,7 @@ Rule = Callable[[PaperData, str], tuple[Parts, str]]
 
 
 def least_is_largest_in_a(data: PaperData, column: str) -> tuple[Parts, str]:
-    """The smallest value over stable A is larger than over stable B, and than over stable C, at each alpha and omega."""
+    """At each alpha and omega, the smallest value over stable A is above those over stable B and stable C."""
     parts, texts = Parts(), []
     for name, _, _, orbits in slices(data):
         found = {g: extremes(stable(orbits, g), column) for g in "ABC"}
@@ -66,10 +66,10 @@ def some_are_below_the_compass(data: PaperData, column: str, omegas: tuple[float
 def grows(data: PaperData, column: str) -> tuple[Parts, str]:
     """Whether a measure grows with alpha and with omega, and falls as `k` falls within a group.
 
-    Everything is asked twice: of the group's main branch, and of its stable cycles alone. With alpha and with
-    omega: the mean over a group, for groups that end before k = 60 at both values. With k: the value at the group's
-    small-k end is below that at the large-k end, and the smallest lies in the lower half of the range. How quick the
-    fall is, is evidence: the paper gives no scale for it.
+    Everything is asked twice: of the group's main branch, and of its stable cycles alone. With alpha and
+    with omega: the mean over a group, for groups that end before k = 60 at both values. With k: the value
+    at the group's small-k end is below that at the large-k end, and the smallest lies in the lower half of
+    the range. How quick the fall is, is evidence: the paper gives no scale for it.
     """
     parts = Parts()
     cycles = {
@@ -128,8 +128,8 @@ def _tally(parts: Parts) -> str:
 def of_cost(data: PaperData, rule: Rule) -> Decided:
     """Decide by the cost of transport, and tell how the paper's own formula decides.
 
-    The paper divides work by weight and mean speed, which is no dimensionless cost; the cost of transport is work
-    by weight and distance.
+    The paper divides work by weight and mean speed, which is no dimensionless cost; the cost of transport
+    is work by weight and distance.
     """
     parts, text = rule(data, "cot")
     other, _ = rule(data, "cot_per_speed")
@@ -163,8 +163,10 @@ def c14(data: PaperData) -> Decided:
 
 @statement("C15", "d is positive first and then negative; of the typical solutions A's d fluctuates most")
 def c15(data: PaperData) -> Decided:
-    """Signs: d starts positive, changes its sign once, and is on average positive in the first half of the step and
-    negative in the second. Fluctuation: greatest minus least d.
+    """Signs in each typical solution, and which of them has the largest range of d.
+
+    Signs: d starts positive, changes its sign once, and is on average positive in the first half of the step and
+    negative in the second. How long it is positive is further evidence. Range: greatest minus least d.
     """
     parts, travel, crossing = Parts(), {}, []
     for g in TYPICAL:

@@ -25,11 +25,12 @@ def sampled(model: Model, orbits: pd.DataFrame) -> Motion:
 def with_profiles(model: Model, orbits: pd.DataFrame) -> pd.DataFrame:
     """Cycles of the walker with a wobbling mass with columns that tell how `x` and `d` go over a step.
 
-    ``x_first``, ``x_second`` : mean of `x` over either half of the step. ``x_first_behind``, ``x_second_ahead`` :
-    share of that half in which `x` is negative, and positive. ``x_amplitude``, ``x_travel`` : greatest modulus of
-    `x`, and greatest minus least. ``x_maxima`` : local maxima within the step. The same for `d`: ``d_first``,
-    ``d_second``, ``d_first_positive``, ``d_second_negative``, ``d_travel``; ``d_start`` is `d` just after touchdown,
-    ``d_sign_changes`` how often its sign changes and ``d_crossing`` when it first does, in periods.
+    ``x_first``, ``x_second`` : mean of `x` over either half of the step. ``x_first_behind``,
+    ``x_second_ahead`` : share of that half in which `x` is negative, and positive. ``x_amplitude``,
+    ``x_travel`` : greatest modulus of `x`, and greatest minus least. ``x_maxima`` : local maxima within the
+    step. The same for `d`: ``d_first``, ``d_second``, ``d_first_positive``, ``d_second_negative``,
+    ``d_travel``; ``d_start`` is `d` just after touchdown, ``d_sign_changes`` how often its sign changes and
+    ``d_crossing`` when it first does, in periods.
     """
     if orbits.empty:
         return orbits.assign(**{name: np.empty(0) for name in COLUMNS})
@@ -40,10 +41,10 @@ def with_profiles(model: Model, orbits: pd.DataFrame) -> pd.DataFrame:
 def beside(model: Model, orbits: pd.DataFrame, other: Model, cycle: pd.DataFrame) -> pd.DataFrame:
     """Cycles laid beside one cycle of another model, at the same fractions of the step.
 
-    Of the angles of the legs and their rates: ``likeness``, the least of the four correlations with the other
-    model's cycle over the step, so 1 for curves of one shape; ``angle_difference`` and ``rate_difference``, the
-    greatest difference as a share of the range that the angle, or the rate, goes through in the other model's
-    cycle. NaN where there is not exactly one such cycle.
+    Of the angles of the legs and their rates: ``likeness``, the least of the four correlations with the
+    other model's cycle over the step, so 1 for curves of one shape; ``angle_difference`` and
+    ``rate_difference``, the greatest difference as a share of the range that the angle, or the rate, goes
+    through in the other model's cycle. NaN where there is not exactly one such cycle.
     """
     columns = {name: np.full(len(orbits), np.nan) for name in BESIDE}
     if len(orbits) and len(cycle) == 1:

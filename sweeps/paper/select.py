@@ -1,4 +1,4 @@
-"""Parts of the tables that the statements speak of: one pair of alpha and omega, one group, one typical solution."""
+"""Rows that the statements speak of: a pair of alpha and omega, a group, a typical solution."""
 
 import math
 from collections.abc import Iterator
@@ -53,13 +53,13 @@ def main_branch(orbits: pd.DataFrame, group: str) -> pd.DataFrame:
 def typical(data: PaperData, group: str) -> pd.Series | None:
     """The stable cycle of a group at its typical spring; the most stable one if there are several."""
     rows = at(stable(data.typical, group), k=TYPICAL[group])
-    return None if rows.empty else rows.loc[rows["spectral_radius"].idxmin()]
+    return None if rows.empty else rows.iloc[rows["spectral_radius"].to_numpy().argmin()]
 
 
 def compass(data: PaperData, omega: float, column: str) -> float:
-    """A number of the compass's cycle at a frequency (the most stable one if there are several); NaN if none."""
+    """A number of the compass's most stable cycle at a frequency; NaN if there is none."""
     rows = at(data.compass, omega=omega)
-    return math.nan if rows.empty else float(rows.loc[rows["spectral_radius"].idxmin(), column])
+    return math.nan if rows.empty else float(rows.iloc[rows["spectral_radius"].to_numpy().argmin()][column])
 
 
 def span(orbits: pd.DataFrame) -> list[float]:

@@ -28,8 +28,9 @@ def c7(data: PaperData) -> Decided:
 def c8(data: PaperData) -> Decided:
     """At the smallest `k` itself is the fold, where a multiplier is 1; so the minimum is somewhat inside.
 
-    For each group that has stable cycles at an alpha and omega: the minimum lies in the lower half of the group's
-    range of `k`, once among all cycles of the group on the main branch and once among its stable cycles.
+    For each group that has stable cycles at an alpha and omega: the minimum lies in the lower half of the
+    group's range of `k`, once among all cycles of the group on the main branch and once among its stable
+    cycles.
     """
     parts, places = Parts(), []
     for name, _, _, orbits in slices(data):
@@ -60,8 +61,8 @@ def _place_of_least(rows: pd.DataFrame, column: str) -> tuple[float, dict[str, A
 def c9(data: PaperData) -> Decided:
     """Total length of the values of `k` from 0.1 to 60 with stable cycles, ends bisected.
 
-    A part for each alpha, all groups together, and for each alpha and each group that has stable cycles and ends
-    before k = 60 at both frequencies.
+    A part for each alpha, all groups together, and for each alpha and each group that has stable cycles and
+    ends before k = 60 at both frequencies.
     """
     parts, texts, ranges = Parts(), [], {}
     for alpha in ALPHAS:
@@ -108,11 +109,13 @@ def _length(groups: dict[str, list[Run]]) -> float:
 def c10(data: PaperData) -> Decided:
     """The share of the values of `k` up to 60 at which there is a stable cycle, over a fine axis of alpha.
 
-    For each omega: ``largest from 0.4 to 0.5``; ``few at the smallest alpha`` and ``few at the largest alpha`` that were
-    searched: less than half of the largest share; ``stability is lost``: cycles are there at the largest alpha too,
-    but the share of `k` with cycles that has stable ones is less than half of what it is from 0.4 to 0.5.
+    For each omega: ``largest from 0.4 to 0.5``; ``few at the smallest alpha`` and ``few at the largest
+    alpha`` that were searched: less than half of the largest share; ``stability is lost``: cycles are there
+    at the largest alpha too, but the share of `k` with cycles that has stable ones is less than half of
+    what it is from 0.4 to 0.5.
     """
-    parts, texts, further = Parts(), [], {}
+    parts, texts = Parts(), []
+    further: dict[str, Any] = {}
     for omega in OMEGAS:
         orbits = at(data.map, omega=omega)
         alpha, count = data.map_alpha, len(data.map_k)
