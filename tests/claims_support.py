@@ -88,7 +88,7 @@ def _map_row(alpha, omega):
 def changed(data, table, where=None, **columns):
     """The data with columns of one table changed, by a value or a function of the rows, where `where` says so."""
     rows = getattr(data, table).copy()
-    at = np.ones(len(rows), dtype=bool) if where is None else where(rows).to_numpy(dtype=bool)
+    at = np.ones(len(rows), dtype=bool) if where is None else np.asarray(where(rows), dtype=bool)
     for name, new in columns.items():
         values = new(rows) if callable(new) else new
         kind = bool if rows[name].dtype == bool else object if rows[name].dtype.kind not in "fiub" else float

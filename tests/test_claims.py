@@ -11,10 +11,10 @@ from claims_support import changed, made_up, slow, swapped
 import stridemap
 from stridemap.errors import InputError
 from stridemap.sweeps.paper.branch import fixed_point_index, on_main_branch, walks
-from stridemap.sweeps.paper.claim import STATEMENTS, Parts, Verdict
+from stridemap.sweeps.paper.claim import Parts, Verdict
 from stridemap.sweeps.paper.data import configurations
 from stridemap.sweeps.paper.edges import COLUMNS, stable_runs
-from stridemap.sweeps.paper.evaluate import evaluate
+from stridemap.sweeps.paper.evaluate import STATEMENTS, evaluate
 
 IDS = [f"C{i}" for i in range(1, 21)]
 

@@ -113,18 +113,9 @@ class Statement:
         return Claim(self.id, self.text, parts.verdict(), numbers, evidence)
 
 
-STATEMENTS: dict[str, Statement] = {}
-"""All statements, by id, in the order in which they are declared."""
-
-
 def statement(id_: str, text: str) -> Callable[[Callable[[PaperData], Decided]], Statement]:
     """Declare the function below as the one that decides a statement."""
-
-    def declare(decide: Callable[[PaperData], Decided]) -> Statement:
-        STATEMENTS[id_] = declared = Statement(id_, text, decide)
-        return declared
-
-    return declare
+    return lambda decide: Statement(id_, text, decide)
 
 
 def plain(value: Any) -> Any:

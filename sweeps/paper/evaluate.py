@@ -6,12 +6,17 @@ from pathlib import Path
 from typing import Any
 
 from stridemap.sweeps.paper import gaits, measures, stability
-from stridemap.sweeps.paper.claim import STATEMENTS, Claim
+from stridemap.sweeps.paper.claim import Claim, Statement
 from stridemap.sweeps.paper.data import PaperData, collect
 from stridemap.sweeps.run import Progress
 
-MODULES = (gaits, stability, measures)
-"""Where the statements are; importing them declares the statements."""
+STATEMENTS: dict[str, Statement] = {
+    one.id: one
+    for module in (gaits, stability, measures)
+    for one in vars(module).values()
+    if isinstance(one, Statement)
+}
+"""All statements of the paper by id."""
 
 
 def default_folder(params: Mapping[str, Any] | None = None, thin: int = 1) -> Path:

@@ -166,17 +166,13 @@ def c15(data: PaperData) -> Decided:
     """Signs in each typical solution, and which of them has the largest range of d.
 
     Signs: d starts positive, changes its sign once, and is on average positive in the first half of the step and
-    negative in the second. How long it is positive is further evidence. Range: greatest minus least d.
+    negative in the second. How long it is positive, and the signs in all stable cycles, are further evidence.
+    Range: greatest minus least d.
     """
     parts, travel, crossing = Parts(), {}, []
     for g in TYPICAL:
         cycle = typical(data, g)
-        good = cycle is not None and (
-            cycle["d_start"] > 0
-            and cycle["d_sign_changes"] == 1
-            and cycle["d_first"] > 0
-            and cycle["d_second"] < 0
-        )
+        good = cycle is not None and _turns_negative_once(cycle)
         names = (
             "d_start",
             "d_sign_changes",
@@ -191,7 +187,25 @@ def c15(data: PaperData) -> Decided:
         crossing.append("-" if cycle is None else f"{cycle['d_crossing']:.2f}")
     parts.add("A fluctuates most", travel["A"] > max(travel["B"], travel["C"]), travel=travel)
     ranges = ", ".join(f"{g} {value:.3f}" for g, value in travel.items())
-    return parts, f"range of d: {ranges}; sign changes at {'/'.join(crossing)} of the step", {}
+    elsewhere = {
+        name: {
+            g: f"{_turns_negative_once(rows).sum()} of {len(rows)}"
+            for g in TYPICAL
+            for rows in [stable(orbits, g)]
+        }
+        for name, _, _, orbits in slices(data)
+    }
+    return (
+        parts,
+        f"range of d: {ranges}; sign changes at {'/'.join(crossing)} of the step",
+        {"so_in_stable_cycles": elsewhere},
+    )
+
+
+def _turns_negative_once(cycles: Any) -> Any:
+    """Whether d goes from positive to negative, in a cycle or in each of a table."""
+    averages = (cycles["d_first"] > 0) & (cycles["d_second"] < 0)
+    return (cycles["d_start"] > 0) & (cycles["d_sign_changes"] == 1) & averages
 
 
 @statement("C16", "The smallest CoT of stable cycles is larger in A than in B and than in C")
