@@ -20,7 +20,10 @@ def made_up():
     """Tables of the same form as those of the sweeps, with round numbers; all statements hold."""
     compass = pd.DataFrame(
         [
-            {**WALKS, "omega": w, "period": 1.0, "spectral_radius": 0.7, "stable": True, "peaks": 1, **_measure(0.13, w)}
+            {
+                **WALKS, **_measure(0.13, w), "omega": w, "period": 1.0, "spectral_radius": 0.7,
+                "stable": True, "peaks": 1,
+            }
             for w in (2.0, 3.0)
         ]
     )  # fmt: skip
@@ -69,7 +72,8 @@ def _typical(group, k):
     likeness = {"A": 0.99, "B": 0.1, "C": 0.2}[group]
     return {
         **WALKS, **profile(group), **_measure(0.1, 3.0), "alpha": 0.25, "omega": 3.0, "k": k, "group": group,
-        "period": 1.0, "spectral_radius": 0.9, "stable": True, "peaks": "ABC".index(group) + 1, "x_zero_crossings": 2,
+        "period": 1.0, "spectral_radius": 0.9, "stable": True, "peaks": "ABC".index(group) + 1,
+        "x_zero_crossings": 2,
         "likeness": likeness, "angle_difference": 1 - likeness, "rate_difference": 1 - likeness,
     }  # fmt: skip
 
@@ -80,13 +84,13 @@ def _map_row(alpha, omega):
     for k in LINE_K:
         group = "ABCDE"[min(int(k // 10), 4)]
         yield {
-            **WALKS, **_measure(0.1, omega), "alpha": alpha, "omega": omega, "k": k, "group": group, "period": 1.0,
-            "spectral_radius": 0.9, "stable": k <= stable_k, "peaks": 1, "x_zero_crossings": 2,
+            **WALKS, **_measure(0.1, omega), "alpha": alpha, "omega": omega, "k": k, "group": group,
+            "period": 1.0, "spectral_radius": 0.9, "stable": k <= stable_k, "peaks": 1, "x_zero_crossings": 2,
         }  # fmt: skip
 
 
 def changed(data, table, where=None, **columns):
-    """The data with columns of one table changed, by a value or a function of the rows, where `where` says so."""
+    """The data with columns of one table changed, where `where` says so, to a value or function of rows."""
     rows = getattr(data, table).copy()
     at = np.ones(len(rows), dtype=bool) if where is None else np.asarray(where(rows), dtype=bool)
     for name, new in columns.items():

@@ -34,8 +34,14 @@ def first_of(letter):
 
 # For each statement: a change after which it holds in part, and one after which it differs.
 CHANGES = {
-    "C1": (lambda d: changed(d, "typical", group("B"), stable=False), lambda d: changed(d, "typical", stable=False)),
-    "C2": (lambda d: swapped(d, "C", "D"), lambda d: changed(changed(d, "lines", main=False), "map", stable=False)),
+    "C1": (
+        lambda d: changed(d, "typical", group("B"), stable=False),
+        lambda d: changed(d, "typical", stable=False),
+    ),
+    "C2": (
+        lambda d: swapped(d, "C", "D"),
+        lambda d: changed(changed(d, "lines", main=False), "map", stable=False),
+    ),
     "C3": (lambda d: changed(d, "lines", first_of("A"), x_first=0.01), lambda d: swapped(d, "A", "B")),
     "C4": (
         lambda d: changed(d, "lines", first_of("D"), x_zero_crossings=8),
@@ -45,7 +51,10 @@ CHANGES = {
     "C6": (
         lambda d: changed(d, "typical", group("A"), likeness=0.0),
         lambda d: changed(
-            replace(d, compass=pd.concat([d.compass] * 2, ignore_index=True).assign(peaks=2)), "typical", group("A"), likeness=0.0
+            replace(d, compass=pd.concat([d.compass] * 2, ignore_index=True).assign(peaks=2)),
+            "typical",
+            group("A"),
+            likeness=0.0,
         ),
     ),
     "C7": (
@@ -64,9 +73,18 @@ CHANGES = {
         lambda d: changed(d, "map", lambda r: r["alpha"] == 0.1, stable=True),
         lambda d: changed(d, "map", stable=lambda r: r["alpha"] != 0.45),
     ),
-    "C11": (lambda d: changed(d, "lines", first_of("B"), d_max=1.0), lambda d: changed(d, "lines", group("A"), d_max=0.0)),
-    "C12": (lambda d: changed(d, "lines", first_of("A"), d_max=0.0), lambda d: changed(d, "compass", d_max=9.0)),
-    "C13": (lambda d: changed(d, "lines", first_of("B"), d_max=1.0), lambda d: changed(d, "compass", d_max=0.0)),
+    "C11": (
+        lambda d: changed(d, "lines", first_of("B"), d_max=1.0),
+        lambda d: changed(d, "lines", group("A"), d_max=0.0),
+    ),
+    "C12": (
+        lambda d: changed(d, "lines", first_of("A"), d_max=0.0),
+        lambda d: changed(d, "compass", d_max=9.0),
+    ),
+    "C13": (
+        lambda d: changed(d, "lines", first_of("B"), d_max=1.0),
+        lambda d: changed(d, "compass", d_max=0.0),
+    ),
     "C14": (
         lambda d: changed(d, "lines", first_of("B"), d_max=lambda r: 1 - 0.001 * r["k"]),
         lambda d: changed(d, "lines", d_max=lambda r: 1 / (r["k"] * r["alpha"] * r["omega"])),
@@ -75,15 +93,21 @@ CHANGES = {
         lambda d: changed(d, "typical", group("B"), d_sign_changes=3),
         lambda d: changed(d, "typical", d_start=-0.1, d_travel=0.3),
     ),
-    "C16": (lambda d: changed(d, "lines", first_of("B"), cot=1.0), lambda d: changed(d, "lines", group("A"), cot=0.0)),
+    "C16": (
+        lambda d: changed(d, "lines", first_of("B"), cot=1.0),
+        lambda d: changed(d, "lines", group("A"), cot=0.0),
+    ),
     "C17": (lambda d: changed(d, "lines", first_of("A"), cot=0.0), lambda d: changed(d, "compass", cot=9.0)),
     "C18": (lambda d: changed(d, "compass", slow, cot=0.0), lambda d: changed(d, "compass", cot=0.0)),
     "C19": (
         lambda d: changed(d, "lines", first_of("B"), cot=lambda r: 1 - 0.001 * r["k"]),
         lambda d: changed(d, "lines", cot=lambda r: 1 / (r["k"] * r["alpha"] * r["omega"])),
     ),
-    "C20": (lambda d: changed(d, "typical", x_amplitude=0.03), lambda d: changed(d, "typical", x_amplitude=0.5)),
-}  # fmt: skip
+    "C20": (
+        lambda d: changed(d, "typical", x_amplitude=0.03),
+        lambda d: changed(d, "typical", x_amplitude=0.5),
+    ),
+}
 
 
 def test_every_statement_is_declared_once_and_in_order():
@@ -157,8 +181,9 @@ def _fold(k, period, multiplier, stable=False):
     zero = np.zeros(len(k))
     return pd.DataFrame(
         {
-            "alpha": 0.25, "omega": 3.0, "k": k, "period": period, "stable": stable, "multiplier_0_re": multiplier,
-            "multiplier_0_im": zero, "multiplier_1_re": zero, "multiplier_1_im": zero,
+            "alpha": 0.25, "omega": 3.0, "k": k, "period": period, "stable": stable,
+            "multiplier_0_re": multiplier, "multiplier_0_im": zero,
+            "multiplier_1_re": zero, "multiplier_1_im": zero,
         }
     )  # fmt: skip
 

@@ -1,11 +1,11 @@
 """Which cycles walk, and which of them are on the main branch.
 
 At a fixed mass ratio and oscillator frequency the limit cycles form curves over the spring `k`, which turn
-back at folds. The index of a fixed point, the sign of ``det(1 - DP)``, is that of the product of one minus each
-multiplier: it changes at a fold, where a multiplier passes through 1, but not where a multiplier passes
-through -1 or a pair leaves the unit circle. It is +1 for every stable cycle. So the cycles that can be reached
-from stable walking by a slow change of `k`, whether they are stable or not, are those of index +1 on
-the sheets that hold stable cycles: the main branch.
+back at folds. The index of a fixed point, the sign of ``det(1 - DP)``, is that of the product of one minus
+each multiplier: it changes at a fold, where a multiplier passes through 1, but not where a multiplier
+passes through -1 or a pair leaves the unit circle. It is +1 for every stable cycle. So the cycles that can
+be reached from stable walking by a slow change of `k`, whether they are stable or not, are those of index
++1 on the sheets that hold stable cycles: the main branch.
 """
 
 import itertools

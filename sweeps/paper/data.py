@@ -101,7 +101,7 @@ def require(table: pd.DataFrame, columns: Sequence[str], name: str) -> None:
     for column in columns:
         if column not in table.columns:
             raise InputError(
-                f"the table {name} has no column {column}; give the tables of the sweeps behind the statements"
+                f"the table {name} has no column {column}; give tables of the sweeps that belong here"
             )
 
 

@@ -165,9 +165,9 @@ def c14(data: PaperData) -> Decided:
 def c15(data: PaperData) -> Decided:
     """Signs in each typical solution, and which of them has the largest range of d.
 
-    Signs: d starts positive, changes its sign once, and is on average positive in the first half of the step and
-    negative in the second. How long it is positive, and the signs in all stable cycles, are further evidence.
-    Range: greatest minus least d.
+    Signs: d starts positive, changes its sign once, and is on average positive in the first half of the
+    step and negative in the second. How long it is positive, and the signs in all stable cycles, are
+    further evidence. Range: greatest minus least d.
     """
     parts, travel, crossing = Parts(), {}, []
     for g in TYPICAL:
