@@ -20,6 +20,11 @@ if TYPE_CHECKING:
     from stridemap.sweeps.run import Progress
 
 
+_ORDER = (
+    "Where four numbers stand in a row they are at alpha, omega = (0.25, 2), (0.5, 2), (0.25, 3), (0.5, 3)."
+)
+
+
 def claims(
     json_: JsonOption = False,
     out: Annotated[
@@ -56,6 +61,7 @@ def claims(
         print(json.dumps({"claims": entries, "params": used, "origin": origin}, indent=1, allow_nan=False))
     else:
         _print(decided)
+        print(_ORDER)
         values = ", ".join(f"{name} = {value:g}" for name, value in used.items())
         print(f"{values}: {origin}; cycles in {folder}")
     return FOUND

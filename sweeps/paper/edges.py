@@ -82,7 +82,7 @@ def bisected(model: Model, orbits: pd.DataFrame, grid: Floats) -> pd.DataFrame:
 
     From the cycle at the edge's grid point one is sought half way to the next grid point: if it is there,
     stable and of the same group, the edge is beyond, and so on. Whether the cycle turns unstable there or
-    ends in a fold makes no difference.
+    ends in a fold makes no difference. Where there are two such cycles, the one that reaches further counts.
 
     Parameters
     ----------
@@ -93,20 +93,20 @@ def bisected(model: Model, orbits: pd.DataFrame, grid: Floats) -> pd.DataFrame:
         Every value of `k` that was searched, ascending.
     """
     stable = orbits[orbits["stable"]]
-    rows, sides, outside = [], [], []
+    starts: list[pd.DataFrame] = []
     for _, cycles in stable.groupby(["alpha", "omega", "group"]):
         for i, j in runs(grid, cycles["k"].to_numpy()):
             for index, side in ((i, -1), (j, 1)):
                 if 0 <= index + side < len(grid):
-                    at = cycles[cycles["k"] == grid[index]]
-                    rows += [at.iloc[0]] * len(at[:1])
-                    sides.append(side)
-                    outside.append(grid[index + side])
-    if not rows:
+                    here = cycles[cycles["k"] == grid[index]]
+                    starts.append(here.assign(side=side, outside=grid[index + side]))
+    if not starts:
         return pd.DataFrame({name: [] for name in COLUMNS})
-    table = pd.DataFrame(rows).reset_index(drop=True)
-    inside = _bisect(model, table, np.array(outside))
-    return table[["alpha", "omega", "group"]].assign(k_grid=table["k"], side=sides, k=inside)
+    table = pd.concat(starts, ignore_index=True).rename(columns={"k": "k_grid"})
+    reached = table.assign(k=_bisect(model, table.assign(k=table["k_grid"]), table["outside"].to_numpy()))
+    reach = (reached["k"] - reached["k_grid"]) * reached["side"]
+    last = reached.loc[reach.groupby([reached[name] for name in COLUMNS[:-1]]).idxmax().sort_values()]
+    return last[list(COLUMNS)].reset_index(drop=True)
 
 
 def _bisect(model: Model, table: pd.DataFrame, outside: Floats) -> Floats:

@@ -51,7 +51,7 @@ def c2(data: PaperData) -> Decided:
         main = orbits[orbits["main"].astype(bool)]
         spans = {g: span(main_branch(main, g)) for g in sorted(main["group"].unique())}
         found = "".join(sorted(spans, key=lambda g: spans[g][0]))
-        letters.append(f"{found or 'none'} ({name})")
+        letters.append(found or "none")
         parts.add(f"order at {name}", bool(found) and "ABCDEFGHIJ".startswith(found), letters=found, k=spans)
         gaps = [_gap(data, spans[a], spans[b]) for a, b in pairwise(found)]
         good = bool(gaps) and all(gap["k_without"] > 0 for gap in gaps)
@@ -110,6 +110,7 @@ def c4(data: PaperData) -> Decided:
     """
     parts, texts, seen = Parts(), [], set()
     for name, _, _, orbits in slices(data):
+        shares = []
         for group, oscillations in (("C", 2), ("D", 3), ("E", 4)):
             rows = stable(orbits, group)
             if rows.empty:
@@ -126,10 +127,11 @@ def c4(data: PaperData) -> Decided:
             }
             parts.add(f"most of {group} at {name}", good.mean() > 0.5, **numbers)
             parts.add(f"all of {group} at {name}", good.all())
-            texts.append(f"{group} {good.mean():.0%}")
+            shares.append(f"{group} {good.mean():.0%}")
+        texts.append(" ".join(shares) or "none")
     for group in sorted(set("CDE") - seen):
         parts.add(f"{group} exists", False)
-    return parts, f"stable cycles that do, in turn: {', '.join(texts)}", {}
+    return parts, f"share of stable cycles that do: {', '.join(texts)}", {}
 
 
 @statement("C5", "The rate of theta1 has 1, 2 and 3 peaks in the typical solutions of A, B and C")
