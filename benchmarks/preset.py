@@ -1,7 +1,7 @@
 """How many of the paper's statements hold at round values of what it does not print.
 
-``python -m benchmarks.preset`` evaluates them at the preset and at its round neighbours, on thinned-out sweeps,
-and prints a table of Markdown.
+``python -m benchmarks.preset`` evaluates them at the preset and at its round neighbours, on thinned-out
+sweeps, and prints a table of Markdown.
 """
 
 import argparse

@@ -218,7 +218,7 @@ def test_ranges_are_closed_by_bisected_edges():
 )
 def test_a_missing_column_is_told(table, column):
     data = made_up()
-    with pytest.raises(InputError, match=f"the table {table} has no column {column}; give the tables"):
+    with pytest.raises(InputError, match=f"the table {table} has no column {column}; give tables of"):
         replace(data, **{table: getattr(data, table).drop(columns=column)})
 
 

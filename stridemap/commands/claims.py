@@ -62,6 +62,8 @@ def claims(
     else:
         _print(decided)
         print(_ORDER)
+        if thin > 1:
+            print(f"Searched at every {thin}th value of k and alpha only: what is narrow may be missing.")
         values = ", ".join(f"{name} = {value:g}" for name, value in used.items())
         print(f"{values}: {origin}; cycles in {folder}")
     return FOUND

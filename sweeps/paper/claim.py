@@ -118,6 +118,11 @@ def statement(id_: str, text: str) -> Callable[[Callable[[PaperData], Decided]],
     return lambda decide: Statement(id_, text, decide)
 
 
+def shown(value: float, form: str) -> str:
+    """A number in a given form; a dash where there is none."""
+    return "-" if math.isnan(value) else format(value, form)
+
+
 def plain(value: Any) -> Any:
     """A value as JSON has it: numbers of NumPy as Python's, what is not a number as None.
 

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from stridemap.sweeps.paper.claim import Decided, Parts, statement
+from stridemap.sweeps.paper.claim import Decided, Parts, shown, statement
 from stridemap.sweeps.paper.data import OMEGAS, PaperData
 from stridemap.sweeps.paper.select import (
     GROUPS,
@@ -97,7 +97,7 @@ def c3(data: PaperData) -> Decided:
                 x_mean_first_half=[rows["x_first"].min(), rows["x_first"].max()],
                 x_mean_second_half=[rows["x_second"].min(), rows["x_second"].max()],
             )  # fmt: skip
-    return parts, f"so for at least {least:.0%} of each half step", {}
+    return parts, f"so for at least {least:.0%} of either half of the step", {}
 
 
 @statement("C4", "The wobbling mass oscillates twice a step in C, three times in D, four times in E")
@@ -178,7 +178,7 @@ def c6(data: PaperData) -> Decided:
     likest = likeness["A"] > max(likeness["B"], likeness["C"])
     parts.add("most like A", likest, least_correlation=likeness, **difference)
     text = "least correlation with typical solutions: " + ", ".join(
-        f"{g} {c:.4f}" for g, c in likeness.items()
+        f"{g} {shown(c, '.4f')}" for g, c in likeness.items()
     )
     return parts, text, {}
 
@@ -190,17 +190,17 @@ def c20(data: PaperData) -> Decided:
     ``rounds to 0.05``: from 0.045 to 0.055. ``within a factor of two``: from 0.025 to 0.1. Stable cycles
     elsewhere are further evidence: the paper does not say which solution it means.
     """
-    shown = {g: _number(typical(data, g), "x_amplitude") for g in TYPICAL}
+    amplitude = {g: _number(typical(data, g), "x_amplitude") for g in TYPICAL}
     travel = {g: _number(typical(data, g), "x_travel") for g in TYPICAL}
-    largest = np.nanmax([*shown.values(), 0.0])
+    largest = np.nanmax([*amplitude.values(), 0.0])
     parts = Parts()
-    parts.add("rounds to 0.05", 0.045 <= largest < 0.055, largest=largest, amplitude=shown, travel=travel)
+    parts.add("rounds to 0.05", 0.045 <= largest < 0.055, largest=largest, amplitude=amplitude, travel=travel)
     parts.add("within a factor of two", 0.025 <= largest <= 0.1, largest=largest)
     elsewhere = {
         name: {g: extremes(stable(orbits, g), "x_amplitude") for g in GROUPS}
         for name, _, _, orbits in slices(data)
     }
-    text = "largest |x|: " + ", ".join(f"{g} {value:.3f}" for g, value in shown.items())
+    text = "largest |x|: " + ", ".join(f"{g} {shown(value, '.3f')}" for g, value in amplitude.items())
     return parts, text, {"stable_cycles": elsewhere}
 
 

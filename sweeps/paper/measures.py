@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from stridemap.sweeps.paper.claim import Decided, Parts, statement
+from stridemap.sweeps.paper.claim import Decided, Parts, shown, statement
 from stridemap.sweeps.paper.data import ALPHAS, OMEGAS, PaperData
 from stridemap.sweeps.paper.select import (
     GROUPS,
@@ -31,7 +31,7 @@ def least_is_largest_in_a(data: PaperData, column: str) -> tuple[Parts, str]:
         least = {g: found[g].get("least", np.nan) for g in "ABC"}
         for g in "BC":
             parts.add(f"A above {g} at {name}", least["A"] > least[g], A=found["A"], **{g: found[g]})
-        texts.append("/".join(f"{value:.3g}" for value in least.values()))
+        texts.append("/".join(shown(value, ".3g") for value in least.values()))
     return parts, "smallest in A/B/C: " + ", ".join(texts)
 
 
@@ -41,7 +41,7 @@ def a_is_above_the_compass(data: PaperData, column: str) -> tuple[Parts, str]:
     for name, _, omega, orbits in slices(data):
         reference, found = compass(data, omega, column), extremes(stable(orbits, "A"), column)
         parts.add(name, found.get("least", np.nan) > reference, compass=reference, **found)
-        texts.append(f"{found.get('least', np.nan):.4g} (compass {reference:.4g})")
+        texts.append(f"{shown(found.get('least', np.nan), '.4g')} (compass {shown(reference, '.4g')})")
     return parts, "smallest in A: " + ", ".join(texts)
 
 
@@ -184,9 +184,9 @@ def c15(data: PaperData) -> Decided:
         )
         parts.add(f"signs in {g}", good, **({} if cycle is None else {name: cycle[name] for name in names}))
         travel[g] = np.nan if cycle is None else float(cycle["d_travel"])
-        crossing.append("-" if cycle is None else f"{cycle['d_crossing']:.2f}")
+        crossing.append("-" if cycle is None else shown(cycle["d_crossing"], ".2f"))
     parts.add("A fluctuates most", travel["A"] > max(travel["B"], travel["C"]), travel=travel)
-    ranges = ", ".join(f"{g} {value:.3f}" for g, value in travel.items())
+    ranges = ", ".join(f"{g} {shown(value, '.3f')}" for g, value in travel.items())
     elsewhere = {
         name: {
             g: f"{_turns_negative_once(rows).sum()} of {len(rows)}"

@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from stridemap.sweeps.paper.claim import Decided, Parts, statement
+from stridemap.sweeps.paper.claim import Decided, Parts, shown, statement
 from stridemap.sweeps.paper.data import ALPHAS, OMEGAS, PaperData
 from stridemap.sweeps.paper.edges import Run, stable_runs
 from stridemap.sweeps.paper.select import GROUPS, at, compass, extremes, main_branch, slices, stable
@@ -20,7 +20,7 @@ def c7(data: PaperData) -> Decided:
         least = found.get("least", np.nan)
         below = int((orbits["spectral_radius"] <= reference).sum())
         parts.add(name, least > reference, compass=reference, cycles_not_above=below, **found)
-        texts.append(f"{least:.3f} (compass {reference:.3f})")
+        texts.append(f"{shown(least, '.3f')} (compass {shown(reference, '.3f')})")
     return parts, "smallest: " + ", ".join(texts), {}
 
 
