@@ -29,7 +29,7 @@ SOUND := $(shell [ -x $(BIN)/python ] && [ "$$(cat $(MADE) 2>/dev/null)" = "$$(p
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help derive sweep test lint format bench recall docs lock clean FORCE
+.PHONY: help derive sweep claims test lint format bench recall docs lock clean FORCE
 
 help: ## this list
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "make %-8s %s\n", $$1, $$2 }' Makefile
@@ -39,6 +39,9 @@ derive: $(RUN) ## write the equations, the C and the kernels of all models into 
 
 sweep: $(RUN) ## find all limit cycles of a grid, or go on with what is unfinished (CONFIG=, OUT=, WORKERS=)
 	$(BIN)/stridemap sweep "$(CONFIG)" --out "$(OUT)" --resume $(if $(WORKERS),--workers $(WORKERS)) $(ARGS)
+
+claims: $(RUN) ## decide the paper's statements by computation (WORKERS=, ARGS=--json)
+	@$(BIN)/stridemap claims $(if $(WORKERS),--workers $(WORKERS)) $(ARGS)
 
 test: $(DEV) ## run all tests (JOBS=2 at a time; ARGS="-k word" for some)
 	$(BIN)/python -m pytest -n $(JOBS) $(ARGS)

@@ -71,15 +71,21 @@ measures = [
     ("cot", "cost of transport", (0.2, 0.6)),
 ]
 (compass,) = stridemap.find_orbits("compass")
-figure, axes = plt.subplots(2, 2, sharex=True, sharey="row", figsize=(7.2, 5.6), layout="constrained")
-for column, (orbits, title) in enumerate([(undamped, "no damper"), (damped, "damper $c = 0.05$")]):
+figure, axes = plt.subplots(
+    2, 2, sharex=True, sharey="row", figsize=(7.2, 5.6), layout="constrained"
+)
+for column, (orbits, title) in enumerate(
+    [(undamped, "no damper"), (damped, "damper $c = 0.05$")]
+):
     for row, (name, label, limits) in enumerate(measures):
         ax = axes[row, column]
         for stable, face in ((False, "none"), (True, "#0072b2")):
             some = orbits[orbits.stable == stable]
             ax.scatter(some.k, some[name], 10, facecolors=face, edgecolors="#0072b2", linewidths=0.6,
                        label="stable" if stable else "unstable")  # fmt: skip
-        ax.axhline(getattr(compass, name), color="0.4", linestyle="--", linewidth=1, label="compass")
+        ax.axhline(
+            getattr(compass, name), color="0.4", linestyle="--", linewidth=1, label="compass"
+        )
         ax.set_ylim(limits)
         if column == 0:
             ax.set_ylabel(label)
@@ -89,7 +95,9 @@ for column, (orbits, title) in enumerate([(undamped, "no damper"), (damped, "dam
     axes[1, column].set_xscale("log")
     axes[1, column].set_xticks([1, 2, 5, 10, 20, 40], ["1", "2", "5", "10", "20", "40"])
     axes[1, column].minorticks_off()
-figure.legend(*axes[0, 0].get_legend_handles_labels(), loc="outside upper center", ncols=3, frameon=False)
+figure.legend(
+    *axes[0, 0].get_legend_handles_labels(), loc="outside upper center", ncols=3, frameon=False
+)
 
 # %%
 # A step, drawn
@@ -101,13 +109,20 @@ cheapest = damped[damped.stable].sort_values("cot").iloc[0]
 gaits = stridemap.find_orbits(PATH, k=cheapest.k, c=0.05)
 gait = min(gaits, key=lambda orbit: abs(orbit.period - cheapest.period))
 motion = stridemap.motion(gait)
-print(f"k = {cheapest.k:.2f}: cost of transport {gait.cot:.3f}, the compass walker's is {compass.cot:.3f}")
+print(
+    f"k = {cheapest.k:.2f}: cost of transport {gait.cot:.3f}, the compass walker's is {compass.cot:.3f}"
+)
 
 figure, ax = plt.subplots(figsize=(7.2, 2.6), layout="constrained")
 for i, n in enumerate(np.linspace(0, len(motion.t) - 1, 5).astype(int)):
     shift = np.array([0.7 * i, 0.0])
     for name, colour in (("legs", "0.3"), ("torso", "#d55e00")):
-        ax.plot(*(motion.lines[name][n] + shift).T, color=colour, linewidth=2, solid_capstyle="round")
+        ax.plot(
+            *(motion.lines[name][n] + shift).T,
+            color=colour,
+            linewidth=2,
+            solid_capstyle="round",
+        )
     ax.scatter(*(motion.positions[n] + shift).T, 160 * motion.masses, color="#0072b2", zorder=3)
     ax.text(shift[0] + motion.com[n, 0], -0.16, f"t = {motion.t[n]:.2f}", ha="center")
 ax.axhline(0, color="0.7", zorder=0)

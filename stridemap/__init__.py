@@ -19,6 +19,8 @@ if TYPE_CHECKING:
     from stridemap.solver.motion import Motion, motion
     from stridemap.solver.orbit import Orbit, Status
     from stridemap.solver.search import SearchOptions
+    from stridemap.sweeps.paper.claim import Claim, Verdict
+    from stridemap.sweeps.paper.evaluate import claims
     from stridemap.sweeps.run import sweep
     from stridemap.sweeps.store import read_cells, read_orbits
     from stridemap.units import Units
@@ -26,6 +28,7 @@ if TYPE_CHECKING:
 __version__ = version("stridemap")
 
 _HOMES = {
+    "Claim": "stridemap.sweeps.paper.claim",
     "InputError": "stridemap.errors",
     "Model": "stridemap.solver.model",
     "Motion": "stridemap.solver.motion",
@@ -33,6 +36,8 @@ _HOMES = {
     "SearchOptions": "stridemap.solver.search",
     "Status": "stridemap.solver.orbit",
     "Units": "stridemap.units",
+    "Verdict": "stridemap.sweeps.paper.claim",
+    "claims": "stridemap.sweeps.paper.evaluate",
     "derive_model": "stridemap.build",
     "find_orbits": "stridemap.solver.face",
     "load": "stridemap.solver.model",
@@ -44,6 +49,7 @@ _HOMES = {
 }
 
 __all__ = [
+    "Claim",
     "InputError",
     "Model",
     "Motion",
@@ -51,7 +57,9 @@ __all__ = [
     "SearchOptions",
     "Status",
     "Units",
+    "Verdict",
     "__version__",
+    "claims",
     "derive_model",
     "find_orbits",
     "load",

@@ -15,7 +15,9 @@ from stridemap.derive.models.compass import WALKER as COMPASS
 PSI = Coordinate("psi", "rad", "angle of the torso from the vertical, positive leaning ahead")
 K = Parameter("k", 5.0, "M g L", "stiffness of the torso's spring", 0.0)
 C = Parameter("c", 0.0, "M g L sqrt(L/g)", "coefficient of the torso's damper", 0.0)
-ALPHA = Parameter("alpha", 0.25, "1", "torso's mass as a share of the upper body's", 0.0, 1.0, True, True)
+ALPHA = Parameter(
+    "alpha", 0.25, "1", "torso's mass as a share of the upper body's", 0.0, 1.0, True, True
+)
 R = Parameter("r", 0.5, "L", "height of the torso's mass above the hip", 0.0, lower_open=True)
 
 psi, alpha, r = PSI.symbol, ALPHA.symbol, R.symbol

@@ -14,7 +14,14 @@ Y = Coordinate("y", "L", "height of the wobbling mass above the hip")
 K = Parameter("k", 6.0, "M g / L", "stiffness of the wobbling mass's spring", 0.0)
 C = Parameter("c", 0.1, "M sqrt(g/L)", "coefficient of the damper beside it", 0.0)
 ALPHA = Parameter(
-    "alpha", 0.25, "1", "wobbling mass as a share of the upper body's mass", 0.0, 1.0, True, True
+    "alpha",
+    0.25,
+    "1",
+    "wobbling mass as a share of the upper body's mass",
+    0.0,
+    1.0,
+    True,
+    True,
 )
 
 y, k, alpha = Y.symbol, K.symbol, ALPHA.symbol
