@@ -235,8 +235,8 @@ def _same_place(
     if moved > TOLERANCE * (1 + float(was.evalf().norm())):
         refuse(
             walker,
-            f"to swap the legs moves the centre of mass by {moved:.6g}: the coordinates in relabel do not describe "
-            "the walker that has just touched down, seen from its new stance foot; correct relabel",
+            f"to swap the legs moves the centre of mass by {moved:.6g}: the coordinates in relabel do not "
+            "describe the walker that has just touched down, seen from its new stance foot; correct relabel",
         )
 
 

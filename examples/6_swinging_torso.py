@@ -2,9 +2,9 @@
 6. A walker of your own: a swinging torso
 =========================================
 
-The outlook of Kamimura and Sano's paper asks for masses that swing like a pendulum. Here is one: a compass
-walker whose torso is a mass above the hip, held up by a rotational spring. The walker is declared in one
-short file, and the sweep over its spring takes a few lines.
+The outlook of Kamimura and Sano's paper asks for masses that swing like a pendulum. Here is
+one: a compass walker whose torso is a mass above the hip, held up by a rotational spring. The
+walker is declared in one short file, and the sweep over its spring takes a few lines.
 """
 
 import inspect
@@ -21,8 +21,9 @@ from stridemap.sweeps.config import parse_config
 # %%
 # The model file
 # --------------
-# This is all of it, below its first lines. The compass walker gets a coordinate, four parameters and a body;
-# the spring and the damper act between the torso and the line that halves the angle between the legs.
+# This is all of it, below its first lines. The compass walker gets a coordinate, four
+# parameters and a body; the spring and the damper act between the torso and the line that
+# halves the angle between the legs.
 
 HERE = (
     Path(inspect.currentframe().f_code.co_filename).resolve().parent
@@ -33,7 +34,8 @@ print(PATH.read_text(encoding="utf-8").split('"""')[2])
 # %%
 # The sweep
 # ---------
-# One without a damper and one with a little of it. Gaits that would pull at the ground are left out.
+# One without a damper and one with a little of it. Gaits that would pull at the ground are left
+# out.
 
 
 def branches(damper):
@@ -57,11 +59,12 @@ undamped, damped = branches(0.0), branches(0.05)
 # %%
 # What the spring does
 # --------------------
-# Filled marks are stable, open marks are not. The dashed line is the compass walker, whose upper body is all
-# at the hip. Below ``alpha r`` = 0.125 the spring could not even hold the torso up at rest, and it takes more
-# than ten times that before a gait is stable. Then one resonance follows another: from each branch to the next
-# the torso swings once more in a step. Without a damper the branches overlap. With a little damping they join,
-# and the resonances are waves in the cost of transport.
+# Filled marks are stable, open marks are not. The dashed line is the compass walker, whose
+# upper body is all at the hip. Below ``alpha r`` = 0.125 the spring could not even hold the
+# torso up at rest, and it takes more than ten times that before a gait is stable. Then one
+# resonance follows another: from each branch to the next the torso swings once more in a step.
+# Without a damper the branches overlap. With a little damping they join, and the resonances are
+# waves in the cost of transport.
 
 for name, orbits in (("no damper", undamped), ("with one", damped)):
     print(f"{name}: stable gaits from k = {orbits[orbits.stable].k.min():.2f} on")
@@ -81,8 +84,9 @@ for column, (orbits, title) in enumerate(
         ax = axes[row, column]
         for stable, face in ((False, "none"), (True, "#0072b2")):
             some = orbits[orbits.stable == stable]
-            ax.scatter(some.k, some[name], 10, facecolors=face, edgecolors="#0072b2", linewidths=0.6,
-                       label="stable" if stable else "unstable")  # fmt: skip
+            kind = "stable" if stable else "unstable"
+            look = {"facecolors": face, "edgecolors": "#0072b2", "linewidths": 0.6}
+            ax.scatter(some.k, some[name], 10, label=kind, **look)
         ax.axhline(
             getattr(compass, name), color="0.4", linestyle="--", linewidth=1, label="compass"
         )
@@ -102,15 +106,15 @@ figure.legend(
 # %%
 # A step, drawn
 # -------------
-# The lines by which a walker is drawn are part of its declaration. Here is the cheapest stable gait of the
-# damped walker, at five instants of one step.
+# The lines by which a walker is drawn are part of its declaration. Here is the cheapest stable
+# gait of the damped walker, at five instants of one step.
 
 cheapest = damped[damped.stable].sort_values("cot").iloc[0]
 gaits = stridemap.find_orbits(PATH, k=cheapest.k, c=0.05)
 gait = min(gaits, key=lambda orbit: abs(orbit.period - cheapest.period))
 motion = stridemap.motion(gait)
 print(
-    f"k = {cheapest.k:.2f}: cost of transport {gait.cot:.3f}, the compass walker's is {compass.cot:.3f}"
+    f"k = {cheapest.k:.2f}: cost of transport {gait.cot:.3f}, that of the compass {compass.cot:.3f}"
 )
 
 figure, ax = plt.subplots(figsize=(7.2, 2.6), layout="constrained")

@@ -21,8 +21,8 @@ def find_orbits(
     Parameters
     ----------
     model : str, path or Model
-        Name of a built-in model, path of a model file (``.py``), folder that `stridemap derive` wrote, or what
-        `load` or `derive_model` returned.
+        Name of a built-in model, path of a model file (``.py``), folder that `stridemap derive` wrote, or
+        what `load` or `derive_model` returned.
     options : SearchOptions, optional
     **params : float
         Parameters by name; what is not given comes from the preset.

@@ -116,8 +116,8 @@ class Model:
             raise InputError(f"{folder} holds no readable manifest.json ({error}); {self._cure}") from None
         if self.manifest["format"] != FORMAT:
             raise InputError(
-                f"{folder} was written by another version of stridemap (format {self.manifest['format']}, not "
-                f"{FORMAT}); {self._cure}"
+                f"{folder} was written by another version of stridemap (format {self.manifest['format']}, "
+                f"not {FORMAT}); {self._cure}"
             )
 
     def __getattr__(self, name: str) -> ca.Function:

@@ -50,7 +50,7 @@ def latched() -> Walker:
 
 
 def rolling() -> Walker:
-    """The compass walker on arcs, which have the foot's mass at their lowest point when the leg is upright."""
+    """The compass walker on arcs; the mass of a foot is at the lowest point under an upright leg."""
     radius = Parameter("radius", 0.2, "L", "radius of the feet", 0.0, 1.0, upper_open=True)
     r, theta1, theta2 = radius.symbol, compass.theta1, compass.theta2
     up = sp.Matrix([-sp.sin(theta1), sp.cos(theta1)])

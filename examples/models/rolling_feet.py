@@ -1,6 +1,7 @@
 """The compass walker on round feet: each leg ends in an arc whose centre lies on the leg.
 
-``STANCE_FOOT`` is the centre of the stance foot's arc. With ``radius = 0`` it is the compass walker.
+``STANCE_FOOT`` is the centre of the stance foot's arc. With ``radius = 0`` it is the compass
+walker.
 """
 
 import sympy as sp

@@ -1,9 +1,10 @@
-"""The compass walker with a torso: a mass on a pendulum above the hip, held up by a rotational spring.
+"""The compass walker with a torso: a mass on a pendulum above the hip, held up by a spring.
 
-The spring (and a damper beside it) acts between the torso and the line that halves the angle between the legs,
-so no couple comes from nowhere. Very stiff and well damped, it makes the torso one body with that line, as
-the bisecting mechanism of M. Wisse, D. G. E. Hobbelen, A. L. Schwab, IEEE Trans. Robotics 23 (2007) 112-123,
-does; without a torso's mass there remains the compass walker.
+The spring (and a damper beside it) acts between the torso and the line that halves the angle
+between the legs, so no couple comes from nowhere. Very stiff and well damped, it makes the
+torso one body with that line, as the bisecting mechanism of M. Wisse, D. G. E. Hobbelen, A. L.
+Schwab, IEEE Trans. Robotics 23 (2007) 112-123, does; without a torso's mass there remains the
+compass walker.
 """
 
 import sympy as sp

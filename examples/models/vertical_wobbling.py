@@ -1,7 +1,7 @@
-"""The compass walker with a mass on a vertical spring at its hip: the other half of the paper's outlook.
+"""The compass walker with a mass on a vertical spring: the other half of the paper's outlook.
 
-The guide of the wobbling mass stays vertical. The spring is preloaded so that it carries the resting mass at
-the height of the hip.
+The guide of the wobbling mass stays vertical. The spring is preloaded so that it carries the
+resting mass at the height of the hip.
 """
 
 import sympy as sp
