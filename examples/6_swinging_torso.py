@@ -114,7 +114,7 @@ gaits = stridemap.find_orbits(PATH, k=cheapest.k, c=0.05)
 gait = min(gaits, key=lambda orbit: abs(orbit.period - cheapest.period))
 motion = stridemap.motion(gait)
 print(
-    f"k = {cheapest.k:.2f}: cost of transport {gait.cot:.3f}, that of the compass {compass.cot:.3f}"
+    f"k = {cheapest.k:.2f}: cost of transport {gait.cot:.3f}, compass {compass.cot:.3f}"
 )
 
 figure, ax = plt.subplots(figsize=(7.2, 2.6), layout="constrained")
