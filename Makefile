@@ -3,13 +3,12 @@
 PYTHON = python3
 CONFIG = sweeps/paper.toml
 OUT    = results/$(basename $(notdir $(CONFIG)))
+REPORT = results/report.html
 JOBS   = 2
 # Empty means: the program's own default.
 WORKERS =
 CELLS   =
 STARTS  =
-REPORT  = results/report.html
-CLAIMS  = $(wildcard results/claims.json)
 ARGS    =
 
 VENV := .venv
@@ -31,7 +30,7 @@ SOUND := $(shell [ -x $(BIN)/python ] && [ "$$(cat $(MADE) 2>/dev/null)" = "$$(p
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help derive sweep report test lint format bench recall docs lock clean FORCE
+.PHONY: help derive sweep claims report test lint format bench recall docs lock clean FORCE
 
 help: ## this list
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "make %-8s %s\n", $$1, $$2 }' Makefile
@@ -42,10 +41,15 @@ derive: $(RUN) ## write the equations, the C and the kernels of all models into 
 sweep: $(RUN) ## find all limit cycles of a grid, or go on with what is unfinished (CONFIG=, OUT=, WORKERS=)
 	$(BIN)/stridemap sweep "$(CONFIG)" --out "$(OUT)" --resume $(if $(WORKERS),--workers $(WORKERS)) $(ARGS)
 
-report: $(RUN) ## write the sweep as one HTML page to explore, after the sweep if need be (CONFIG=, OUT=, REPORT=, CLAIMS=)
+claims: $(RUN) ## decide the paper's statements by computation (WORKERS=, ARGS=--json)
+	@$(BIN)/stridemap claims $(if $(WORKERS),--workers $(WORKERS)) $(ARGS)
+
+report: $(RUN) ## write the sweep and the claims as one HTML page to explore, after both if need be (CONFIG=, OUT=, REPORT=)
 	@[ -e "$(OUT)/orbits.parquet" ] && [ -e "$(OUT)/cells.parquet" ] && [ ! -e "$(OUT)/parts" ] || \
 	  $(BIN)/stridemap sweep "$(CONFIG)" --out "$(OUT)" --resume $(if $(WORKERS),--workers $(WORKERS))
-	$(BIN)/stridemap report "$(OUT)" --out "$(REPORT)" $(if $(CLAIMS),--claims "$(CLAIMS)") $(ARGS)
+	@$(BIN)/stridemap claims --json $(if $(WORKERS),--workers $(WORKERS)) > "$(OUT)/claims.json.part"
+	@mv "$(OUT)/claims.json.part" "$(OUT)/claims.json"
+	$(BIN)/stridemap report "$(OUT)" --out "$(REPORT)" --claims "$(OUT)/claims.json" $(ARGS)
 
 test: $(DEV) ## run all tests (JOBS=2 at a time; ARGS="-k word" for some)
 	$(BIN)/python -m pytest -n $(JOBS) $(ARGS)
@@ -63,14 +67,9 @@ bench: $(DEV) ## measure the speed, beside the paper's practice
 recall: $(DEV) ## measure what share of all limit cycles the sweep finds (CELLS=, STARTS=)
 	$(BIN)/python -m benchmarks.recall $(if $(CELLS),--cells $(CELLS)) $(if $(STARTS),--starts $(STARTS)) $(ARGS)
 
-ifneq ($(wildcard docs/conf.py),)
-docs: $(DOCS)
-	$(BIN)/python -m sphinx -W --keep-going docs docs/_build/html $(ARGS)
+docs: $(DOCS) ## build the pages in docs/, running every example
+	$(BIN)/python -m sphinx -W --keep-going -q docs docs/_build/html $(ARGS)
 	@echo "The pages are in docs/_build/html/index.html."
-else
-docs: ## build the pages in docs/
-	@echo "There are no pages to build yet: docs/conf.py is missing. Start with README.md."
-endif
 
 lock: $(UV) ## remake requirements/*.txt after a change of what is required (ARGS=--upgrade for newer versions)
 	$(LOCK) $(ARGS) -o requirements/run.txt pyproject.toml requirements/build.in
@@ -102,7 +101,7 @@ $(MADE): $(if $(SOUND),,FORCE)
 $(RUN): $(MADE) requirements/run.txt pyproject.toml
 	@echo "Installing what stridemap runs on (requirements/run.txt) ..."
 	@$(PIN) requirements/run.txt
-	@mkdir -p generated/compass generated/wobbling # so that `make derive` works where they were removed
+	@for walker in derive/models/*.py; do grep -q '^WALKER =' $$walker && mkdir -p generated/$$(basename $$walker .py); done; true # so that `make derive` works where they were removed
 	@$(PIP) --no-build-isolation --no-deps --editable .
 	@touch $@
 

@@ -1,9 +1,10 @@
-"""The command line: ``stridemap orbit | sweep | simulate | report | derive``.
+"""The command line: ``stridemap orbit | sweep | simulate | derive | claims | report``.
 
 Exit status: 0 found or done, 1 nothing found, 2 unusable input (one sentence on standard error).
 """
 
 import errno
+import itertools
 import json
 import math
 import os
@@ -14,14 +15,26 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, NoReturn
 
 import typer
+import typer.core
 
+from stridemap.commands.claims import claims
 from stridemap.commands.report import report
 from stridemap.errors import InputError
+from stridemap.options import (
+    FOUND,
+    INTERRUPTED,
+    NOTHING,
+    UNUSABLE,
+    JsonOption,
+    SetOption,
+    assign,
+    parameters,
+    split,
+    whole,
+)
 
 if TYPE_CHECKING:
     from stridemap.solver.orbit import Orbit
-
-FOUND, NOTHING, UNUSABLE, INTERRUPTED = 0, 1, 2, 130
 
 # The base of all complaints about the command line; typer has it under varying module names.
 _UsageError: Any = next(c for c in typer.BadParameter.__mro__ if c.__name__ == "ClickException")
@@ -29,23 +42,30 @@ _UsageError: Any = next(c for c in typer.BadParameter.__mro__ if c.__name__ == "
 # Model parameters are options of the commands that take a model (--k 6): which there are depends on the
 # model, so they are taken from what is left on the command line.
 _PARAMETERS = {"allow_extra_args": True, "ignore_unknown_options": True}
-_EPILOG = (
-    "Parameters of the model are options too: --k 6 --alpha 0.25 --omega 3 (the same as --set k=6 ...). "
-    "What is not given comes from the model's preset. wobbling: k alpha omega beta Kp Kd S gamma; "
-    "compass: omega beta Kp Kd S gamma."
-)
 
 
-def _count(text: str) -> int:
-    try:
-        return int(text)
-    except ValueError:
-        raise typer.BadParameter(f"{text!r} is not a whole number; at least 1 is needed") from None
+class _WithParameters(typer.core.TyperCommand):
+    """A command whose help lists the parameters of the model that is named beside ``--help``."""
 
+    def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
+        """Keep the words, because the help is printed before the options are read."""
+        ctx.meta["words"] = list(args)
+        return super().parse_args(ctx, args)
 
-def _whole(meaning: str) -> Any:
-    """An option that takes a whole number; typer's own complaint does not say what was given."""
-    return typer.Option(parser=_count, metavar="N", help=meaning)
+    def format_epilog(self, ctx: Any, formatter: Any) -> None:
+        """Write the model's parameters below the options."""
+        from stridemap.solver.model import load
+
+        words = ctx.meta.get("words", [])
+        named = [w.partition("=")[2] for w in words if w.startswith("--model=")]
+        named += [after for word, after in itertools.pairwise(words) if word == "--model"]
+        model = load(named[-1] if named else "wobbling")
+        rows = []
+        for a in model.parameters:
+            default = f"{a.default:.6g}"
+            rows.append((f"--{a.name} NUMBER", f"{a.meaning} [{a.unit}]; {a.allowed}; preset {default}"))
+        with formatter.section(f"Parameters of the model {model.name} (also --set NAME=VALUE)"):
+            formatter.write_dl(rows)
 
 
 app = typer.Typer(
@@ -55,9 +75,12 @@ app = typer.Typer(
     rich_markup_mode=None,
 )
 
-ModelOption = Annotated[str, typer.Option("--model", help="Name of the model.")]
-SetOption = Annotated[list[str] | None, typer.Option("--set", metavar="NAME=VALUE", help="Set a parameter.")]
-JsonOption = Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")]
+app.command()(claims)
+app.command()(report)
+
+ModelOption = Annotated[
+    str, typer.Option("--model", help="Name of a built-in model, a model file (.py), or a derived folder.")
+]
 
 
 def main() -> NoReturn:
@@ -97,12 +120,12 @@ def _discard_output() -> None:
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
-@app.command(epilog=_EPILOG, context_settings=_PARAMETERS)
+@app.command(cls=_WithParameters, context_settings=_PARAMETERS)
 def orbit(
     context: typer.Context,
     model: ModelOption = "wobbling",
     set_: SetOption = None,
-    starts: Annotated[int, _whole("Number of quasi-random starts.")] = 512,
+    starts: Annotated[int, whole("Number of quasi-random starts.")] = 512,
     json_: JsonOption = False,
 ) -> int:
     """Print all limit cycles at one point of parameter space."""
@@ -110,7 +133,7 @@ def orbit(
     from stridemap.solver.search import SearchOptions, find_orbits
 
     loaded = load(model)
-    point = loaded.point(_parameters(context.args, set_))
+    point = loaded.point(parameters(context.args, set_))
     orbits = find_orbits(loaded, point[None, :], SearchOptions(starts=starts))[0]
     if json_:
         params = dict(zip(loaded.preset, point.tolist(), strict=True))
@@ -123,7 +146,7 @@ def orbit(
     return FOUND if orbits else NOTHING
 
 
-@app.command(epilog=_EPILOG, context_settings=_PARAMETERS)
+@app.command(cls=_WithParameters, context_settings=_PARAMETERS)
 def simulate(
     context: typer.Context,
     model: ModelOption = "wobbling",
@@ -132,7 +155,7 @@ def simulate(
         list[str] | None,
         typer.Option(metavar="NAME=VALUE", help="An entry of the state just after touchdown; all or none."),
     ] = None,
-    steps: Annotated[int, _whole("Number of steps to walk.")] = 10,
+    steps: Annotated[int, whole("Number of steps to walk.")] = 10,
     json_: JsonOption = False,
 ) -> int:
     """Walk from a state just after touchdown (by default the most stable limit cycle), step by step.
@@ -142,11 +165,11 @@ def simulate(
     from stridemap.solver.face import simulate as simulate_
     from stridemap.solver.model import load
 
-    params = _parameters(context.args, set_)
+    params = parameters(context.args, set_)
     load(model).point(params)  # refuses a name that is no parameter, such as "steps"
     start: dict[str, Any] = {}
     for word in state or ():
-        _assign(start, *_split(word, "--state"))
+        assign(start, *split(word, "--state"))
     walk = simulate_(model, start or None, steps=steps, **params)
     if json_:
         rows = [
@@ -170,7 +193,7 @@ def simulate(
 def sweep(
     config: Annotated[Path, typer.Argument(help="TOML file of the sweep.")],
     out: Annotated[Path, typer.Option(help="Output folder.")],
-    workers: Annotated[int | None, _whole("Number of processes; by default one a core.")] = None,
+    workers: Annotated[int | None, whole("Number of processes; by default one a core.")] = None,
     resume: Annotated[bool, typer.Option("--resume", help="Continue from finished tiles.")] = False,
 ) -> int:
     """Find all limit cycles of a grid of parameters; writes orbits.parquet and cells.parquet."""
@@ -204,13 +227,33 @@ def _interrupt(*_: object) -> NoReturn:
 
 @app.command()
 def derive(
+    path: Annotated[
+        Path | None, typer.Argument(help="Python file that declares a model; all built-in ones without it.")
+    ] = None,
+    out: Annotated[Path | None, typer.Option(help="Folder for the files of the model file.")] = None,
     check: Annotated[
         bool, typer.Option("--check", help="Write nothing; tell which generated files would change.")
     ] = False,
+    keep: Annotated[
+        bool, typer.Option("--keep", help="Leave files in the cache as they are, even if they were changed.")
+    ] = False,
 ) -> int:
-    """Derive every built-in model and write its equations, C and kernels into generated/."""
+    """Derive a model and write its equations, C and kernels: a model file's, or all built-in ones'.
+
+    A model file's go to --out, or into the user's cache; the built-in ones' into generated/.
+    """
     from stridemap import build
 
+    if path is not None and check:
+        raise InputError("--check is for the built-in models; leave it out, or the path of the model file")
+    if path is None and out is not None:
+        raise InputError("--out is for a model file; give its path, or leave --out out")
+    if path is not None:
+        walker = build.declared(path)
+        folder = build.into_cache(walker, keep) if out is None else build.into_folder(walker, out)
+        for written in build.generated_files(folder):
+            print(written)
+        return FOUND
     if not check:
         for path in build.derive():
             print(path)
@@ -228,9 +271,6 @@ def derive(
     return FOUND
 
 
-app.command()(report)
-
-
 @app.command()
 def version() -> int:
     """Print the version."""
@@ -238,43 +278,6 @@ def version() -> int:
 
     print(__version__)
     return FOUND
-
-
-def _parameters(extra: list[str], assignments: list[str] | None) -> dict[str, Any]:
-    """Model parameters from ``--name value``, ``--name=value`` and ``--set name=value``."""
-    pairs: dict[str, Any] = {}
-    rest = iter(extra)
-    for word in rest:
-        if not word.startswith("--"):
-            raise InputError(
-                f"{word!r} is not understood: parameters are given as --NAME VALUE or --set NAME=VALUE"
-            )
-        name, equals, value = word[2:].partition("=")
-        text = value if equals else next(rest, None)
-        if text is None or (text.startswith("--") and not equals):
-            raise InputError(f"--{name} needs a value")
-        _assign(pairs, name, text)
-    for word in assignments or ():
-        _assign(pairs, *_split(word, "--set"))
-    return pairs
-
-
-def _split(word: str, option: str) -> tuple[str, str]:
-    """Name and value of a word ``NAME=VALUE``."""
-    name, equals, text = word.partition("=")
-    if not equals or not name:
-        raise InputError(f"{option} {word!r} is not understood; write {option} NAME=VALUE")
-    return name, text
-
-
-def _assign(pairs: dict[str, Any], name: str, text: str) -> None:
-    """Enter a number, or the text itself where it is none: who knows the allowed range refuses it."""
-    if name in pairs:
-        raise InputError(f"{name} is given twice")
-    try:
-        pairs[name] = float(text)
-    except ValueError:
-        pairs[name] = text
 
 
 def _print_orbits(orbits: "list[Orbit]") -> None:
