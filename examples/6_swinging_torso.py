@@ -113,9 +113,7 @@ cheapest = damped[damped.stable].sort_values("cot").iloc[0]
 gaits = stridemap.find_orbits(PATH, k=cheapest.k, c=0.05)
 gait = min(gaits, key=lambda orbit: abs(orbit.period - cheapest.period))
 motion = stridemap.motion(gait)
-print(
-    f"k = {cheapest.k:.2f}: cost of transport {gait.cot:.3f}, compass {compass.cot:.3f}"
-)
+print(f"k = {cheapest.k:.2f}: cost of transport {gait.cot:.3f}, compass {compass.cot:.3f}")
 
 figure, ax = plt.subplots(figsize=(7.2, 2.6), layout="constrained")
 for i, n in enumerate(np.linspace(0, len(motion.t) - 1, 5).astype(int)):

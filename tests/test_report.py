@@ -16,6 +16,7 @@ from sweep_support import Inline
 import stridemap
 from stridemap.errors import InputError
 from stridemap.solver.model import available, load
+from stridemap.sweeps import store
 from stridemap.sweeps.report.javascript import equations, function
 from stridemap.sweeps.report.payload import functions
 from stridemap.sweeps.report.quantities import rate_symbol, symbol
@@ -234,6 +235,7 @@ def altered(folder, change):
         provenance = json.loads(metadata[b"stridemap"])
         change(provenance)
         metadata[b"stridemap"] = json.dumps(provenance).encode()
+        metadata[b"stridemap.digest"] = store._digest(table.schema, table.num_rows, metadata)
         pq.write_table(table.replace_schema_metadata(metadata), folder / name)
 
 

@@ -12,6 +12,9 @@ def report(
     folder: Annotated[Path, typer.Argument(metavar="SWEEP_DIR", help="Output folder of a sweep.")] = PAPER,
     *,
     out: Annotated[Path, typer.Option(metavar="FILE.html", help="The file to write.")],
+    model: Annotated[
+        str | None, typer.Option("--model", help="File of the sweep's model, if it is not a built-in one.")
+    ] = None,
     claims: Annotated[
         Path | None, typer.Option(metavar="FILE", help="What `stridemap claims --json` printed.")
     ] = None,
@@ -19,7 +22,7 @@ def report(
     """Write a sweep as one HTML file that opens without network: map, cycles, and the walker moving."""
     from stridemap.sweeps.report.write import write_report
 
-    summary = write_report(folder, out, claims)
+    summary = write_report(folder, out, claims, model)
     print(
         f"report of {summary.orbits:,} limit cycles in {summary.cells:,} cells: {summary.path} "
         f"({summary.size / 1e6:.1f} MB)"

@@ -39,7 +39,10 @@ function chartsOf(samples) {
       series: [named("Fy", (s) => s.force[1], "series-0"), named("Fx", (s) => s.force[0], "series-1")],
     });
   }
-  if (has("torque")) charts.push({ title: "hip torque u", unit: "M g L", series: [named("u", (s) => s.torque, "series-0")] });
+  if (has("torque")) {
+    const series = model.actuated.map((name, i) => named(name, (s) => s.torque[i], `series-${i}`));
+    charts.push({ title: series.length > 1 ? "torques of the motors" : "torque of the motor", unit: "M g L", series });
+  }
   return charts;
 }
 

@@ -12,7 +12,9 @@ from collections.abc import Iterable
 from stridemap.solver.model import Model
 
 NAMESPACE = "xp"
-FUNCTIONS = frozenset({"sin", "cos", "tan", "exp", "log", "sqrt"})
+FUNCTIONS = frozenset(
+    {"sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp", "log", "sqrt"}
+)
 """Functions that NumPy and JavaScript's ``Math`` have under one name; the generator uses no others."""
 
 _ALLOWED = (
@@ -95,7 +97,7 @@ def _means_the_same(node: ast.AST) -> bool:
         case ast.Call():
             return False
         case ast.Attribute(value=ast.Name(id=name), attr=attribute):
-            return name == NAMESPACE and attribute in FUNCTIONS
+            return name == NAMESPACE and attribute in FUNCTIONS | {"pi"}
         case ast.Attribute():
             return False
         case ast.Subscript(slice=index):
@@ -106,6 +108,10 @@ def _means_the_same(node: ast.AST) -> bool:
 
 
 class _Renamed(ast.NodeTransformer):
+    def visit_Attribute(self, node: ast.Attribute) -> ast.Attribute:
+        name = "PI" if node.attr == "pi" else node.attr
+        return ast.Attribute(value=node.value, attr=name, ctx=node.ctx)
+
     def visit_Name(self, node: ast.Name) -> ast.Name:
         return ast.Name(id=_name(node.id), ctx=node.ctx)
 

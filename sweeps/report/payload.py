@@ -93,6 +93,7 @@ def _model(model: Model) -> dict[str, Any]:
         "section": [
             {"name": name, "symbol": _section_symbol(name, model.coordinates)} for name in model.section
         ],
+        "actuated": [symbol(name) for name in manifest["actuated"]],
         "masses": manifest["masses"],
         "lines": manifest["lines"],
         "inputs": {

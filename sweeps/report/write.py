@@ -53,7 +53,12 @@ class ReportSummary:
     cells: int
 
 
-def write_report(folder: str | Path, out: str | Path, claims: str | Path | None = None) -> ReportSummary:
+def write_report(
+    folder: str | Path,
+    out: str | Path,
+    claims: str | Path | None = None,
+    model: str | Path | None = None,
+) -> ReportSummary:
     """Write a sweep as one HTML file that needs nothing beside it, and no network.
 
     Parameters
@@ -62,6 +67,8 @@ def write_report(folder: str | Path, out: str | Path, claims: str | Path | None 
         Output folder of a finished sweep.
     out : path
         The file; folders on the way to it are made.
+    model : str or path, optional
+        What the model is loaded by, where it is none of the built-in ones: the path of its file.
     claims : path, optional
         JSON of verdicts: ``{"claims": [{"id", "statement", "verdict", "evidence"}]}``.
 
@@ -72,22 +79,22 @@ def write_report(folder: str | Path, out: str | Path, claims: str | Path | None 
         one that is installed, when the claims cannot be read, or the file cannot be written.
     """
     provenance = read_provenance(folder)
-    model = load(provenance["model"])
-    _check_model(folder, provenance, model)
+    loaded = load(model or provenance["model"])
+    _check_model(folder, provenance, loaded)
     orbits, cells = read_orbits(folder), read_cells(folder)
     if orbits.empty:
         raise InputError(f"the sweep in {folder} found no limit cycle, so there is nothing to show")
-    data = payload(model, provenance["configuration"], orbits, cells)
+    data = payload(loaded, provenance["configuration"], orbits, cells)
     verdicts = sections.read_claims(claims) if claims is not None else None
     page = _page(
-        title=sections.text(f"Limit cycles: {model.title}"),
-        heading=sections.text(model.title),
-        lead=sections.lead(model, provenance, orbits, cells),
+        title=sections.text(f"Limit cycles: {loaded.title}"),
+        heading=sections.text(loaded.title),
+        lead=sections.lead(loaded, provenance, orbits, cells),
         claims=sections.claims(verdicts),
-        provenance=sections.provenance(model, provenance),
+        provenance=sections.provenance(loaded, provenance),
         # A `<` could end the element that holds the data.
         data=json.dumps(data, separators=(",", ":"), allow_nan=False).replace("<", "\\u003c"),
-        equations=equations(model, functions(model)),
+        equations=equations(loaded, functions(loaded)),
     ).encode()
     if len(page) > LARGEST:
         raise InputError(
