@@ -117,7 +117,7 @@ function readOut(cell, spoken) {
   const rows = wanted(cell);
   const row = representative(rows);
   const measure = colours.find(({ name }) => name === state.colour);
-  const kind = row === null ? "" : `${orbits.has("group") ? `group ${orbits.entry("group", row)}, ` : ""}${stableColumn[row] ? "stable" : "unstable"}`;
+  const kind = row === null ? "" : `${orbits.has("group") && orbits.entry("group", row) !== null ? `group ${orbits.entry("group", row)}, ` : ""}${stableColumn[row] ? "stable" : "unstable"}`;
   const value = row === null || !measure ? "" : `, ${measure.label} ${brief(orbits.numbers(state.colour)[row], 6)} ${measure.unit}`;
   const words = rows.length ? `${rows.length} ${rows.length === 1 ? "cycle" : "cycles"}; ${kind}${value}` : "no cycle";
   byId("readout").textContent = `${place.join(", ")}: ${words}`;
