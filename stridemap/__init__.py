@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from stridemap.solver.motion import Motion, motion
     from stridemap.solver.orbit import Orbit, Status
     from stridemap.solver.search import SearchOptions
+    from stridemap.sweeps.draw.animate import animate
     from stridemap.sweeps.run import sweep
     from stridemap.sweeps.store import read_cells, read_orbits
 
@@ -30,6 +31,7 @@ _HOMES = {
     "Orbit": "stridemap.solver.orbit",
     "SearchOptions": "stridemap.solver.search",
     "Status": "stridemap.solver.orbit",
+    "animate": "stridemap.sweeps.draw.animate",
     "find_orbits": "stridemap.solver.face",
     "load": "stridemap.solver.model",
     "motion": "stridemap.solver.motion",
@@ -47,6 +49,7 @@ __all__ = [
     "SearchOptions",
     "Status",
     "__version__",
+    "animate",
     "find_orbits",
     "load",
     "motion",

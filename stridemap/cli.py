@@ -1,4 +1,4 @@
-"""The command line: ``stridemap orbit | sweep | simulate | derive``.
+"""The command line: ``stridemap orbit | sweep | simulate | derive | figures | animate``.
 
 Exit status: 0 found or done, 1 nothing found, 2 unusable input (one sentence on standard error).
 """
@@ -15,37 +15,30 @@ from typing import TYPE_CHECKING, Annotated, Any, NoReturn
 
 import typer
 
+from stridemap.commands.animate import animate
+from stridemap.commands.figures import figures
 from stridemap.errors import InputError
+from stridemap.options import (
+    EPILOG,
+    FOUND,
+    INTERRUPTED,
+    NOTHING,
+    PARAMETERS,
+    UNUSABLE,
+    JsonOption,
+    ModelOption,
+    SetOption,
+    assign,
+    parameters,
+    split,
+    whole,
+)
 
 if TYPE_CHECKING:
     from stridemap.solver.orbit import Orbit
 
-FOUND, NOTHING, UNUSABLE, INTERRUPTED = 0, 1, 2, 130
-
 # The base of all complaints about the command line; typer has it under varying module names.
 _UsageError: Any = next(c for c in typer.BadParameter.__mro__ if c.__name__ == "ClickException")
-
-# Model parameters are options of the commands that take a model (--k 6): which there are depends on the
-# model, so they are taken from what is left on the command line.
-_PARAMETERS = {"allow_extra_args": True, "ignore_unknown_options": True}
-_EPILOG = (
-    "Parameters of the model are options too: --k 6 --alpha 0.25 --omega 3 (the same as --set k=6 ...). "
-    "What is not given comes from the model's preset. wobbling: k alpha omega beta Kp Kd S gamma; "
-    "compass: omega beta Kp Kd S gamma."
-)
-
-
-def _count(text: str) -> int:
-    try:
-        return int(text)
-    except ValueError:
-        raise typer.BadParameter(f"{text!r} is not a whole number; at least 1 is needed") from None
-
-
-def _whole(meaning: str) -> Any:
-    """An option that takes a whole number; typer's own complaint does not say what was given."""
-    return typer.Option(parser=_count, metavar="N", help=meaning)
-
 
 app = typer.Typer(
     help="Limit cycles, Floquet multipliers and parameter sweeps of walking models.",
@@ -54,9 +47,8 @@ app = typer.Typer(
     rich_markup_mode=None,
 )
 
-ModelOption = Annotated[str, typer.Option("--model", help="Name of the model.")]
-SetOption = Annotated[list[str] | None, typer.Option("--set", metavar="NAME=VALUE", help="Set a parameter.")]
-JsonOption = Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")]
+app.command()(figures)
+app.command(epilog=EPILOG, context_settings=PARAMETERS)(animate)
 
 
 def main() -> NoReturn:
@@ -96,12 +88,12 @@ def _discard_output() -> None:
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
-@app.command(epilog=_EPILOG, context_settings=_PARAMETERS)
+@app.command(epilog=EPILOG, context_settings=PARAMETERS)
 def orbit(
     context: typer.Context,
     model: ModelOption = "wobbling",
     set_: SetOption = None,
-    starts: Annotated[int, _whole("Number of quasi-random starts.")] = 512,
+    starts: Annotated[int, whole("Number of quasi-random starts.")] = 512,
     json_: JsonOption = False,
 ) -> int:
     """Print all limit cycles at one point of parameter space."""
@@ -109,7 +101,7 @@ def orbit(
     from stridemap.solver.search import SearchOptions, find_orbits
 
     loaded = load(model)
-    point = loaded.point(_parameters(context.args, set_))
+    point = loaded.point(parameters(context.args, set_))
     orbits = find_orbits(loaded, point[None, :], SearchOptions(starts=starts))[0]
     if json_:
         params = dict(zip(loaded.preset, point.tolist(), strict=True))
@@ -122,7 +114,7 @@ def orbit(
     return FOUND if orbits else NOTHING
 
 
-@app.command(epilog=_EPILOG, context_settings=_PARAMETERS)
+@app.command(epilog=EPILOG, context_settings=PARAMETERS)
 def simulate(
     context: typer.Context,
     model: ModelOption = "wobbling",
@@ -131,7 +123,7 @@ def simulate(
         list[str] | None,
         typer.Option(metavar="NAME=VALUE", help="An entry of the state just after touchdown; all or none."),
     ] = None,
-    steps: Annotated[int, _whole("Number of steps to walk.")] = 10,
+    steps: Annotated[int, whole("Number of steps to walk.")] = 10,
     json_: JsonOption = False,
 ) -> int:
     """Walk from a state just after touchdown (by default the most stable limit cycle), step by step.
@@ -141,11 +133,11 @@ def simulate(
     from stridemap.solver.face import simulate as simulate_
     from stridemap.solver.model import load
 
-    params = _parameters(context.args, set_)
+    params = parameters(context.args, set_)
     load(model).point(params)  # refuses a name that is no parameter, such as "steps"
     start: dict[str, Any] = {}
     for word in state or ():
-        _assign(start, *_split(word, "--state"))
+        assign(start, *split(word, "--state"))
     walk = simulate_(model, start or None, steps=steps, **params)
     if json_:
         rows = [
@@ -169,7 +161,7 @@ def simulate(
 def sweep(
     config: Annotated[Path, typer.Argument(help="TOML file of the sweep.")],
     out: Annotated[Path, typer.Option(help="Output folder.")],
-    workers: Annotated[int | None, _whole("Number of processes; by default one a core.")] = None,
+    workers: Annotated[int | None, whole("Number of processes; by default one a core.")] = None,
     resume: Annotated[bool, typer.Option("--resume", help="Continue from finished tiles.")] = False,
 ) -> int:
     """Find all limit cycles of a grid of parameters; writes orbits.parquet and cells.parquet."""
@@ -234,43 +226,6 @@ def version() -> int:
 
     print(__version__)
     return FOUND
-
-
-def _parameters(extra: list[str], assignments: list[str] | None) -> dict[str, Any]:
-    """Model parameters from ``--name value``, ``--name=value`` and ``--set name=value``."""
-    pairs: dict[str, Any] = {}
-    rest = iter(extra)
-    for word in rest:
-        if not word.startswith("--"):
-            raise InputError(
-                f"{word!r} is not understood: parameters are given as --NAME VALUE or --set NAME=VALUE"
-            )
-        name, equals, value = word[2:].partition("=")
-        text = value if equals else next(rest, None)
-        if text is None or (text.startswith("--") and not equals):
-            raise InputError(f"--{name} needs a value")
-        _assign(pairs, name, text)
-    for word in assignments or ():
-        _assign(pairs, *_split(word, "--set"))
-    return pairs
-
-
-def _split(word: str, option: str) -> tuple[str, str]:
-    """Name and value of a word ``NAME=VALUE``."""
-    name, equals, text = word.partition("=")
-    if not equals or not name:
-        raise InputError(f"{option} {word!r} is not understood; write {option} NAME=VALUE")
-    return name, text
-
-
-def _assign(pairs: dict[str, Any], name: str, text: str) -> None:
-    """Enter a number, or the text itself where it is none: who knows the allowed range refuses it."""
-    if name in pairs:
-        raise InputError(f"{name} is given twice")
-    try:
-        pairs[name] = float(text)
-    except ValueError:
-        pairs[name] = text
 
 
 def _print_orbits(orbits: "list[Orbit]") -> None:

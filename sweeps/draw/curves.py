@@ -1,6 +1,7 @@
 """Measures of limit cycles against one parameter, along their branches."""
 
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 import pandas as pd
@@ -63,7 +64,7 @@ def pieces(branch: pd.DataFrame, measure: str, parameter: str = "k") -> list[tup
     changes = np.flatnonzero(stable[1:] != stable[:-1])
     out = []
     edges = [0, *(changes + 1), len(x)]
-    for first, last in zip(edges[:-1], edges[1:], strict=True):
+    for first, last in pairwise(edges):
         xs, ys = x[first:last], y[first:last]
         if first:
             at = _interpolated(first - 1, x, y, radius)

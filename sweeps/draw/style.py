@@ -1,7 +1,7 @@
 """How all figures look: colours, sizes, line styles, and how they are written.
 
-Colours are from the set of Okabe and Ito (jfly.uni-koeln.de/color), which people with any colour vision
-tell apart. Nothing is told by colour alone: classes of the map differ in luminance, curves in width or dashes.
+Colours are from the set of Okabe and Ito (jfly.uni-koeln.de/color), which people with any colour vision tell
+apart. Nothing is told by colour alone: classes of the map differ in luminance, curves in width or dashes.
 """
 
 import io
@@ -29,7 +29,7 @@ DARK, GREY, PALE = "#404040", "#b4b4b4", "#e6e6e6"
 STABLE, UNSTABLE, NONE = BLUE, GREY, WHITE
 """Classes of the map."""
 
-STABLE_LINE: dict[str, Any] = {"color": BLUE, "linewidth": 2.2, "linestyle": "-", "solid_capstyle": "round"}
+STABLE_LINE: dict[str, Any] = {"color": BLUE, "linewidth": 2.2, "linestyle": "-", "solid_capstyle": "butt"}
 UNSTABLE_LINE: dict[str, Any] = {"color": DARK, "linewidth": 0.7, "linestyle": "-"}
 COMPASS_LINE: dict[str, Any] = {"color": BLACK, "linewidth": 0.9, "linestyle": (0, (5, 2.5))}
 
