@@ -18,13 +18,11 @@ on arrays. The multipliers are the eigenvalues of a matrix of central difference
 """
 
 import argparse
-import ctypes
 import json
 import math
 import platform
 import statistics
 import sys
-import tempfile
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -36,11 +34,9 @@ import numpy as np
 from scipy.integrate import solve_ivp
 from scipy.optimize import fsolve
 
-from stridemap.solver.library import compile_shared, find_compiler
 from stridemap.solver.limit_cycle import Solver
 from stridemap.solver.model import Model, load
 from stridemap.solver.search import find_orbits, section_point
-from stridemap.solver.step_map import StepMap
 
 POINTS = (
     {"k": 0.5, "alpha": 0.25, "omega": 3.0},
@@ -92,65 +88,6 @@ def cycles_to_find(model: Model) -> Cycles:
 
 
 # -- stridemap -------------------------------------------------------------------------------------------
-
-
-class StepMaps:
-    """The step map without and with its derivative, compiled with the solver's compiler and flags.
-
-    Parameters
-    ----------
-    model : Model
-    compiler : str or None
-        Without one, CasADi's virtual machine runs them.
-    """
-
-    LOOP = """
-void run_{name}(casadi_int n, const double* u, const double* p, double** out) {{
-  const double* arg[{sz_arg}]; double* res[{sz_res}]; casadi_int iw[{sz_iw}], i; double w[{sz_w}];
-  for (i = 0; i < n; i++) {{
-    arg[0] = u + i*{nu}; arg[1] = p + i*{n_params}; {results}
-    {name}(arg, res, iw, w, 0);
-  }}
-}}
-"""
-
-    def __init__(self, model: Model, compiler: str | None) -> None:
-        step_map = StepMap(model)
-        self.functions = {"step": step_map.residual(RESOLUTION), "variational": step_map.jacobian(RESOLUTION)}
-        self.library = None
-        if compiler is None:
-            return
-        generator = ca.CodeGenerator("bench_step_map.c")
-        text = ""
-        for f in self.functions.values():
-            generator.add(f)
-            text += self.LOOP.format(
-                name=f.name(), sz_arg=f.sz_arg(), sz_res=f.sz_res(), sz_iw=f.sz_iw() + 1, sz_w=f.sz_w() + 1,
-                nu=f.nnz_in(0), n_params=f.nnz_in(1),
-                results=" ".join(f"res[{i}] = out[{i}] + i*{f.nnz_out(i)};" for i in range(f.n_out())),
-            )  # fmt: skip
-        with tempfile.TemporaryDirectory() as folder:
-            source = Path(folder) / "bench_step_map.c"
-            source.write_text(generator.dump() + text, encoding="utf-8")
-            self.library = ctypes.CDLL(str(compile_shared(source, compiler)))
-
-    def __call__(self, key: str, u: np.ndarray, params: np.ndarray) -> None:
-        """Compute at n points, shapes (n, nz + 1) and (n, n_params)."""
-        function = self.functions[key]
-        if self.library is None:
-            for row in zip(u, params, strict=True):
-                function(*row)
-            return
-        out = [np.empty((len(u), function.nnz_out(i))) for i in range(function.n_out())]
-        pointers = (ctypes.c_void_p * len(out))(*[a.ctypes.data for a in out])
-        run = getattr(self.library, f"run_{function.name()}")
-        u, params = np.ascontiguousarray(u), np.ascontiguousarray(params)
-        run(
-            ctypes.c_longlong(len(u)),
-            ctypes.c_void_p(u.ctypes.data),
-            ctypes.c_void_p(params.ctypes.data),
-            pointers,
-        )
 
 
 def complete_cycles(solver: Solver, guesses: np.ndarray, params: np.ndarray) -> list[Any]:
@@ -237,7 +174,6 @@ def measure(batch: int, repeat: int, practice_repeat: int) -> dict[str, Any]:
     """Run everything; rates are per second, one entry a repetition."""
     model = load("wobbling")
     solver = Solver.of(model)
-    steps = StepMaps(model, find_compiler())
     todo = cycles_to_find(model)
     n = len(todo.cycles)
     copies = -(-batch // n)
@@ -256,9 +192,9 @@ def measure(batch: int, repeat: int, practice_repeat: int) -> dict[str, Any]:
     found = {"cycle": 0.0, "neighbour": 0.0}
     practice: dict[str, dict[str, float]] = {}
     for turn in range(repeat):
-        seconds, _ = timed(lambda: steps("step", cycles, params))
+        seconds, _ = timed(lambda: solver.kernels(f"residual_{RESOLUTION}", cycles, params))
         rates["step"].append(len(cycles) / seconds)
-        seconds, _ = timed(lambda: steps("variational", cycles, params))
+        seconds, _ = timed(lambda: solver.kernels(f"jacobian_{RESOLUTION}", cycles, params))
         rates["variational"].append(len(cycles) / seconds)
         for key, starts, points in (("cycle", guesses, params), ("neighbour", cycles, shifted)):
             seconds, orbits = timed(

@@ -2,34 +2,27 @@
 
 import sympy as sp
 
-from stridemap.derive.declaration import TIME, Coordinate, Parameter
+from stridemap.derive.declaration import Clock, Coordinate, Parameter
 
-OSCILLATOR = (
-    Parameter(
-        "omega",
-        3.0,
-        "sqrt(g/L)",
-        "oscillator frequency; its phase omega t is reset at touchdown",
-        0.0,
-        lower_open=True,
-    ),
-)
+OMEGA = Parameter(
+    "omega", 3.0, "sqrt(g/L)", "oscillator frequency; its phase omega t is reset at touchdown", 0.0,
+    lower_open=True,
+)  # fmt: skip
 GAINS = (
     Parameter("Kp", 10.0, "M g L", "proportional gain of the hip", 0.0),
     Parameter("Kd", 0.6, "M g L sqrt(L/g)", "derivative gain of the hip", 0.0),
     Parameter("S", 0.18, "rad", "stride angle: offset of the desired hip angle"),
     Parameter("gamma", 0.18, "rad", "amplitude of the desired hip angle"),
 )
+CLOCK = Clock(OMEGA.symbol)
 
 
-def desired_angle() -> sp.Expr:
-    """Desired hip angle ``gamma (1 + cos phi) - S`` with ``phi = omega t`` (paper, eq. (4))."""
-    omega, gamma, stride = sp.symbols("omega gamma S", real=True)
-    return gamma * (1 + sp.cos(omega * TIME)) - stride
+def hip_torque(hip: Coordinate, clock: Clock) -> sp.Expr:
+    """Torque that drives `hip` to the desired angle and its rate (paper, eqs. (3) and (4)).
 
-
-def hip_torque(hip: Coordinate) -> sp.Expr:
-    """Torque that drives `hip` to the desired angle and its rate (paper, eq. (3))."""
-    kp, kd = sp.symbols("Kp Kd", real=True)
-    target = desired_angle()
-    return -kp * (hip.symbol - target) - kd * (hip.rate - sp.diff(target, TIME))
+    The desired angle is ``gamma (1 + cos phi) - S`` with the clock's phase ``phi``.
+    """
+    kp, kd, stride, gamma = (gain.symbol for gain in GAINS)
+    angle = gamma * (1 + sp.cos(clock.phase)) - stride
+    rate = -gamma * clock.rate * sp.sin(clock.phase)
+    return -kp * (hip.symbol - angle) - kd * (hip.rate - rate)

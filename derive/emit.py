@@ -1,6 +1,7 @@
 """Everything that `derive` writes for one walker, as file contents."""
 
 import hashlib
+from dataclasses import asdict
 from typing import Any
 
 import sympy as sp
@@ -9,6 +10,8 @@ from stridemap.derive import print_c, print_example, print_python
 from stridemap.derive.declaration import Walker
 from stridemap.derive.functions import Functions
 from stridemap.derive.program import Program
+from stridemap.derive.trials import check_rates
+from stridemap.errors import InputError
 
 
 def emit(walker: Walker, generator: str) -> tuple[dict[str, str], dict[str, Any]]:
@@ -20,6 +23,11 @@ def emit(walker: Walker, generator: str) -> tuple[dict[str, str], dict[str, Any]
     generator : str
         Name and version for the banner.
 
+    Raises
+    ------
+    InputError
+        When the equations hold something that generated code has no form for.
+
     Returns
     -------
     files : dict of str to str
@@ -27,7 +35,18 @@ def emit(walker: Walker, generator: str) -> tuple[dict[str, str], dict[str, Any]
     manifest : dict
         What the files hold: functions, argument order, shapes, units, parameters, hash of the model.
     """
-    programs = list(Functions(walker).programs())
+    try:
+        return _printed(walker, generator)
+    except (TypeError, ValueError) as error:
+        if isinstance(error, InputError):
+            raise
+        raise InputError(f"model {walker.name}: {error}") from error
+
+
+def _printed(walker: Walker, generator: str) -> tuple[dict[str, str], dict[str, Any]]:
+    functions = Functions(walker)
+    check_rates(functions.mechanics)
+    programs = list(functions.programs())
     python = print_python.module(walker.title, programs, generator)
     model_hash = hashlib.sha256(print_python.body(programs).encode()).hexdigest()
     first_lines = print_c.banner(f"{walker.title}: readable equations", generator, model_hash)
@@ -43,7 +62,7 @@ def emit(walker: Walker, generator: str) -> tuple[dict[str, str], dict[str, Any]
 
 def _manifest(walker: Walker, programs: list[Program], generator: str, model_hash: str) -> dict[str, Any]:
     return {
-        "format": 1,
+        "format": 2,
         "generator": generator,
         "sympy": sp.__version__,
         "model": walker.name,
@@ -51,28 +70,19 @@ def _manifest(walker: Walker, programs: list[Program], generator: str, model_has
         "reference": walker.reference,
         "model_hash": model_hash,
         "coordinates": [{"name": c.name, "unit": c.unit, "meaning": c.meaning} for c in walker.coordinates],
-        "parameters": [
-            {
-                "name": a.name,
-                "default": a.default,
-                "unit": a.unit,
-                "meaning": a.meaning,
-                "lower": a.lower,
-                "upper": a.upper,
-                "lower_open": a.lower_open,
-                "upper_open": a.upper_open,
-            }
-            for a in walker.parameters
-        ],
+        "parameters": [asdict(parameter) for parameter in walker.parameters],
         "section": {
-            "names": list(walker.section),
-            "search_box": {k: list(v) for k, v in walker.search_box.items()},
+            "names": list(walker.section_names),
+            "search_box": {name: list(walker.search_box[name]) for name in walker.section_names},
+            "period_range": list(walker.period_range),
         },
-        "masses": [mass.name for mass in walker.masses],
+        "units": asdict(walker.units),
+        "masses": [body.name for body in walker.bodies],
         "lines": [{"name": line.name, "spring": line.spring} for line in walker.drawing],
-        "actuated": walker.actuated.name,
-        "stance_angle": walker.stance_angle.name,
+        "actuated": [c.name for c in walker.torques],
+        "stance_angle": walker.stance_angle.name if walker.stance_angle else None,
         "wobbling": walker.wobbling.name if walker.wobbling else None,
+        "phase": walker.phase.name if walker.phase else None,
         "functions": {p.name: _function(p) for p in programs},
     }
 

@@ -8,8 +8,13 @@ from collections.abc import Callable
 
 import sympy as sp
 
-CALLS = {sp.sin: "sin", sp.cos: "cos", sp.tan: "tan", sp.exp: "exp", sp.log: "log"}
+CALLS = {
+    f: f.__name__
+    for f in (sp.sin, sp.cos, sp.tan, sp.asin, sp.acos, sp.atan, sp.sinh, sp.cosh, sp.tanh, sp.exp, sp.log)
+}
 """Functions that C's math library, NumPy, CasADi and mpmath all have under the same name."""
+
+HIGHEST_POWER = 8
 
 
 class ExpressionPrinter:
@@ -21,11 +26,14 @@ class ExpressionPrinter:
         Prints an integer (a literal ``2`` is an int in Python but should be ``2.0`` in C).
     call : callable
         Prints a function call from its name and printed argument.
+    pi : str
+        How the number pi is written.
     """
 
-    def __init__(self, number: Callable[[int], str], call: Callable[[str, str], str]) -> None:
+    def __init__(self, number: Callable[[int], str], call: Callable[[str, str], str], pi: str) -> None:
         self._number = number
         self._call = call
+        self._pi = pi
 
     def __call__(self, expr: sp.Expr) -> str:
         """Print `expr`; raises TypeError for an operation that is not in the table."""
@@ -65,17 +73,19 @@ class ExpressionPrinter:
 
     def _power(self, base: sp.Expr, exponent: sp.Expr) -> list[str]:
         """A power as factors: the languages have no power of their own in common."""
-        if exponent == sp.Rational(1, 2):
-            return [self._call("sqrt", self._sum(base))]
-        if not exponent.is_Integer or exponent > 4:
+        if not (2 * exponent).is_Integer or exponent > HIGHEST_POWER:
             raise TypeError(
-                f"cannot print the power ({base})**({exponent}): only 1/2 and integers up to 4 are known"
+                f"cannot print the power ({base})**({exponent}): known are integers up to {HIGHEST_POWER}, "
+                "and halves"
             )
-        return [self._atom(base)] * int(exponent)
+        root = [] if exponent.is_Integer else [self._call("sqrt", self._sum(base))]
+        return root + [self._atom(base)] * int(exponent)
 
     def _atom(self, expr: sp.Expr) -> str:
         if expr.is_Symbol:
             return str(expr.name)
+        if expr is sp.pi:
+            return self._pi
         if expr.is_Add or (expr.is_Mul or expr.is_Pow):
             return f"({self._sum(expr)})"
         if expr.is_Integer:

@@ -7,10 +7,19 @@ import sympy as sp
 
 from stridemap.derive.declaration import TIME, Walker
 from stridemap.derive.mechanics import Mechanics, simplified
-from stridemap.derive.program import Argument, Builder, Entry, Output, Program
+from stridemap.derive.program import Argument, Builder, Entry, Factors, Output, Program
 
-TIME_UNIT = "sqrt(L/g)"
-GAIT = "Kamimura & Sano 2023"
+DEFAULT_SOURCES = {
+    "mass_matrix": "M ddq + h + v = Q",
+    "bias_forces": "M ddq + h + v = Q",
+    "controller_torque": "the model's declaration",
+    "state_derivative": "M ddq + h + v = Q",
+    "touchdown_condition": "the model's declaration",
+    "impact_map": "plastic impact: Me (v+ - v-) = J^T Lambda, J v+ = 0, "
+    "projected on the velocities with J v = 0",
+    "zmp": "p = x_g - F_x / F_y y_g with the ground force F",
+}
+"""Sources of equations for which a declaration names none."""
 
 
 @dataclass
@@ -29,9 +38,9 @@ class Functions:
     def __post_init__(self) -> None:
         w = self.walker
         self.mechanics = Mechanics(w)
-        time = Entry(TIME, TIME_UNIT, "time since touchdown")
+        time = Entry(TIME, w.units.time, "time since touchdown")
         q = tuple(Entry(c.symbol, c.unit, c.meaning) for c in w.coordinates)
-        v = tuple(Entry(c.rate, _rate_unit(c.unit), f"rate of {c.name}") for c in w.coordinates)
+        v = tuple(Entry(c.rate, w.units.rate(c.unit), f"rate of {c.name}") for c in w.coordinates)
         p = tuple(Entry(a.symbol, a.unit, a.meaning) for a in w.parameters)
         self.arguments = (
             Argument("t", (time,), scalar=True),
@@ -44,7 +53,8 @@ class Functions:
         """All programs, in the order in which they are printed."""
         yield self.mass_matrix()
         yield self.bias_forces()
-        yield self.controller_torque()
+        if self.walker.torques:
+            yield self.controller_torque()
         yield self.state_derivative()
         yield from self.state_derivative_jacobians()
         yield self.touchdown_condition()
@@ -63,49 +73,66 @@ class Functions:
         if self.walker.spring_mode is not None:
             yield self.spring_mode()
         yield self.section_state()
+        yield self.before_touchdown()
+        yield self.step_length()
 
     def _close(
         self, builder: Builder, name: str, summary: str, source: str, outputs: list[Output]
     ) -> Program:
         return builder.close(name, summary, source, self.arguments, outputs)
 
+    def _source(self, function: str) -> str:
+        return self.walker.sources.get(function, DEFAULT_SOURCES[function])
+
     # -- swing phase -------------------------------------------------------------------------------------
 
     def mass_matrix(self) -> Program:
         """Mass matrix of the swing phase."""
         b = Builder()
-        matrix = b.let_symmetric("M", self.mechanics.mass_matrix)
-        out = Output("M", matrix, "mass matrix, symmetric positive definite")
-        return self._close(b, "mass_matrix", "Mass matrix of the swing phase", f"{GAIT}, eq. (1)", [out])
+        m = self.mechanics
+        matrix = b.let_matrix("M", m.mass_matrix, m.symmetric)
+        meaning = "mass matrix, symmetric positive definite"
+        if self.walker.massless is not None:
+            rows = ", ".join(c.name for c in self.walker.massless.coordinates)
+            meaning = f"mass matrix in the limit {self.walker.massless.mass} -> 0, by which {rows} is divided"
+        out = Output("M", matrix, meaning, is_matrix=True)
+        return self._close(
+            b, "mass_matrix", "Mass matrix of the swing phase", self._source("mass_matrix"), [out]
+        )
 
     def bias_forces(self) -> Program:
-        """Velocity terms, gravity and springs, each on the left-hand side of the equation of motion."""
+        """Velocity terms, gravity, springs and dampers, on the left-hand side of the equation of motion."""
         outputs = [Output("h", self.mechanics.velocity_terms, "Coriolis and centrifugal forces")]
         for name, force in self.mechanics.conservative_forces.items():
             outputs.append(Output(f"v_{name}", force, f"gradient of the potential energy of the {name}"))
-        source = f"{GAIT}, eq. (1): M ddq + h + v = Q with v = " + " + ".join(o.name for o in outputs[1:])
+        terms = " + ".join(o.name for o in outputs[1:])
+        source = f"{self._source('bias_forces')}: M ddq + h + v = Q with v = {terms}"
+        if source.startswith("M ddq"):
+            source = f"M ddq + h + v = Q with v = {terms}"
+        if self.walker.dissipation != 0:
+            outputs.append(Output("damping", self.mechanics.dissipative_force, "force of the dampers"))
+            source += ", and the damping beside h"
         return self._close(Builder(), "bias_forces", "Bias forces of the swing phase", source, outputs)
 
     def controller_torque(self) -> Program:
-        """Torque of the controller."""
-        out = Output("u", self.walker.torque, "torque on " + self.walker.actuated.name)
-        return self._close(
-            Builder(),
-            "controller_torque",
-            "Torque of the oscillator-driven hip",
-            f"{GAIT}, eqs. (3) and (4)",
-            [out],
-        )
+        """Torques of the controller."""
+        names = ", ".join(c.name for c in self.walker.torques)
+        out = Output("u", self.mechanics.applied_torques, f"torque on {names}")
+        summary = "Torque of the controller" if len(self.walker.torques) == 1 else "Torques of the controller"
+        return self._close(Builder(), "controller_torque", summary, self._source("controller_torque"), [out])
 
-    def _acceleration(self, b: Builder) -> tuple[sp.Matrix, tuple[sp.Matrix, list[sp.Expr]]]:
+    def _force(self, torques: Iterable[sp.Expr]) -> sp.Matrix:
+        m = self.mechanics
+        return m.torque_vector(torques) + m.passive_force()
+
+    def _acceleration(self, b: Builder) -> tuple[sp.Matrix, Factors]:
         """State the equation of motion and solve it; returns the accelerations and the factors of M."""
         m = self.mechanics
-        n = m.mass_matrix.rows
-        matrix = b.let_symmetric("M", m.mass_matrix)
-        u = b.let("u", self.walker.torque)
-        force = m.torque_vector(u) - m.velocity_terms - sum(m.conservative_forces.values(), sp.zeros(n, 1))
-        right = b.let_vector("force", force)
-        factors = b.factor("M", matrix)
+        matrix = b.let_matrix("M", m.mass_matrix, m.symmetric)
+        name = "u" if len(m.controller) == 1 else "u_{}"
+        torques = [b.let(name.format(i), u) for i, u in enumerate(m.controller, 1)]
+        right = b.let_vector("force", self._force(torques))
+        factors = b.factor("M", matrix, m.symmetric)
         return b.solve("acc", factors, right), factors
 
     def state_derivative(self) -> Program:
@@ -116,13 +143,8 @@ class Functions:
             Output("dq", self.walker.v, "rates of q"),
             Output("dv", acceleration, "accelerations: M dv = Q - h - v"),
         ]
-        return self._close(
-            b,
-            "state_derivative",
-            "Time derivative of the state in the swing phase",
-            f"{GAIT}, eq. (1)",
-            outputs,
-        )
+        summary = "Time derivative of the state in the swing phase"
+        return self._close(b, "state_derivative", summary, self._source("state_derivative"), outputs)
 
     def state_derivative_jacobians(self) -> Iterator[Program]:
         """Derivatives of the accelerations.
@@ -130,70 +152,74 @@ class Functions:
         They come from differentiating ``M a = Q - h - v`` with the accelerations `a` held, which keeps
         them as short as the equation of motion: ``M da = d(Q - h - v) - dM a``.
         """
+        source = self._source("state_derivative")
         for name, wrt in (("q", self.walker.q), ("v", self.walker.v)):
             b = Builder()
             acceleration, factors = self._acceleration(b)
-            m = self.mechanics
             held = sp.Matrix(sp.symbols(f"held_1:{len(wrt) + 1}", real=True))
-            residual = m.torque_vector(self.walker.torque) - m.velocity_terms - m.mass_matrix * held
-            residual -= sum(m.conservative_forces.values(), sp.zeros(len(wrt), 1))
-            back = dict(zip(held, acceleration, strict=True))
-            columns = []
-            for j, symbol in enumerate(wrt, 1):
-                right = residual.diff(symbol).applyfunc(simplified).xreplace(back)
-                columns.append(b.solve(f"d{j}", factors, b.let_vector(f"r{j}", right)))
-            out = Output(
-                f"dv_d{name}", sp.Matrix.hstack(*columns), f"derivative of dv with respect to {name}"
-            )
-            source = f"{GAIT}, eq. (1), differentiated: M d(dv) = d(Q - h - v) - dM dv"
+            residual = self._force(self.mechanics.controller) - self.mechanics.mass_matrix * held
+            columns = self._columns(b, residual, wrt, held, acceleration, factors)
+            meaning = f"derivative of dv with respect to {name}"
+            out = Output(f"dv_d{name}", sp.Matrix.hstack(*columns), meaning, is_matrix=True)
             yield self._close(
                 b,
                 f"state_derivative_d{name}",
                 f"Derivative of the accelerations with respect to {name}",
-                source,
+                f"{source}, differentiated: M d(dv) = d(Q - h - v) - dM dv",
                 [out],
             )
+
+    @staticmethod
+    def _columns(
+        b: Builder,
+        residual: sp.Matrix,
+        wrt: sp.Matrix,
+        held: sp.Matrix,
+        solution: sp.Matrix,
+        factors: Factors,
+    ) -> list[sp.Matrix]:
+        """Derivatives of the solution of ``residual = 0``, in which it stands as `held`."""
+        back = dict(zip(held, solution, strict=True))
+        columns = []
+        for j, symbol in enumerate(wrt, 1):
+            right = residual.diff(symbol).applyfunc(simplified).xreplace(back)
+            columns.append(b.solve(f"d{j}", factors, b.let_vector(f"r{j}", right)))
+        return columns
 
     # -- touchdown and impact ----------------------------------------------------------------------------
 
     def touchdown_condition(self) -> Program:
         """Touchdown condition and its rate."""
-        condition = sp.Matrix([self.walker.touchdown])
+        condition = sp.Matrix([self.walker.strike])
         rate = (condition.jacobian(self.walker.q) * self.walker.v)[0]
+        meaning = "zero with the swing foot on the ground; rises through zero at touchdown"
         outputs = [
-            Output(
-                "h",
-                self.walker.touchdown,
-                "zero with the swing foot on the ground; rises through zero at touchdown",
-            ),
+            Output("h", self.walker.strike, meaning),
             Output("dh", rate, "rate of h"),
-            Output("side", self.walker.touchdown_side, "negative at an admissible touchdown"),
+            Output("side", self.walker.touchdown.region, "negative at an admissible touchdown"),
         ]
-        return self._close(
-            Builder(), "touchdown_condition", "Touchdown condition", f"{GAIT}, below eq. (1)", outputs
-        )
+        source = self._source("touchdown_condition")
+        return self._close(Builder(), "touchdown_condition", "Touchdown condition", source, outputs)
 
     def touchdown_condition_dq(self) -> Program:
         """Gradient of the touchdown condition."""
-        gradient = sp.Matrix([self.walker.touchdown]).jacobian(self.walker.q).T
+        gradient = sp.Matrix([self.walker.strike]).jacobian(self.walker.q).T
         out = Output("h_dq", gradient, "gradient of h")
-        return self._close(
-            Builder(),
-            "touchdown_condition_dq",
-            "Gradient of the touchdown condition",
-            "derivative of h",
-            [out],
-        )
+        summary = "Gradient of the touchdown condition"
+        return self._close(Builder(), "touchdown_condition_dq", summary, "derivative of h", [out])
 
-    def _impact(self, b: Builder) -> tuple[sp.Matrix, tuple[sp.Matrix, list[sp.Expr]]]:
-        """Rates after the impact with the legs not swapped, and the factors of the impact mass matrix."""
-        m = self.mechanics
-        matrix = b.let_symmetric("A", m.impact_mass_matrix)
-        momentum = b.let_vector("momentum", m.impact_momentum)
-        factors = b.factor("A", matrix)
+    def _impact(self, b: Builder) -> tuple[sp.Matrix, Factors]:
+        """Rates after touchdown in the new names (and the locks' forces), and the factors."""
+        symmetric = self.mechanics.symmetric
+        equations, right = self.mechanics.impact_equations
+        matrix = b.let_matrix("A", equations, symmetric)
+        momentum = b.let_vector("momentum", right)
+        factors = b.factor("A", matrix, symmetric)
         return b.solve("after", factors, momentum), factors
 
-    _IMPACT = "plastic impact: Me (v+ - v-) = J^T Lambda, J v+ = 0, projected on the velocities with J v = 0"
+    @property
+    def _n(self) -> int:
+        return len(self.walker.coordinates)
 
     def impact_map(self) -> Program:
         """State after touchdown, legs swapped."""
@@ -201,69 +227,64 @@ class Functions:
         after, _ = self._impact(b)
         outputs = [
             Output("q_plus", self.mechanics.relabelled_q, "coordinates after the legs swapped names"),
-            Output("v_plus", self.mechanics.swap * after, "rates after the impact, legs swapped"),
+            Output("v_plus", after[: self._n, :], "rates after the impact, legs swapped"),
         ]
-        return self._close(
-            b, "impact_map", "State just after touchdown from the state just before", self._IMPACT, outputs
-        )
+        summary = "State just after touchdown from the state just before"
+        return self._close(b, "impact_map", summary, self._source("impact_map"), outputs)
 
     def impact_map_jacobians(self) -> Iterator[Program]:
         """Derivatives of the rates after the impact: ``A dv+ = d(momentum) - dA v+``."""
-        m = self.mechanics
+        equations, right = self.mechanics.impact_equations
         for name, wrt in (("q", self.walker.q), ("v", self.walker.v)):
             b = Builder()
             after, factors = self._impact(b)
-            held = sp.Matrix(sp.symbols(f"held_1:{len(wrt) + 1}", real=True))
-            residual = m.impact_momentum - m.impact_mass_matrix * held
-            back = dict(zip(held, after, strict=True))
-            columns = []
-            for j, symbol in enumerate(wrt, 1):
-                right = residual.diff(symbol).applyfunc(simplified).xreplace(back)
-                columns.append(m.swap * b.solve(f"d{j}", factors, b.let_vector(f"r{j}", right)))
-            out = Output(
-                f"v_plus_d{name}", sp.Matrix.hstack(*columns), f"derivative of v_plus with respect to {name}"
-            )
+            held = sp.Matrix(sp.symbols(f"held_1:{len(after) + 1}", real=True))
+            columns = self._columns(b, right - equations * held, wrt, held, after, factors)
+            value = sp.Matrix.hstack(*(c[: self._n, :] for c in columns))
+            meaning = f"derivative of v_plus with respect to {name}"
+            out = Output(f"v_plus_d{name}", value, meaning, is_matrix=True)
             summary = f"Derivative of the rates after touchdown with respect to {name}"
-            yield self._close(b, f"impact_map_d{name}", summary, self._IMPACT + ", differentiated", [out])
+            source = f"{self._source('impact_map')}, differentiated"
+            yield self._close(b, f"impact_map_d{name}", summary, source, [out])
 
     def impact_impulse(self) -> Program:
         """Impulse on the swing foot."""
         b = Builder()
         after, _ = self._impact(b)
-        out = Output(
-            "Lambda",
-            self.mechanics.impact_impulse(after),
-            "impulse on the swing foot, horizontal and vertical",
-        )
-        return self._close(b, "impact_impulse", "Impulse of the ground at touchdown", self._IMPACT, [out])
+        value = self.mechanics.impact_impulse(after[: self._n, :])
+        out = Output("Lambda", value, "impulse on the swing foot, horizontal and vertical")
+        source = self._source("impact_map")
+        return self._close(b, "impact_impulse", "Impulse of the ground at touchdown", source, [out])
 
     # -- what is measured --------------------------------------------------------------------------------
 
     def kinetic_energy(self) -> Program:
         """Kinetic energy of the swing phase."""
-        out = Output("kinetic", simplified(self.mechanics.kinetic_energy), "kinetic energy, in M g L")
+        energy = self.walker.units.energy
+        out = Output("kinetic", simplified(self.mechanics.kinetic_energy), f"kinetic energy, in {energy}")
         return self._close(
             Builder(), "kinetic_energy", "Kinetic energy of the swing phase", "v^T M v / 2", [out]
         )
 
     def potential_energy(self) -> Program:
         """Potential energy of gravity and springs."""
-        held = simplified(self.mechanics.held(sum(self.mechanics.potentials.values())))
-        out = Output("potential", held, "potential energy, in M g L, zero level on the ground")
-        return self._close(
-            Builder(),
-            "potential_energy",
-            "Potential energy of gravity and springs",
-            "sum of m g y, and k x^2/2",
-            [out],
-        )
+        energy = self.walker.units.energy
+        held = simplified(self.mechanics.potential_energy)
+        out = Output("potential", held, f"potential energy, in {energy}, zero level on the ground")
+        terms = ", ".join(self.mechanics.potentials)
+        return self._close(Builder(), "potential_energy", "Potential energy", f"sum over {terms}", [out])
 
     def total_mass(self) -> Program:
-        """Mass of the whole walker."""
-        out = Output("mass", simplified(self.mechanics.total_mass), "mass, in M")
-        return self._close(
-            Builder(), "total_mass", "Mass of the whole walker", "sum of the point masses", [out]
-        )
+        """Mass and weight of the whole walker."""
+        outputs = [
+            Output("mass", simplified(self.mechanics.total_mass), f"mass, in {self.walker.units.mass}"),
+            Output("weight", self.mechanics.weight, "mass times the acceleration of gravity"),
+            Output(
+                "pull", self.mechanics.pull, "component of the weight along the ground, in walking direction"
+            ),
+        ]
+        summary = "Mass and weight of the whole walker"
+        return self._close(Builder(), "total_mass", summary, "sum over the bodies", outputs)
 
     def centre_of_mass(self) -> Program:
         """Centre of mass and its velocity."""
@@ -273,19 +294,15 @@ class Functions:
             Output("com", position, "centre of mass from the stance foot, horizontal and vertical"),
             Output("dcom", velocity, "velocity of the centre of mass"),
         ]
-        return self._close(
-            Builder(), "centre_of_mass", "Centre of mass of the whole walker", "mass-weighted mean", outputs
-        )
+        summary = "Centre of mass of the whole walker"
+        return self._close(Builder(), "centre_of_mass", summary, "mass-weighted mean", outputs)
 
     def ground_force(self) -> Program:
         """Force of the ground on the stance foot."""
         b = Builder()
         acceleration, _ = self._acceleration(b)
-        out = Output(
-            "force",
-            self.mechanics.ground_force(acceleration),
-            "force on the stance foot, horizontal and vertical",
-        )
+        force = self.mechanics.ground_force(acceleration)
+        out = Output("force", force, "force on the stance foot, horizontal and vertical")
         source = "the two floating-base rows that hold the stance foot"
         return self._close(b, "ground_force", "Force of the ground on the stance foot", source, [out])
 
@@ -295,14 +312,15 @@ class Functions:
         acceleration, _ = self._acceleration(b)
         fx, fy = b.let_vector("ground", self.mechanics.ground_force(acceleration))
         com_x, com_y = b.let_vector("com", self.mechanics.centre_of_mass)
-        point = b.let("point", com_x - fx / fy * com_y)
+        point = b.let("point", com_x - fx / fy * com_y - self.walker.stance[0])
         outputs = [
             Output("zmp", point, "zero moment point ahead of the stance foot"),
             Output("d", -point, "signed distance: stance foot minus zero moment point"),
         ]
-        return self._close(
-            b, "zmp", "Zero moment point", f"{GAIT}, eq. (6): p = x_g - x_g'' y_g / (1 + y_g'')", outputs
-        )
+        source = DEFAULT_SOURCES["zmp"]
+        if "zmp" in self.walker.sources:
+            source = f"{self.walker.sources['zmp']}: p = x_g - x_g'' y_g / (1 + y_g'')"
+        return self._close(b, "zmp", "Zero moment point", source, outputs)
 
     def swing_foot(self) -> Program:
         """Swing foot and its velocity."""
@@ -315,50 +333,59 @@ class Functions:
         return self._close(Builder(), "swing_foot", "Swing foot", "geometry of the legs", outputs)
 
     def drawing(self) -> Program:
-        """What the walker is drawn by: its masses, where they are, and the lines between points."""
+        """What the walker is drawn by: its bodies, where they are, and the lines between points."""
         m = self.mechanics
 
         def rows(points: Iterable[sp.Matrix]) -> sp.Matrix:
             return sp.Matrix.vstack(*(m.held(point).T.applyfunc(simplified) for point in points))
 
-        masses = self.walker.masses
+        bodies = self.walker.bodies
+        masses = sp.Matrix([m._vanished(sp.sympify(body.mass)) for body in bodies])
         outputs = [
             Output(
-                "positions", rows(a.position for a in masses), "point masses from the stance foot, a row each"
+                "positions", rows(body.position for body in bodies), "bodies from the stance foot, a row each"
             ),
-            Output("masses", sp.Matrix([a.mass for a in masses]), "the masses themselves, in M"),
+            Output("masses", masses, f"their masses, in {self.walker.units.mass}"),
         ]
         outputs += [
             Output(line.name, rows(line.points), f"points of the line, a row each: {line.name}")
             for line in self.walker.drawing
         ]
-        names = ", ".join(a.name for a in masses)
-        return self._close(
-            Builder(), "drawing", "What the walker is drawn by", f"geometry; masses: {names}", outputs
-        )
+        source = f"geometry; bodies: {', '.join(body.name for body in bodies)}"
+        return self._close(Builder(), "drawing", "What the walker is drawn by", source, outputs)
+
+    # -- the section -------------------------------------------------------------------------------------
 
     def section_state(self) -> Program:
         """Coordinates and rates of a point on the section."""
         w = self.walker
-        solved, value = w.section_solves
         entries = {e.symbol.name: e for a in self.arguments for e in a.entries}
-        section = Argument("z", tuple(entries[name] for name in w.section))
+        section = Argument("z", tuple(entries[name] for name in w.section_names))
         outputs = [
-            Output("q", w.q.subs(solved, value), "coordinates just after touchdown"),
-            Output("v", w.v, "rates just after touchdown"),
+            Output("q", w.q.subs(w.section), "coordinates just after touchdown"),
+            Output("v", w.v.subs(w.section), "rates just after touchdown"),
         ]
         summary = "State of a point on the Poincare section (the instant just after touchdown)"
-        return Builder().close("section_state", summary, f"{solved} = {value} there", (section,), outputs)
+        fixed = ", ".join(f"{symbol} = {value}" for symbol, value in w.section.items())
+        source = f"{fixed} there" if fixed else "all coordinates and rates are free there"
+        arguments = (section, self.arguments[-1])
+        return Builder().close("section_state", summary, source, arguments, outputs)
+
+    def before_touchdown(self) -> Program:
+        """Coordinates before the legs swapped names."""
+        out = Output("q_minus", self.mechanics.before_touchdown, "coordinates just before it")
+        summary = "Coordinates just before touchdown from those just after"
+        return self._close(Builder(), "before_touchdown", summary, "the legs' names swapped back", [out])
+
+    def step_length(self) -> Program:
+        """Length of the step that ended with a touchdown."""
+        out = Output("length", self.mechanics.step_length, "from the old stance foot to the new")
+        summary = "Length of the step from the coordinates just after touchdown"
+        return self._close(Builder(), "step_length", summary, "geometry of the legs", [out])
 
     def spring_mode(self) -> Program:
         """Natural frequency that names the solution groups."""
-        out = Output(
-            "frequency", self.walker.spring_mode, "natural frequency of the spring mode with the hip free"
-        )
-        return self._close(
-            Builder(), "spring_mode", "Frequency of the spring mode", "sqrt(k / (alpha (1 - alpha)))", [out]
-        )
-
-
-def _rate_unit(unit: str) -> str:
-    return f"{unit} sqrt(g/L)"
+        value = self.walker.spring_mode
+        out = Output("frequency", value, "natural frequency that names the solution groups")
+        summary = "Natural frequency whose whole oscillations name the solution groups"
+        return self._close(Builder(), "spring_mode", summary, str(value), [out])

@@ -1,15 +1,17 @@
 """Equations of motion, impact and ground force of a declared walker, from one Lagrangian.
 
-The stance foot has two coordinates of its own. Holding it gives the swing phase, the two held rows
-give the ground force, and releasing it gives the impact: nothing is derived twice.
+The stance foot has two coordinates of its own. Holding it (or making it roll) gives the swing phase, the
+two held rows give the ground force, and releasing it gives the impact: nothing is derived twice.
 """
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cache, cached_property
 
 import sympy as sp
 
 from stridemap.derive.declaration import STANCE_FOOT, Walker
+from stridemap.errors import InputError
 
 BASE = 2
 """Number of floating-base coordinates; they come first."""
@@ -38,6 +40,8 @@ class Mechanics:
 
     walker: Walker
 
+    # -- the floating base -------------------------------------------------------------------------------
+
     @cached_property
     def floating_q(self) -> sp.Matrix:
         """Stance-foot position, then the coordinates, shape (2 + n, 1)."""
@@ -49,115 +53,230 @@ class Mechanics:
         base = sp.symbols("dstance_x dstance_y", real=True)
         return sp.Matrix([*base, *self.walker.v])
 
-    def velocity(self, position: sp.Matrix) -> sp.Matrix:
-        """Velocity of a point whose `position` depends on the floating coordinates, shape (2, 1)."""
-        return position.jacobian(self.floating_q) * self.floating_v
+    def velocity(self, value: sp.Matrix | sp.Expr) -> sp.Matrix:
+        """Time derivative of what depends on the floating coordinates, a column."""
+        return sp.Matrix([value]).jacobian(self.floating_q) * self.floating_v
 
     @cached_property
     def floating_kinetic(self) -> sp.Expr:
         """Kinetic energy with the stance foot free."""
-        return sum(
-            m.mass * self.velocity(m.position).dot(self.velocity(m.position)) / 2 for m in self.walker.masses
-        )
+        total = sp.S.Zero
+        for body in self.walker.bodies:
+            velocity = self.velocity(body.position)
+            total += body.mass * velocity.dot(velocity) / 2
+            total += body.inertia * self.velocity(body.angle)[0] ** 2 / 2
+        return total
+
+    @cached_property
+    def _inertial(self) -> sp.Expr:
+        """What the mass matrix is made of: the kinetic energy.
+
+        The phase of a clock has a row of its own in it, one that nothing else enters, so that it keeps its
+        rate. It is no energy, and no other function has it.
+        """
+        phase = self.walker.phase
+        return self.floating_kinetic + (phase.rate**2 / 2 if phase is not None else 0)
 
     @cached_property
     def potentials(self) -> dict[str, sp.Expr]:
-        """Potential energy by name: gravity (unit weight per unit mass) and the springs."""
-        gravity = sum(m.mass * m.position[1] for m in self.walker.masses)
-        return {"gravity": gravity, **self.walker.springs}
+        """Potential energy by name: gravity, and what is declared."""
+        bodies = self.walker.bodies
+        gravity = -sum(b.mass * self.walker.gravity.dot(b.position) for b in bodies)
+        return {"gravity": gravity, **self.walker.potentials}
 
     @cached_property
     def floating_mass_matrix(self) -> sp.Matrix:
         """Mass matrix with the stance foot free, shape (2 + n, 2 + n)."""
-        return sp.hessian(self.floating_kinetic, list(self.floating_v)).applyfunc(simplified)
+        return sp.hessian(self._inertial, list(self.floating_v)).applyfunc(simplified)
 
     @cached_property
     def floating_velocity_terms(self) -> sp.Matrix:
-        """Coriolis and centrifugal forces while the stance foot is held, shape (2 + n, 1)."""
+        """Coriolis and centrifugal forces while the stance foot stands, shape (2 + n, 1).
+
+        Those of the accelerations that a rolling foot has at constant rates are not among them.
+        """
         momentum = sp.Matrix([self.floating_kinetic]).jacobian(self.floating_v).T
         terms = momentum.jacobian(self.floating_q) * self.floating_v
         terms -= sp.Matrix([self.floating_kinetic]).jacobian(self.floating_q).T
         return self.held(terms).applyfunc(simplified)
 
-    def floating_gradient(self, potential: sp.Expr) -> sp.Matrix:
-        """Gradient of a potential energy, shape (2 + n, 1)."""
-        return sp.Matrix([potential]).jacobian(self.floating_q).T.applyfunc(simplified)
+    # -- the stance foot stands --------------------------------------------------------------------------
+
+    @cached_property
+    def stance_jacobian(self) -> sp.Matrix:
+        """Velocity of the stance foot a rate, shape (2, n): zero for a point foot."""
+        return self.walker.stance.jacobian(self.walker.q)
+
+    @cached_property
+    def standing(self) -> sp.Matrix:
+        """Floating-base velocities while the stance foot stands, a rate, shape (2 + n, n)."""
+        return sp.Matrix.vstack(self.stance_jacobian, sp.eye(len(self.walker.coordinates)))
+
+    @cached_property
+    def _rolls(self) -> bool:
+        return not self.stance_jacobian.is_zero_matrix
 
     def held(self, expr: sp.Matrix | sp.Expr) -> sp.Matrix | sp.Expr:
-        """`expr` with the stance foot at rest in the origin."""
-        return expr.subs(dict.fromkeys([*STANCE_FOOT, *self.floating_v[:BASE]], 0))
+        """`expr` with the stance foot where and as fast as it is in the swing phase."""
+        velocity = self.stance_jacobian * self.walker.v
+        places = dict(zip(STANCE_FOOT, self.walker.stance, strict=True))
+        return expr.subs(dict(zip(self.floating_v[:BASE], velocity, strict=True))).subs(places)
+
+    def _limit(self, rows: sp.Matrix) -> sp.Matrix:
+        """Rows of equations, one a coordinate, in the massless limit."""
+        massless = self.walker.massless
+        if massless is None:
+            return rows
+        result = rows.as_mutable()
+        for i, coordinate in enumerate(self.walker.coordinates):
+            for j in range(rows.cols):
+                # The mass enters every equation as a polynomial.
+                entry = sp.expand(rows[i, j])
+                result[i, j] = entry.coeff(massless.mass, 0)
+                if coordinate not in massless.coordinates:
+                    continue
+                if rest := sp.simplify(result[i, j]):
+                    raise InputError(
+                        f"model {self.walker.name}: the equation of {coordinate.name} does not vanish with "
+                        f"{massless.mass} (there remains {rest}), so it has no massless limit; a torque or a "
+                        f"spring on {coordinate.name} must have {massless.mass} as a factor"
+                    )
+                result[i, j] = entry.coeff(massless.mass, 1)
+        return result
+
+    def _vanished(self, expr: sp.Matrix | sp.Expr) -> sp.Matrix | sp.Expr:
+        """`expr` with the mass that vanishes, where nothing is divided by it, set to zero."""
+        massless = self.walker.massless
+        return expr if massless is None else expr.subs(massless.mass, 0)
+
+    @property
+    def symmetric(self) -> bool:
+        """Whether the mass matrix is symmetric, which dividing some rows by a mass ends."""
+        return self.walker.massless is None
 
     @cached_property
     def mass_matrix(self) -> sp.Matrix:
         """Mass matrix of the swing phase, shape (n, n)."""
-        return self.floating_mass_matrix[BASE:, BASE:]
+        if self._rolls:
+            full = self.standing.T * self.held(self.floating_mass_matrix) * self.standing
+        else:
+            full = self.floating_mass_matrix[BASE:, BASE:]
+        return self._limit(full).applyfunc(simplified)
 
     @cached_property
     def velocity_terms(self) -> sp.Matrix:
         """Coriolis and centrifugal forces of the swing phase, shape (n, 1)."""
-        return self.floating_velocity_terms[BASE:, :]
+        if not self._rolls:
+            return self._limit(self.floating_velocity_terms[BASE:, :]).applyfunc(simplified)
+        kinetic = sp.Matrix([self.held(self.floating_kinetic)])
+        momentum = kinetic.jacobian(self.walker.v).T
+        terms = momentum.jacobian(self.walker.q) * self.walker.v - kinetic.jacobian(self.walker.q).T
+        return self._limit(terms).applyfunc(simplified)
 
     @cached_property
     def conservative_forces(self) -> dict[str, sp.Matrix]:
         """Gradient of each potential energy in the swing phase, shape (n, 1) each."""
-        return {name: self.floating_gradient(v)[BASE:, :] for name, v in self.potentials.items()}
+        return {name: self._gradient(self.held(v), self.walker.q) for name, v in self.potentials.items()}
 
-    def torque_vector(self, u: sp.Expr) -> sp.Matrix:
-        """Generalised force of the controller's torque `u`, shape (n, 1)."""
-        return sp.Matrix([u if c == self.walker.actuated else 0 for c in self.walker.coordinates])
+    def _gradient(self, value: sp.Expr, wrt: sp.Matrix) -> sp.Matrix:
+        return self._limit(sp.Matrix([value]).jacobian(wrt).T).applyfunc(simplified)
+
+    @cached_property
+    def dissipative_force(self) -> sp.Matrix:
+        """Force of the dampers, on the left-hand side of the equation of motion, shape (n, 1)."""
+        return self._gradient(self.walker.dissipation, self.walker.v)
+
+    def torque_vector(self, torques: Iterable[sp.Expr]) -> sp.Matrix:
+        """Generalised force of the actuators' torques, in the order of the declaration, shape (n, 1)."""
+        acting = dict(zip(self.walker.torques, torques, strict=True))
+        return sp.Matrix([acting.get(c, sp.S.Zero) for c in self.walker.coordinates])
+
+    @cached_property
+    def applied_torques(self) -> sp.Matrix:
+        """Torques of the actuators, shape (n_actuators, 1)."""
+        return sp.Matrix([self._vanished(u) for u in self.walker.torques.values()])
+
+    @cached_property
+    def controller(self) -> sp.Matrix:
+        """Torques as they stand in the equation of motion, where a massless row is divided by its mass."""
+        rows = self._limit(self.torque_vector(self.walker.torques.values()))
+        return sp.Matrix([rows[self.walker.coordinates.index(c)] for c in self.walker.torques])
+
+    def passive_force(self) -> sp.Matrix:
+        """Right-hand side of the equation of motion but for the actuators, shape (n, 1)."""
+        return -(
+            self.velocity_terms
+            + self.dissipative_force
+            + sum(self.conservative_forces.values(), sp.zeros(len(self.walker.coordinates), 1))
+        )
 
     def ground_force(self, acceleration: sp.Matrix) -> sp.Matrix:
         """Force on the stance foot for given accelerations of the coordinates, shape (2, 1)."""
-        inertia = self.floating_mass_matrix[:BASE, BASE:] * acceleration
-        weight = self.floating_gradient(self.potentials["gravity"])[:BASE, :]
-        return (inertia + self.floating_velocity_terms[:BASE, :] + weight).applyfunc(simplified)
+        inertia = self.held(self.floating_mass_matrix[:BASE, BASE:]) * acceleration
+        if self._rolls:
+            rolling = self.stance_jacobian * acceleration
+            rolling += (self.stance_jacobian * self.walker.v).jacobian(self.walker.q) * self.walker.v
+            inertia += self.floating_mass_matrix[:BASE, :BASE] * rolling
+        weight = -self.walker.gravity * sum(body.mass for body in self.walker.bodies)
+        total = inertia + self.floating_velocity_terms[:BASE, :] + weight
+        return self._vanished(total).applyfunc(simplified)
+
+    # -- what is measured --------------------------------------------------------------------------------
 
     @cached_property
     def total_mass(self) -> sp.Expr:
         """Mass of the whole walker."""
-        return sp.expand(sum(m.mass for m in self.walker.masses))
+        return self._vanished(sp.expand(sum(body.mass for body in self.walker.bodies)))
+
+    @cached_property
+    def weight(self) -> sp.Expr:
+        """Weight of the whole walker."""
+        signed = [a.symbol for a in self.walker.parameters if a.lower is not None and a.lower >= 0]
+        known = {symbol: sp.Symbol(symbol.name, nonnegative=True) for symbol in signed}
+        gravity = self.walker.gravity.xreplace(known)
+        size = sp.sqrt(sp.simplify(gravity.dot(gravity)))
+        if unsigned := size.atoms(sp.Abs):
+            which = min(str(a.args[0]) for a in unsigned)
+            raise InputError(
+                f"model {self.walker.name}: gravity can have either sign of {which}; give the parameter a "
+                "lower limit of 0"
+            )
+        return simplified(self.total_mass * size.xreplace({d: s for s, d in known.items()}))
+
+    @cached_property
+    def pull(self) -> sp.Expr:
+        """Component of the weight along the ground, in the direction of walking."""
+        return simplified(self.total_mass * self.walker.gravity[0])
 
     @cached_property
     def centre_of_mass(self) -> sp.Matrix:
-        """Centre of mass from the stance foot, shape (2, 1)."""
-        total = sum((m.mass * m.position for m in self.walker.masses), sp.zeros(2, 1))
-        return (self.held(total) / self.total_mass).applyfunc(simplified)
+        """Centre of mass, shape (2, 1)."""
+        total = sum((b.mass * b.position for b in self.walker.bodies), sp.zeros(2, 1))
+        return (self._vanished(self.held(total)) / self.total_mass).applyfunc(simplified)
 
     @cached_property
     def swing_foot(self) -> sp.Matrix:
-        """Swing foot from the stance foot, shape (2, 1)."""
+        """Swing foot, shape (2, 1)."""
         return self.held(self.walker.swing_foot).applyfunc(simplified)
 
     @cached_property
     def kinetic_energy(self) -> sp.Expr:
         """Kinetic energy of the swing phase."""
-        return (self.walker.v.T * self.mass_matrix * self.walker.v)[0] / 2
-
-    # The impact pins the swing foot and releases the stance foot. Velocities that keep the swing foot
-    # at rest are `released * w` with any rates w; the impulse does no work on them, so the momentum
-    # along them is kept: released^T Me released w+ = released^T Me v-.
+        if self.symmetric and self.walker.phase is None:
+            return (self.walker.v.T * self.mass_matrix * self.walker.v)[0] / 2
+        return self._vanished(sp.expand(self.held(self.floating_kinetic)))
 
     @cached_property
-    def released(self) -> sp.Matrix:
-        """Floating-base velocities with the swing foot at rest, per rate, shape (2 + n, n)."""
-        n = len(self.walker.coordinates)
-        return sp.Matrix.vstack(-self.swing_foot.jacobian(self.walker.q), sp.eye(n))
+    def potential_energy(self) -> sp.Expr:
+        """Potential energy of the swing phase, of gravity and all the rest."""
+        return self._vanished(self.held(sum(self.potentials.values())))
+
+    # -- touchdown ---------------------------------------------------------------------------------------
 
     @cached_property
-    def impact_mass_matrix(self) -> sp.Matrix:
-        """Mass matrix about the pinned swing foot, shape (n, n)."""
-        return (self.released.T * self.floating_mass_matrix * self.released).applyfunc(simplified)
-
-    @cached_property
-    def impact_momentum(self) -> sp.Matrix:
-        """Generalised momentum that the impact keeps, shape (n, 1)."""
-        before = self.floating_mass_matrix[:, BASE:] * self.walker.v
-        return (self.released.T * before).applyfunc(simplified)
-
-    def impact_impulse(self, after: sp.Matrix) -> sp.Matrix:
-        """Impulse on the swing foot for given rates after the impact (legs not swapped), shape (2, 1)."""
-        change = self.released * after - sp.Matrix([0] * BASE + list(self.walker.v))
-        return (self.floating_mass_matrix[:BASE, :] * change).applyfunc(simplified)
+    def relabelled_q(self) -> sp.Matrix:
+        """Coordinates after the legs swapped names, shape (n, 1)."""
+        return sp.Matrix([self.walker.relabel[q] for q in self.walker.q])
 
     @cached_property
     def swap(self) -> sp.Matrix:
@@ -165,6 +284,63 @@ class Mechanics:
         return self.relabelled_q.jacobian(self.walker.q)
 
     @cached_property
-    def relabelled_q(self) -> sp.Matrix:
-        """Coordinates after the legs swapped names, shape (n, 1)."""
-        return sp.Matrix([self.walker.relabel[q] for q in self.walker.q])
+    def before_touchdown(self) -> sp.Matrix:
+        """Coordinates before the legs swapped names from those after, shape (n, 1)."""
+        shift = self.relabelled_q - self.swap * self.walker.q
+        return (self.swap.inv() * (self.walker.q - shift)).applyfunc(simplified)
+
+    def _relabelled(self, expr: sp.Matrix) -> sp.Matrix:
+        """`expr` of the coordinates after touchdown, in terms of those before."""
+        return expr.subs(dict(zip(self.walker.q, self.relabelled_q, strict=True)), simultaneous=True)
+
+    @cached_property
+    def step_length(self) -> sp.Expr:
+        """How far the step that ended with a touchdown led, in terms of the coordinates after it."""
+        before = dict(zip(self.walker.q, self.before_touchdown, strict=True))
+        landed = self.swing_foot[0].subs(before, simultaneous=True)
+        return simplified(sp.expand_trig(simplified(landed - self.walker.stance[0])))
+
+    # The impact holds the swing foot as the stance foot was held, and releases the stance foot. Velocities
+    # that the ground then allows are `released * w`, with any rates w in the new names; the impulse does no
+    # work on them, so the momentum along them is kept:
+    #     released^T Me released w = released^T Me v-.
+    # The matrix on the left is the mass matrix of the swing phase that begins.
+
+    @cached_property
+    def released(self) -> sp.Matrix:
+        """Floating-base velocities with the swing foot held, a rate in the new names, shape (2 + n, n)."""
+        rates = self.swap.inv()
+        foot = self.walker.swing_foot.jacobian(self.walker.q)
+        return sp.Matrix.vstack(self._relabelled(self.stance_jacobian) - foot * rates, rates)
+
+    @cached_property
+    def impact_mass_matrix(self) -> sp.Matrix:
+        """Mass matrix of the swing phase after touchdown, in the coordinates before, shape (n, n)."""
+        return self._relabelled(self.mass_matrix).applyfunc(simplified)
+
+    @cached_property
+    def impact_momentum(self) -> sp.Matrix:
+        """Generalised momentum in the new names, which the impact keeps, shape (n, 1)."""
+        before = self.floating_mass_matrix * self.standing * self.walker.v
+        return self._limit(self.released.T * self.held(before)).applyfunc(simplified)
+
+    @cached_property
+    def lock_jacobian(self) -> sp.Matrix:
+        """What the impact locks, a rate in the new names, shape (n_locks, n)."""
+        return sp.Matrix(self.walker.locks).jacobian(self.walker.q) * self.swap.inv()
+
+    @cached_property
+    def impact_equations(self) -> tuple[sp.Matrix, sp.Matrix]:
+        """Matrix and right-hand side for the rates after touchdown, in the new names, and locks' forces."""
+        locks = len(self.walker.locks)
+        if not locks:
+            return self.impact_mass_matrix, self.impact_momentum
+        jacobian = self.lock_jacobian
+        blocks = [[self.impact_mass_matrix, jacobian.T], [jacobian, sp.zeros(locks)]]
+        return sp.Matrix(sp.BlockMatrix(blocks)), sp.Matrix.vstack(self.impact_momentum, sp.zeros(locks, 1))
+
+    def impact_impulse(self, after: sp.Matrix) -> sp.Matrix:
+        """Impulse on the swing foot for given rates after the impact, in the new names, shape (2, 1)."""
+        change = self.released * after - self.standing * self.walker.v
+        rows = self.held(self.floating_mass_matrix[:BASE, :])
+        return self._vanished(rows * change).applyfunc(simplified)

@@ -1,5 +1,6 @@
 """Readable C99: a header and a source file for a walker's programs."""
 
+import math
 import textwrap
 
 import sympy as sp
@@ -9,7 +10,11 @@ from stridemap.derive.program import Argument, Output, Program
 
 _HARD = "\N{NO-BREAK SPACE}"
 
-expression = ExpressionPrinter(number=lambda n: f"{n}.0", call=lambda name, x: f"{name}({x})")
+expression = ExpressionPrinter(
+    number=lambda n: f"{n}.0",
+    call=lambda name, x: f"{name}({x})",
+    pi=repr(math.pi),  # C99 has no name for it
+)
 
 
 def banner(title: str, generator: str, model_hash: str) -> list[str]:

@@ -6,6 +6,19 @@ from stridemap.derive.declaration import Walker
 from stridemap.derive.print_c import signature
 from stridemap.derive.program import Program
 
+CALLED = (
+    "section_state", "mass_matrix", "kinetic_energy", "potential_energy", "ground_force", "state_derivative",
+    "impact_map",
+)  # fmt: skip
+"""The functions that the example calls."""
+
+
+CALLED = (
+    "section_state", "mass_matrix", "kinetic_energy", "potential_energy", "ground_force", "state_derivative",
+    "impact_map",
+)  # fmt: skip
+"""The functions that the example calls."""
+
 
 def example(walker: Walker, programs: list[Program], first_lines: list[str]) -> str:
     """A C program that takes one Euler step and one touchdown with the readable functions."""
@@ -13,7 +26,13 @@ def example(walker: Walker, programs: list[Program], first_lines: list[str]) -> 
     by_name = {p.name: p for p in programs}
     preset = ", ".join(repr(a.default) for a in walker.parameters)
     names = ", ".join(a.name for a in walker.parameters)
-    start = [_inside(walker.search_box[s]) for s in walker.section]
+    used = {a.name for function in CALLED for a in by_name[function].arguments}
+    # A compiler complains of what is never read.
+    parameters = [
+        f"    /* the preset: {names} */",
+        f"    const double p[{len(walker.parameters)}] = {{{preset}}};",
+    ]
+    start = [_inside(walker.search_box[s]) for s in walker.section_names]
 
     def call(function: str, *outputs: str) -> str:
         inputs = [a.name for a in by_name[function].arguments]
@@ -30,11 +49,10 @@ def example(walker: Walker, programs: list[Program], first_lines: list[str]) -> 
         "",
         "int main(void)",
         "{",
-        f"    /* the preset: {names} */",
-        f"    const double p[{len(walker.parameters)}] = {{{preset}}};",
-        f"    /* a state just after touchdown: {', '.join(walker.section)} */",
-        f"    const double z[{len(walker.section)}] = {{{', '.join(f'{v:g}' for v in start)}}};",
-        "    const double t = 0.0, dt = 1e-3;",
+        *(parameters if "p" in used else []),
+        f"    /* a state just after touchdown: {', '.join(walker.section_names)} */",
+        f"    const double z[{len(walker.section_names)}] = {{{', '.join(f'{v:g}' for v in start)}}};",
+        f"    const double {'t = 0.0, ' if 't' in used else ''}dt = 1e-3;",
         f"    double q[{n}], v[{n}], M[{n * n}], dq[{n}], dv[{n}], kinetic[1], potential[1];",
         f"    double force[2], q_plus[{n}], v_plus[{n}];",
         "    int i, j;",
@@ -105,7 +123,7 @@ def readme(walker: Walker, programs: list[Program], generator: str) -> str:
         f"| `q[{len(walker.coordinates)}]` | {_list(c.name for c in walker.coordinates)} |",
         f"| `v[{len(walker.coordinates)}]` | {_list('d' + c.name for c in walker.coordinates)} |",
         f"| `p[{len(walker.parameters)}]` | {_list(a.name for a in walker.parameters)} |",
-        f"| `z[{len(walker.section)}]` | {_list(walker.section)} (just after touchdown) |",
+        f"| `z[{len(walker.section_names)}]` | {_list(walker.section_names)} (just after touchdown) |",
         "| `t` | time since touchdown |",
         "",
         "## Functions",

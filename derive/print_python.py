@@ -5,7 +5,7 @@ import textwrap
 from stridemap.derive.expression import ExpressionPrinter
 from stridemap.derive.program import Output, Program
 
-expression = ExpressionPrinter(number=str, call=lambda name, x: f"xp.{name}({x})")
+expression = ExpressionPrinter(number=str, call=lambda name, x: f"xp.{name}({x})", pi="xp.pi")
 
 
 def module(title: str, programs: list[Program], generator: str) -> str:

@@ -6,7 +6,7 @@ same numbers in the same order.
 
 import re
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import sympy as sp
 
@@ -41,11 +41,15 @@ class Argument:
 
 @dataclass(frozen=True)
 class Output:
-    """A named result: a scalar, a vector, shape (n, 1), or a matrix, shape (n, m)."""
+    """A named result: a scalar, a vector, shape (n, 1), or a matrix, shape (n, m).
+
+    A matrix of one column is told from a vector by `is_matrix`.
+    """
 
     name: str
     value: sp.Matrix | sp.Expr
     meaning: str
+    is_matrix: bool = False
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -53,7 +57,7 @@ class Output:
         if not isinstance(self.value, sp.MatrixBase):
             return ()
         rows, columns = self.value.shape
-        return (rows,) if columns == 1 else (rows, columns)
+        return (rows, columns) if self.is_matrix or columns > 1 else (rows,)
 
     @property
     def entries(self) -> list[sp.Expr]:
@@ -99,6 +103,15 @@ class Program:
         return set().union(*(e.free_symbols for e in terms))
 
 
+@dataclass(frozen=True)
+class Factors:
+    """Factors ``L D U`` of a matrix: unit triangular `lower` and `upper`, and the diagonal `pivots`."""
+
+    lower: sp.Matrix
+    pivots: list[sp.Expr]
+    upper: sp.Matrix
+
+
 @dataclass
 class Builder:
     """Collects named intermediate terms and closes them into a `Program`."""
@@ -122,28 +135,43 @@ class Builder:
 
     def let_symmetric(self, name: str, matrix: sp.Matrix) -> sp.Matrix:
         """Name the entries of a symmetric matrix ``<name>_11``, ``<name>_12``, ..., each once."""
-        named = matrix.copy()
+        named = sp.Matrix(matrix)
         for i in range(matrix.rows):
             for j in range(i + 1):
                 named[i, j] = named[j, i] = self.let(f"{name}_{j + 1}{i + 1}", matrix[i, j])
         return named
 
-    def factor(self, name: str, matrix: sp.Matrix) -> tuple[sp.Matrix, list[sp.Expr]]:
-        """Factor a symmetric positive definite matrix as ``L D L^T``, unrolled (L unit lower triangular)."""
+    def let_matrix(self, name: str, matrix: sp.Matrix, symmetric: bool = True) -> sp.Matrix:
+        """Name the entries of a square matrix, those of a symmetric one once each."""
+        if symmetric:
+            return self.let_symmetric(name, matrix)
+        return sp.Matrix(*matrix.shape, lambda i, j: self.let(f"{name}_{i + 1}{j + 1}", matrix[i, j]))
+
+    def factor(self, name: str, matrix: sp.Matrix, symmetric: bool = True) -> "Factors":
+        """Factor a matrix as ``L D U``, unrolled, with unit triangular L and U (U is L^T if symmetric).
+
+        There is no pivoting: the matrices here are positive definite, or triangular in blocks that are.
+        """
         n = matrix.rows
-        lower = sp.eye(n)
+        lower, upper = sp.eye(n), sp.eye(n)
         pivots: list[sp.Expr] = []
         for j in range(n):
-            pivot = matrix[j, j] - sum(lower[j, m] ** 2 * pivots[m] for m in range(j))
+            done = range(j)
+            pivot = matrix[j, j] - sum(lower[j, m] * upper[m, j] * pivots[m] for m in done)
             pivots.append(self.let(f"{name}_D{j + 1}", pivot))
             for i in range(j + 1, n):
-                rest = matrix[i, j] - sum(lower[i, m] * lower[j, m] * pivots[m] for m in range(j))
+                rest = matrix[i, j] - sum(lower[i, m] * upper[m, j] * pivots[m] for m in done)
                 lower[i, j] = self.let(f"{name}_L{i + 1}{j + 1}", rest / pivots[j])
-        return lower, pivots
+                if symmetric:
+                    upper[j, i] = lower[i, j]
+                else:
+                    rest = matrix[j, i] - sum(lower[j, m] * upper[m, i] * pivots[m] for m in done)
+                    upper[j, i] = self.let(f"{name}_U{j + 1}{i + 1}", rest / pivots[j])
+        return Factors(lower, pivots, upper)
 
-    def solve(self, name: str, factors: tuple[sp.Matrix, list[sp.Expr]], right: sp.Matrix) -> sp.Matrix:
-        """Solve ``L D L^T y = right`` by substitution, unrolled; the unknowns are named ``<name>_i``."""
-        lower, pivots = factors
+    def solve(self, name: str, factors: "Factors", right: sp.Matrix) -> sp.Matrix:
+        """Solve ``L D U y = right`` by substitution, unrolled; the unknowns are named ``<name>_i``."""
+        lower, upper = factors.lower, factors.upper
         n = lower.rows
         forward: list[sp.Expr] = []
         for i in range(n):
@@ -151,7 +179,7 @@ class Builder:
             forward.append(self.let(f"{name}_f{i + 1}", term))
         solution = sp.zeros(n, 1)
         for i in reversed(range(n)):
-            term = forward[i] / pivots[i] - sum(lower[m, i] * solution[m] for m in range(i + 1, n))
+            term = forward[i] / factors.pivots[i] - sum(upper[i, m] * solution[m] for m in range(i + 1, n))
             solution[i] = self.let(f"{name}_{i + 1}", term)
         return solution
 
@@ -174,11 +202,11 @@ class Builder:
         terms, reduced = _under_their_names(terms, reduced, list(self.named))
         terms |= {symbol: call for call, symbol in trig.items()}
         results = iter(reduced)
-        closed = tuple(Output(o.name, _refill(o, results), o.meaning) for o in outputs)
+        closed = tuple(replace(o, value=_refill(o, results)) for o in outputs)
         ordered = list(_in_order(terms, [e for o in closed for e in o.entries]))
         numbered = _renumbered([s for s, _ in ordered], taken)
         statements = tuple((numbered.get(s, s), _fewer_signs(e.xreplace(numbered))) for s, e in ordered)
-        closed = tuple(Output(o.name, _fewer_signs(o.value.xreplace(numbered)), o.meaning) for o in closed)
+        closed = tuple(replace(o, value=_fewer_signs(o.value.xreplace(numbered))) for o in closed)
         program = Program(name, summary, source, arguments, statements, closed)
         known = {e.symbol for a in arguments for e in a.entries} | {s for s, _ in statements}
         if unknown := program.used - known:

@@ -10,7 +10,6 @@ from stridemap.solver import floquet, measures
 from stridemap.solver.events import Trace
 from stridemap.solver.library import Kernels
 from stridemap.solver.model import Model
-from stridemap.solver.observe import OBSERVABLES
 from stridemap.solver.orbit import Orbit, Status, group_letter
 
 Array = NDArray[np.float64]
@@ -97,7 +96,10 @@ class Batch:
             values = next(rows) if outcome.found else {"residual": float(self.residual[i])}
             out.append(
                 Orbit(
-                    self.model.name, dict(zip(names, self.params[i].tolist(), strict=True)), outcome, **values
+                    self.model.source,
+                    dict(zip(names, self.params[i].tolist(), strict=True)),
+                    outcome,
+                    **values,
                 )
             )
         return out
@@ -106,10 +108,12 @@ class Batch:
         """Status of the points that closed."""
         trace, n = self.trace, len(self.model.coordinates)
         q, v = trace.w[:, :, :n], trace.w[:, :, n : 2 * n]
-        side = self.model.evaluate("touchdown_condition", q=q, v=v)["side"]
-        stance = q[:, :, self.model.coordinates.index(self.model.manifest["stance_angle"])]
-        descending = trace.dg[:, -1, OBSERVABLES.index("touchdown")] > 0
-        step = descending & (side[:, -1] < -STANDING) & (np.abs(stance).max(axis=1, initial=0.0) < np.pi / 2)
+        side = self.model.evaluate("touchdown_condition", q=q, v=v, p=trace.params[:, None, :])["side"]
+        descending = trace.dg[:, -1, trace.row("touchdown")] > 0
+        step = descending & (side[:, -1] < -STANDING)
+        if (angle := self.model.manifest["stance_angle"]) is not None:
+            stance = q[:, :, self.model.coordinates.index(angle)]
+            step &= np.abs(stance).max(axis=1, initial=0.0) < np.pi / 2
         early = measures.earlier_touchdown(trace, side)
         inside = (trace.period > period_range[0]) & (trace.period <= period_range[1])
         accurate = self.integration_error[self.closed] < INTEGRATION_LIMIT
@@ -130,10 +134,12 @@ class Batch:
         values = floquet.multipliers(self.jacobian)
         radius = np.abs(values).max(axis=1, initial=0.0)
         total, positive, net = measures.work(trace)
-        start = model.evaluate("section_state", z=self.u[:, :-1])
-        # The foot behind has just left the ground: it is one step length away.
-        length = -model.evaluate("swing_foot", **start)["foot"][:, 0]
-        mass = model.evaluate("total_mass", p=self.params)["mass"]
+        start = model.evaluate("section_state", z=self.u[:, :-1], p=self.params)
+        length = model.evaluate("step_length", **start, p=self.params)["length"]
+        load = model.evaluate("total_mass", p=self.params)
+        weight = load["weight"]
+        # Down a slope gravity supplies energy; what it takes uphill is the actuators' to supply.
+        energy = total + np.maximum(load["pull"], 0.0) * length
         lowest = -measures.extreme(trace, "vertical_force", np.negative)
         columns = {
             "period": period,
@@ -146,8 +152,8 @@ class Batch:
             "work": total,
             "work_positive": positive,
             "work_net": net,
-            "cot": total / (mass * length),
-            "cot_per_speed": total * period / (mass * length),
+            "cot": energy / (weight * length),
+            "cot_per_speed": energy * period / (weight * length),
             "min_vertical_force": lowest,
             "friction": np.where(lowest > 0, measures.extreme(trace, "friction", np.absolute), np.nan),
             "clearance": -measures.extreme(trace, "foot_height", np.negative),

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stridemap.solver.library import Kernels
-from stridemap.solver.observe import OBSERVABLES
+from stridemap.solver.observe import observables
 
 Array = NDArray[np.float64]
 Index = NDArray[np.int64]
@@ -30,9 +30,9 @@ class Trace:
     kernels : Kernels
     params : ndarray, shape (n, n_params)
     period : ndarray, shape (n,)
-    w : ndarray, shape (n, N + 1, 2 n_q + 1)
-        State and net work.
-    g, dg : ndarray, shape (n, N + 1, len(OBSERVABLES))
+    w : ndarray, shape (n, N + 1, 2 n_q + n_actuators)
+        State and net work of each actuator.
+    g, dg : ndarray, shape (n, N + 1, n_observables)
         Observables and their time derivatives.
     """
 
@@ -50,8 +50,12 @@ class Trace:
 
     def observable(self, name: str) -> tuple[Array, Array]:
         """Values and time derivatives of one observable at the nodes, shape (n, N + 1) each."""
-        row = OBSERVABLES.index(name)
+        row = self.row(name)
         return self.g[:, :, row], self.dg[:, :, row]
+
+    def row(self, name: str) -> int:
+        """Row of an observable."""
+        return observables(self.kernels.model).index(name)
 
     def take(self, index: Index) -> "Trace":
         """Some of the orbits, in order."""
@@ -132,10 +136,10 @@ def brackets(trace: Trace, name: str, derivative: bool = False) -> Brackets:
     ----------
     trace : Trace
     name : str
-        One of `OBSERVABLES`.
+        One of `observables`.
     derivative : bool
     """
-    row = OBSERVABLES.index(name)
+    row = trace.row(name)
     g, dg = trace.observable(name)
     f, slope = (dg, np.gradient(dg, axis=1) / trace.h[:, None]) if derivative else (g, dg)
     left, right, s_left, s_right = f[:, :-1], f[:, 1:], slope[:, :-1], slope[:, 1:]
@@ -248,15 +252,15 @@ def locate(trace: Trace, found: Brackets) -> tuple[Array, Array, Array]:
     -------
     t : ndarray, shape (m,)
         Time of each zero within its step.
-    w : ndarray, shape (m, 2 n_q + 1)
-        State and net work there.
-    g : ndarray, shape (m, len(OBSERVABLES))
+    w : ndarray, shape (m, 2 n_q + n_actuators)
+        State and net works there.
+    g : ndarray, shape (m, n_observables)
         Observables there.
     """
     m, row = len(found.orbit), found.row
     h = trace.h[found.orbit]
     tau, w = found.lower.copy(), np.full((m, trace.w.shape[2]), np.nan)
-    g = np.full((m, len(OBSERVABLES)), np.nan)
+    g = np.full((m, trace.g.shape[2]), np.nan)
     active, left = np.arange(m), found
     for turn in range(LOCATE_ITERATIONS):
         if not len(active):

@@ -1,24 +1,28 @@
 """The solver's public functions for one point, by model name and keyword parameters."""
 
 from collections.abc import Mapping
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from stridemap.errors import InputError
 from stridemap.solver import search
-from stridemap.solver.model import load
+from stridemap.solver.model import Model, load
 from stridemap.solver.orbit import Orbit
 from stridemap.solver.simulate import Walk, walk
 
 
-def find_orbits(model: str, *, options: search.SearchOptions | None = None, **params: float) -> list[Orbit]:
+def find_orbits(
+    model: str | Path | Model, *, options: search.SearchOptions | None = None, **params: float
+) -> list[Orbit]:
     """All limit cycles at one point of parameter space, ordered by period.
 
     Parameters
     ----------
-    model : str
-        Name of a built-in model.
+    model : str, path or Model
+        Name of a built-in model, path of a model file (``.py``), folder that `stridemap derive` wrote, or what
+        `load` or `derive_model` returned.
     options : SearchOptions, optional
     **params : float
         Parameters by name; what is not given comes from the preset.
@@ -42,12 +46,15 @@ def find_orbits(model: str, *, options: search.SearchOptions | None = None, **pa
     return search.find_orbits(loaded, loaded.point(params)[None, :], options)[0]
 
 
-def simulate(model: str, state: Mapping[str, Any] | None = None, *, steps: int = 10, **params: float) -> Walk:
+def simulate(
+    model: str | Path | Model, state: Mapping[str, Any] | None = None, *, steps: int = 10, **params: float
+) -> Walk:
     """Walk from a state just after touchdown, with an event-driven integrator.
 
     Parameters
     ----------
-    model : str
+    model : str, path or Model
+        As for `find_orbits`.
     state : mapping of str to float, optional
         Section point; by default the limit cycle with the smallest largest multiplier at that point.
     steps : int

@@ -1,7 +1,9 @@
 """The functions that the solver runs, by name, and their C.
 
-`search_<n>`        Newton's method from a rough guess on n Runge-Kutta steps
-`limit_cycle_<n>`   Newton's method from a good guess, with residual and Jacobian at the solution
+`search_<n>`        Newton's method from a rough guess on n Runge-Kutta steps, with the residual there
+`limit_cycle_<n>`   Newton's method from a good guess, with Jacobian and residual there
+`residual_<n>`      the residual alone
+`jacobian_<n>`      the residual with its Jacobian
 `trace_<n>`         the states and observables at the n + 1 nodes of a step
 `advance`           a part of a Runge-Kutta step, observed
 
@@ -9,6 +11,8 @@ In C every name begins with the model's, so that kernels of several models link 
 
 The same CasADi functions run in CasADi's virtual machine where there is no C compiler.
 """
+
+from dataclasses import dataclass
 
 import casadi as ca
 
@@ -22,8 +26,50 @@ SEARCH_STEPS = (12, 24, 48)
 CYCLE_STEPS = (24, 36, 48, 72, 96, 144, 192, 288, 384)
 """Resolutions of accepted limit cycles; each is checked at twice as many steps."""
 
-SEARCH_ITERATIONS = 10
-CYCLE_ITERATIONS = 6
+
+@dataclass(frozen=True)
+class Newton:
+    """Newton's method as a kernel: (u0, p) -> (u, what `closing` computes there).
+
+    Parameters
+    ----------
+    steps, jacobian_steps : int
+        Resolutions of the residual and of its Jacobian.
+    abstol, abstol_step : float
+        It stops at this residual, or after a step of this size.
+    iterations : int
+        It stops after these in any case.
+    closing : str
+        Kernel: `residual_<n>` or `jacobian_<n>`.
+    """
+
+    steps: int
+    jacobian_steps: int
+    abstol: float
+    abstol_step: float
+    iterations: int
+    closing: str
+
+
+NEWTON = {
+    **{f"search_{n}": Newton(n, n, 1e-12, 1e-4, 10, closing=f"residual_{n}") for n in SEARCH_STEPS},
+    **{
+        f"limit_cycle_{n}": Newton(n, n // 2 // BLOCK * BLOCK, 1e-14, 1e-9, 6, closing=f"jacobian_{n}")
+        for n in CYCLE_STEPS
+    },
+}
+"""The kernels that are Newton's method, by name."""
+
+LOCKSTEP = (
+    *(f"residual_{n}" for n in sorted({*SEARCH_STEPS, *CYCLE_STEPS})),
+    *(
+        f"jacobian_{n}"
+        for n in sorted({*SEARCH_STEPS, *CYCLE_STEPS, *(m.jacobian_steps for m in NEWTON.values())})
+    ),
+    *(f"trace_{2 * n}" for n in CYCLE_STEPS),
+    "advance",
+)
+"""The kernels without branches, which can work on many points in lockstep."""
 
 
 def build(model: Model) -> dict[str, ca.Function]:
@@ -39,37 +85,24 @@ def build(model: Model) -> dict[str, ca.Function]:
     """
     step_map = StepMap(model)
     observation = Observation(step_map)
-    kernels = [_search(step_map, n) for n in SEARCH_STEPS]
-    kernels += [_limit_cycle(step_map, n) for n in CYCLE_STEPS]
-    kernels += [observation.trace(2 * n) for n in CYCLE_STEPS]
-    kernels += [observation.advance]
+    kernels = [_newton(step_map, name, method) for name, method in NEWTON.items()]
+    for name in LOCKSTEP:
+        kind, _, n = name.partition("_")
+        maker = {"residual": step_map.residual, "jacobian": step_map.jacobian, "trace": observation.trace}
+        kernels.append(maker[kind](int(n)) if n else observation.advance)
     return {kernel.name().removeprefix(f"{model.name}_"): kernel for kernel in kernels}
 
 
-def _search(step_map: StepMap, steps: int) -> ca.Function:
-    """(u0, p) -> (u, R)."""
-    u0, p = ca.MX.sym("u0", step_map.nz + 1), ca.MX.sym("p", step_map.n_params)
-    u = step_map.rootfinder(steps, SEARCH_ITERATIONS, abstol=1e-12, abstol_step=1e-4)(u0, p)
-    residual = step_map.residual(steps)(u, p)
-    return ca.Function(
-        f"{step_map.model.name}_search_{steps}", [u0, p], [u, residual], ["u0", "p"], ["u", "R"]
-    )
-
-
-def _limit_cycle(step_map: StepMap, steps: int) -> ca.Function:
-    """(u0, p) -> (u, J, R)."""
+def _newton(step_map: StepMap, name: str, method: Newton) -> ca.Function:
+    """(u0, p) -> (u, R) or (u, J, R)."""
     u0, p = ca.MX.sym("u0", step_map.nz + 1), ca.MX.sym("p", step_map.n_params)
     u = step_map.rootfinder(
-        steps, CYCLE_ITERATIONS, abstol=1e-14, abstol_step=1e-9, jacobian_steps=steps // 2 // BLOCK * BLOCK
+        method.steps, method.iterations, method.abstol, method.abstol_step, method.jacobian_steps
     )(u0, p)
-    jacobian, residual = step_map.jacobian(steps)(u, p)
-    return ca.Function(
-        f"{step_map.model.name}_limit_cycle_{steps}",
-        [u0, p],
-        [u, jacobian, residual],
-        ["u0", "p"],
-        ["u", "J", "R"],
-    )
+    closing = step_map.residual if method.closing.startswith("residual") else step_map.jacobian
+    outputs = closing(method.steps).call([u, p])
+    names = closing(method.steps).name_out()
+    return ca.Function(f"{step_map.model.name}_{name}", [u0, p], [u, *outputs], ["u0", "p"], ["u", *names])
 
 
 def c_source(model: Model) -> str:
@@ -106,10 +139,10 @@ CASADI_SYMBOL_EXPORT int MODEL_map(MODEL_kernel kernel, const casadi_int* work_s
     casadi_int n_in, const double* const* in, const casadi_int* in_size,
     casadi_int n_out, double* const* out, const casadi_int* out_size, int* failed)
 {
-    const double** arg = malloc((size_t) work_size[0] * sizeof(double*));
-    double** res = malloc((size_t) work_size[1] * sizeof(double*));
-    casadi_int* iw = malloc((size_t) (work_size[2] + 1) * sizeof(casadi_int));
-    double* w = malloc((size_t) (work_size[3] + 1) * sizeof(double));
+    const double** arg = (const double**) malloc((size_t) work_size[0] * sizeof(double*));
+    double** res = (double**) malloc((size_t) work_size[1] * sizeof(double*));
+    casadi_int* iw = (casadi_int*) malloc((size_t) (work_size[2] + 1) * sizeof(casadi_int));
+    double* w = (double*) malloc((size_t) (work_size[3] + 1) * sizeof(double));
     const int ready = arg && res && iw && w;
     casadi_int i, j;
     if (ready) {

@@ -1,33 +1,23 @@
-"""Compiled kernels: built once into a cache, called on arrays of points.
+"""The kernels of a model, loaded in the fastest way that the machine has, and called on arrays of points.
 
-The cache key is the hash of source, flags and compiler, so nothing stale is ever loaded. Where there is
-no C compiler, the same kernels run in CasADi's virtual machine: slower, with one warning.
+Compiled for several points an instruction (`lockstep`); where the compiler cannot, for one point at a time;
+and where there is no C compiler, in CasADi's virtual machine: slower, with one warning.
 """
 
 import ctypes
-import hashlib
-import os
 import shlex
-import shutil
-import subprocess
-import tempfile
 import warnings
 from abc import ABC, abstractmethod
+from collections.abc import Sequence
 from functools import cache
-from pathlib import Path
 
 import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
-from platformdirs import user_cache_path
 
-from stridemap.errors import InputError
-from stridemap.solver import kernels
+from stridemap.solver import kernels, lockstep
+from stridemap.solver.compiler import FLAGS, CompileError, compile_shared, find_compiler, version
 from stridemap.solver.model import Model
-
-FLAGS = ("-O1", "-std=c99", "-ffp-contract=off", "-fPIC", "-shared")
-"""Contraction is off, so that compiled code and virtual machine agree to the last bit; higher levels of
-optimisation were measured and are not faster on straight-line code."""
 
 Array = NDArray[np.float64]
 
@@ -77,7 +67,7 @@ class Kernels(ABC):
                 raise ValueError(
                     f"{name}: input {function.name_in(i)} has shape {array.shape}, not ({n}, {wanted})"
                 )
-        outputs = [np.full((n, function.nnz_out(i)), np.nan) for i in range(function.n_out())]
+        outputs = [np.empty((n, function.nnz_out(i))) for i in range(function.n_out())]
         if n:
             self._map(function, [a.reshape(n, -1) for a in arrays], outputs)
         shapes = [function.size_out(i) for i in range(function.n_out())]
@@ -99,22 +89,18 @@ class CompiledKernels(Kernels):
 
     def __init__(self, model: Model, compiler: str) -> None:
         super().__init__(model)
-        self._command = [*shlex.split(compiler), *FLAGS]
-        built = compile_shared(model.path(f"{model.name}_kernels.c"), compiler)
-        try:
-            self._library = ctypes.CDLL(str(built))
-        except OSError as error:
-            built.unlink(missing_ok=True)
-            raise InputError(
-                f"the C compiler {compiler!r} wrote no library that can be loaded ({error}); "
-                "set CC to one that works"
-            ) from None
+        self._command = shlex.split(compiler)
+        self._library = self._load(compiler)
         self._work = {f.name(): (ctypes.c_longlong * 4)(*self._work_size(f)) for f in self.functions.values()}
 
     @property
     def compiler(self) -> str:
         """Compiler, its version and the flags."""
-        return f"{_version(self._command[0])} {' '.join(FLAGS)}"
+        return f"{version(self._command[0])} {' '.join(FLAGS)}"
+
+    def _load(self, compiler: str) -> ctypes.CDLL:
+        name = f"{self.model.name}_kernels.c"
+        return _loaded(name, self.model.path(name).read_text(encoding="utf-8"), compiler, FLAGS)
 
     def _work_size(self, function: ca.Function) -> list[int]:
         sizes = [ctypes.c_longlong() for _ in range(4)]
@@ -131,8 +117,7 @@ class CompiledKernels(Kernels):
             ctypes.c_longlong(len(outputs)), _pointers(outputs), _sizes(outputs),
             failed.ctypes.data_as(ctypes.c_void_p),
         )  # fmt: skip
-        if status:
-            raise MemoryError(f"no memory for the work space of kernel {name}")
+        _check(status, name)
         for out in outputs:
             out[failed != 0] = np.nan
 
@@ -149,12 +134,72 @@ class InterpretedKernels(Kernels):
         for i, row in enumerate(zip(*inputs, strict=True)):
             try:
                 result = function(*row)
-            except RuntimeError:
-                # CasADi's word for a breakdown inside a kernel; the point stays NaN, which means just that.
+            except RuntimeError:  # CasADi's word for a breakdown inside a kernel
+                for out in outputs:
+                    out[i] = np.nan
                 continue
             parts = result if isinstance(result, tuple) else (result,)
             for out, part in zip(outputs, parts, strict=True):
                 out[i] = part.full().ravel(order="F")
+
+
+class LockstepKernels(Kernels):
+    """Kernels as machine code for several points an instruction; the others differ in the last digits.
+
+    Parameters
+    ----------
+    model : Model
+    compiler : str
+        Command line of the C compiler.
+    instructions : sequence of str, optional
+        Flags for the processor's instructions; by default the widest that it has. The results are the same.
+    """
+
+    def __init__(self, model: Model, compiler: str, instructions: Sequence[str] | None = None) -> None:
+        super().__init__(model)
+        self._command = shlex.split(compiler)
+        flags = [*lockstep.FLAGS, *(lockstep.instruction_flags() if instructions is None else instructions)]
+        self._library = _loaded(f"{model.name}_lockstep.cpp", lockstep.source(model), compiler, flags)
+
+    @property
+    def compiler(self) -> str:
+        """Compiler, its version and those flags on which results may depend."""
+        return f"{version(self._command[0])} {' '.join(lockstep.FLAGS)}"
+
+    def _map(self, function: ca.Function, inputs: list[Array], outputs: list[Array]) -> None:
+        name = function.name().removeprefix(f"{self.model.name}_")
+        method = kernels.NEWTON.get(name)
+        if method is None:
+            self._apply(name, inputs, outputs)
+            return
+        outputs[0][:] = inputs[0]
+        self._newton(method, outputs[0], inputs[1])
+        self._apply(method.closing, [outputs[0], inputs[1]], outputs[1:])
+
+    def _newton(self, method: kernels.Newton, u: Array, params: Array) -> None:
+        """Newton's method from the guesses in `u`, which the solutions replace."""
+        alike = method.steps == method.jacobian_steps
+        status = self._library.lockstep_newton(
+            self._kernel(f"jacobian_{method.jacobian_steps}"),
+            None if alike else self._kernel(f"residual_{method.steps}"),
+            ctypes.c_longlong(len(u)), ctypes.c_longlong(u.shape[1]), ctypes.c_longlong(params.shape[1]),
+            ctypes.c_void_p(u.ctypes.data), ctypes.c_void_p(params.ctypes.data),
+            ctypes.c_double(method.abstol), ctypes.c_double(method.abstol_step), method.iterations,
+        )  # fmt: skip
+        _check(status, f"jacobian_{method.jacobian_steps}")
+
+    def _apply(self, name: str, inputs: list[Array], outputs: list[Array]) -> None:
+        """A kernel without branches, point by point."""
+        status = self._library.lockstep_map(
+            self._kernel(name), ctypes.c_longlong(len(inputs[0])),
+            ctypes.c_longlong(len(inputs)), _pointers(inputs), _sizes(inputs),
+            ctypes.c_longlong(len(outputs)), _pointers(outputs), _sizes(outputs),
+        )  # fmt: skip
+        _check(status, name)
+
+    def _kernel(self, name: str) -> ctypes.c_void_p:
+        shown = ctypes.c_char.in_dll(self._library, f"lockstep_{self.model.name}_{name}")
+        return ctypes.c_void_p(ctypes.addressof(shown))
 
 
 @cache
@@ -186,104 +231,30 @@ def load_kernels(model: Model) -> Kernels:
             stacklevel=2,
         )
         return InterpretedKernels(model)
-    return CompiledKernels(model, compiler)
-
-
-def find_compiler() -> str | None:
-    """The C compiler's command, or None where there is none.
-
-    Raises
-    ------
-    InputError
-        When CC names a command that does not exist.
-    """
-    named = os.environ.get("CC", "").strip()
-    if named:
-        try:
-            words = shlex.split(named)
-        except ValueError as error:
-            raise InputError(
-                f"the environment variable CC = {named} is not understood ({error}); unset or correct it"
-            ) from None
-        if shutil.which(words[0]) is None:
-            raise InputError(
-                f"the environment variable CC names {named!r}, which is not on the path; unset or correct it"
-            )
-        return named
-    return next((name for name in ("cc", "gcc", "clang") if shutil.which(name)), None)
-
-
-def cache_folder() -> Path:
-    """Where compiled kernels are kept; the environment variable STRIDEMAP_CACHE overrides it."""
-    return Path(os.environ.get("STRIDEMAP_CACHE") or user_cache_path("stridemap"))
-
-
-@cache
-def _version(command: str) -> str:
     try:
-        run = subprocess.run([command, "--version"], capture_output=True, text=True, check=False)
-    except OSError as error:
-        raise InputError(
-            f"the C compiler {command!r} cannot be run ({error.strerror}); set CC to one that works"
-        ) from None
-    return (run.stdout or run.stderr or command).splitlines()[0].strip()
+        return LockstepKernels(model, compiler)
+    except CompileError:  # it knows no C++, or no vectors
+        return CompiledKernels(model, compiler)
 
 
-def compile_shared(source: Path, compiler: str) -> Path:
-    """Compile a C file into the cache, unless it is there.
-
-    Parameters
-    ----------
-    source : pathlib.Path
-    compiler : str
-
-    Returns
-    -------
-    pathlib.Path
-        The shared library.
-
-    Raises
-    ------
-    InputError
-        When the compiler fails or the cache cannot be written.
-    """
-    words = shlex.split(compiler)
-    key = hashlib.sha256()
-    for part in (source.read_bytes(), " ".join([*words, *FLAGS]).encode(), _version(words[0]).encode()):
-        key.update(hashlib.sha256(part).digest())
-    folder = cache_folder()
-    name = f"{source.stem}-{key.hexdigest()[:32]}"
-    for library in sorted(folder.glob(f"{name}-*.so")):
-        if library.stem == f"{name}-{_digest(library)}":  # to load half a library would end the process
-            return library
+def _loaded(name: str, text: str, compiler: str, flags: Sequence[str]) -> ctypes.CDLL:
+    """A source, compiled or from the cache, as a library of this process."""
+    built = compile_shared(name, text, compiler, flags)
     try:
-        folder.mkdir(parents=True, exist_ok=True)
-        # Beside and renamed: another process never sees half a library.
-        with tempfile.TemporaryDirectory(dir=folder) as scratch:
-            built = Path(scratch) / f"{name}.so"
-            run = subprocess.run(
-                [*words, *FLAGS, str(source), "-o", str(built), "-lm"],
-                capture_output=True,
-                text=True,
-                check=False,
-            )
-            if run.returncode or not built.exists():
-                said = (run.stderr.strip() or run.stdout.strip() or "it said nothing").splitlines()[0]
-                raise InputError(
-                    f"the C compiler {compiler!r} failed on {source.name} ({said}); set CC to one that works"
-                )
-            library = folder / f"{name}-{_digest(built)}.so"
-            built.replace(library)
+        return ctypes.CDLL(str(built))
     except OSError as error:
-        raise InputError(
-            f"cannot write compiled kernels to {folder}: {error.strerror}; "
-            "set STRIDEMAP_CACHE to a folder that can be written"
+        built.unlink(missing_ok=True)
+        raise CompileError(
+            f"the C compiler {compiler!r} wrote no library that can be loaded ({error}); "
+            "set CC to one that works"
         ) from None
-    return library
 
 
-def _digest(library: Path) -> str:
-    return hashlib.sha256(library.read_bytes()).hexdigest()[:16]
+def _check(status: int, name: str) -> None:
+    if status == 1:
+        raise MemoryError(f"no memory for the work space of kernel {name}")
+    if status:
+        raise RuntimeError(f"kernel {name} broke down")
 
 
 def _pointers(arrays: list[Array]) -> ctypes.Array:

@@ -73,6 +73,10 @@ class Solver:
         """Runge-Kutta steps with which limit cycles of these periods are first computed, shape (n,)."""
         return self._resolution(self._phase(period, params), CYCLE_STEPS, per_step=CYCLE_PHASE)
 
+    def search_steps(self, period: Array, params: Array) -> NDArray[np.int64]:
+        """Runge-Kutta steps of a search near a period, shape (n,)."""
+        return self._resolution(self._phase(period, params), SEARCH_STEPS, per_step=SEARCH_PHASE)
+
     # -- search ------------------------------------------------------------------------------------------
 
     def search(self, guesses: Array, params: Array) -> tuple[Array, NDArray[np.bool_]]:
@@ -93,26 +97,34 @@ class Solver:
         """
         u = np.full(guesses.shape, np.nan)
         closed = np.zeros(len(guesses), dtype=bool)
-        phase = self._phase(guesses[:, -1], params)
-        steps = self._resolution(phase, SEARCH_STEPS, per_step=SEARCH_PHASE)
+        steps = self.search_steps(guesses[:, -1], params)
         for n in np.unique(steps):
             at = np.flatnonzero(steps == n)
             u[at], residual = self.kernels(f"search_{n}", guesses[at], params[at])
             closed[at] = np.abs(residual).max(axis=1) < SEARCH_RESIDUAL
         with np.errstate(invalid="ignore"):
             closed &= np.isfinite(u).all(axis=1) & (u[:, -1] > 0)
-        closed[closed] = self._can_be_a_step(u[closed])
+        u = self._wrapped(u)
+        closed[closed] = self._can_be_a_step(u[closed], params[closed])
         return u, closed
 
-    def _can_be_a_step(self, u: Array) -> NDArray[np.bool_]:
+    def _wrapped(self, u: Array) -> Array:
+        """Section points with the phase of a clock within one turn."""
+        phase = self.model.manifest["phase"]
+        if phase is not None:
+            column = self.model.section.index(phase)
+            u[:, column] = np.mod(u[:, column], 2 * np.pi)
+        return u
+
+    def _can_be_a_step(self, u: Array, params: Array) -> NDArray[np.bool_]:
         """Whether the swing foot lands on the admissible side, with the stance leg above the ground."""
-        after = self.model.evaluate("section_state", z=u[:, :-1])
-        # Swapping the legs twice changes nothing: this is the position just before the touchdown. It does
-        # not depend on the parameters.
-        before = self.model.evaluate("impact_map", **after, p=self.model.point({}))["q_plus"]
-        side = self.model.evaluate("touchdown_condition", q=before, v=after["v"])["side"]
-        stance = before[:, self.model.coordinates.index(self.model.manifest["stance_angle"])]
-        return (side < 0) & (np.abs(stance) < np.pi / 2)
+        after = self.model.evaluate("section_state", z=u[:, :-1], p=params)
+        before = self.model.evaluate("before_touchdown", q=after["q"], p=params)["q_minus"]
+        side = self.model.evaluate("touchdown_condition", q=before, v=after["v"], p=params)["side"]
+        can: NDArray[np.bool_] = side < 0
+        if (angle := self.model.manifest["stance_angle"]) is not None:
+            can &= np.abs(before[:, self.model.coordinates.index(angle)]) < np.pi / 2
+        return can
 
     # -- completion --------------------------------------------------------------------------------------
 

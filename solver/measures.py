@@ -7,7 +7,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stridemap.solver.events import Brackets, Trace, brackets, locate
-from stridemap.solver.observe import OBSERVABLES
 
 Array = NDArray[np.float64]
 
@@ -19,7 +18,7 @@ def extreme(trace: Trace, name: str, score: np.ufunc | None = None) -> Array:
     ----------
     trace : Trace
     name : str
-        One of `OBSERVABLES`.
+        One of `observables`.
     score : numpy ufunc, optional
         ``numpy.absolute`` or ``numpy.negative``; the value itself if it is left out.
     """
@@ -37,24 +36,37 @@ def extreme(trace: Trace, name: str, score: np.ufunc | None = None) -> Array:
 
 
 def work(trace: Trace) -> tuple[Array, Array, Array]:
-    """Absolute, positive and net work of the hip over a step, shape (n,) each.
+    """Absolute, positive and net work of all actuators over a step, shape (n,) each."""
+    model = trace.kernels.model
+    total, positive, net = (np.zeros(len(trace.period)) for _ in range(3))
+    for i, name in enumerate(model.actuated):
+        column = 2 * len(model.coordinates) + i
+        one, done = _work_of(trace, f"power_{name}", column)
+        total += one
+        positive += 0.5 * (one + done)
+        net += done
+    return total, positive, net
+
+
+def _work_of(trace: Trace, power: str, column: int) -> tuple[Array, Array]:
+    """Absolute and net work of one actuator.
 
     The net work is integrated with the state; between two zeros of the power its change has one sign.
     """
-    kinks = brackets(trace, "power")
+    kinks = brackets(trace, power)
     _, w, _ = locate(trace, kinks)
     n = len(trace.period)
-    net = trace.w[:, -1, -1] - trace.w[:, 0, -1]
+    net = trace.w[:, -1, column] - trace.w[:, 0, column]
     # Rows (orbit, work so far): start, kinks in order of time, end.
     orbit = np.concatenate([np.arange(n), kinks.orbit, np.arange(n)])
-    so_far = np.concatenate([trace.w[:, 0, -1], w[:, -1], trace.w[:, -1, -1]])
+    so_far = np.concatenate([trace.w[:, 0, column], w[:, column], trace.w[:, -1, column]])
     order = np.argsort(orbit, kind="stable")
     orbit, so_far = orbit[order], so_far[order]
     same = orbit[1:] == orbit[:-1]
     pieces = np.diff(so_far)[same]
     total = np.zeros(n)
     np.add.at(total, orbit[1:][same], np.abs(pieces))
-    return total, 0.5 * (total + net), net
+    return total, net
 
 
 def count_zeros(trace: Trace, name: str, falling_only: bool = False) -> NDArray[np.int64]:
@@ -85,14 +97,14 @@ def earlier_touchdown(trace: Trace, side: Array) -> NDArray[np.bool_]:
         model = trace.kernels.model
         n = len(model.coordinates)
         _, w, _ = locate(trace, rising.take(doubtful))
-        q, v = w[:, :n], w[:, n : 2 * n]
-        right[doubtful] = model.evaluate("touchdown_condition", q=q, v=v)["side"] < 0
+        q, v, p = w[:, :n], w[:, n : 2 * n], trace.params[rising.orbit[doubtful]]
+        right[doubtful] = model.evaluate("touchdown_condition", q=q, v=v, p=p)["side"] < 0
     return np.bincount(rising.orbit[right], minlength=len(trace.period)) > 0
 
 
 def _is_the_touchdown(found: Brackets, trace: Trace, last: int) -> NDArray[np.bool_]:
     """Whether a bracket ends where the step ends: the condition is zero there but for rounding."""
-    row = OBSERVABLES.index("touchdown")
+    row = trace.row("touchdown")
     end_slope = np.abs(trace.dg[found.orbit, -1, row])
     near_zero = np.abs(trace.g[found.orbit, -1, row]) < 1e-6 * end_slope * trace.h[found.orbit]
     return (found.node == last) & near_zero & (found.upper == trace.h[found.orbit])

@@ -18,9 +18,13 @@ from numpy.typing import NDArray
 
 import stridemap.generated
 from stridemap.errors import InputError
+from stridemap.solver.derived import derived_folder
 
 GENERATED = Path(stridemap.generated.__file__).parent
 """Folder of the built-in generated walkers."""
+
+FORMAT = 2
+"""Of the manifest."""
 
 
 @dataclass(frozen=True)
@@ -86,6 +90,8 @@ class Model:
     ----------
     folder : pathlib.Path
         Holds ``manifest.json`` and the generated files that it names.
+    source : str, optional
+        What `load` found it by: a built-in model's name, or a path.
 
     Raises
     ------
@@ -93,8 +99,9 @@ class Model:
         When a file is missing or is not the one that the manifest names.
     """
 
-    def __init__(self, folder: Path) -> None:
+    def __init__(self, folder: Path, source: str | None = None) -> None:
         self.folder = folder
+        self.source = source or str(folder)
         try:
             self.manifest: dict[str, Any] = json.loads((folder / "manifest.json").read_text(encoding="utf-8"))
             self.name: str = self.manifest["model"]
@@ -103,10 +110,15 @@ class Model:
             self.section: tuple[str, ...] = tuple(self.manifest["section"]["names"])
             self.coordinates: tuple[str, ...] = tuple(c["name"] for c in self.manifest["coordinates"])
             self.parameters = tuple(Parameter(**entry) for entry in self.manifest["parameters"])
+            self.actuated: tuple[str, ...] = tuple(self.manifest["actuated"])
+            self.period_range: tuple[float, float] = tuple(self.manifest["section"]["period_range"])
         except (OSError, ValueError, KeyError, TypeError) as error:
+            raise InputError(f"{folder} holds no readable manifest.json ({error}); {self._cure}") from None
+        if self.manifest["format"] != FORMAT:
             raise InputError(
-                f"{folder} holds no readable manifest.json ({error}); run `stridemap derive`"
-            ) from None
+                f"{folder} was written by another version of stridemap (format {self.manifest['format']}, not "
+                f"{FORMAT}); {self._cure}"
+            )
 
     def __getattr__(self, name: str) -> ca.Function:
         """The generated function `name` as a CasADi function."""
@@ -123,6 +135,20 @@ class Model:
         """Name and hash."""
         return f"Model({self.name!r}, hash={self.hash[:12]!r})"
 
+    @property
+    def builtin(self) -> bool:
+        """Whether it comes with stridemap."""
+        return self.folder.parent == GENERATED
+
+    @property
+    def _cure(self) -> str:
+        """How the generated files are written again."""
+        if self.builtin:
+            return "run `stridemap derive`"
+        if self.source.endswith(".py"):
+            return f"run `stridemap derive {self.source}`"
+        return f"run `stridemap derive` with its model file and --out {self.folder}"
+
     def path(self, file: str) -> Path:
         """Path of a generated file, checked against the manifest.
 
@@ -135,11 +161,9 @@ class Model:
         try:
             digest = hashlib.sha256(path.read_bytes()).hexdigest()
         except OSError as error:
-            raise InputError(f"cannot read {path}: {error.strerror}; run `stridemap derive`") from None
+            raise InputError(f"cannot read {path}: {error.strerror}; {self._cure}") from None
         if digest != self.manifest["files"].get(file):
-            raise InputError(
-                f"{path} is not the file that manifest.json names; run `stridemap derive` to restore it"
-            )
+            raise InputError(f"{path} is not the file that manifest.json names; {self._cure} to restore it")
         return path
 
     @cached_property
@@ -178,7 +202,8 @@ class Model:
         ----------
         name : str
         **values : ndarray
-            Those inputs that the function takes are used: shape (..., size), or (...) for ``t``.
+            Shape (..., size), or (...) for ``t``. The function uses those that it takes; all together give
+            the leading axes of the results.
 
         Returns
         -------
@@ -188,7 +213,7 @@ class Model:
         entry = self.manifest["functions"][name]
         inputs = [np.asarray(values[a["name"]], dtype=float) for a in entry["inputs"]]
         shape = np.broadcast_shapes(
-            *(x.shape if a["scalar"] else x.shape[:-1] for a, x in zip(entry["inputs"], inputs, strict=True))
+            *(np.shape(x) if key == "t" else np.shape(x)[:-1] for key, x in values.items())
         )
         split = [
             x if a["scalar"] else list(np.moveaxis(x, -1, 0))
@@ -235,19 +260,43 @@ def available() -> list[str]:
     return sorted(path.parent.name for path in GENERATED.glob("*/manifest.json"))
 
 
-@cache
-def load(name: str) -> Model:
-    """Load a built-in model.
+def load(name: "str | Path | Model") -> Model:
+    """Load a model.
 
     Parameters
     ----------
-    name : str
+    name : str, path or Model
+        A built-in model's name; the path of a model file (``.py``), which is derived if that was not done
+        before; or the folder that `stridemap derive` wrote. A model that is loaded is returned as it is.
 
     Raises
     ------
     InputError
-        When there is no such model.
+        When there is no such model, or its file declares none.
     """
-    if name not in available():
-        raise InputError(f"there is no model {name!r}; models are {', '.join(available())}")
-    return Model(GENERATED / name)
+    if isinstance(name, Model):
+        return name
+    text = str(name)
+    if text.endswith(".py"):
+        return _loaded(derived_folder(Path(text)), text)
+    if text in available():
+        return _loaded(GENERATED / text, text)
+    if (Path(text) / "manifest.json").exists():
+        return _loaded(Path(text).resolve(), text)
+    raise InputError(
+        f"there is no model {text!r}; models are {', '.join(available())}, or give the path of a model file "
+        "(.py) or of a folder that `stridemap derive` wrote"
+    )
+
+
+def _loaded(folder: Path, source: str) -> Model:
+    try:
+        manifest = (folder / "manifest.json").read_bytes()
+    except OSError:
+        manifest = b""  # `Model` tells
+    return _load(folder, source, hashlib.sha256(manifest).hexdigest())
+
+
+@cache
+def _load(folder: Path, source: str, _manifest: str) -> Model:
+    return Model(folder, source)

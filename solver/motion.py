@@ -30,7 +30,8 @@ class Motion:
     t : ndarray, shape (..., n)
     q, v : ndarray, shape (..., n, n_q)
         Coordinates and their rates, in the order of `Model.coordinates`.
-    torque : ndarray, shape (..., n)
+    torque : ndarray, shape (..., n, n_actuators)
+        In the order of `Model.actuated`.
     d : ndarray, shape (..., n)
         Stance foot minus zero moment point.
     force : ndarray, shape (..., n, 2)
@@ -130,7 +131,7 @@ def motions(
         "t": t,
         "q": values["q"],
         "v": values["v"],
-        "torque": model.evaluate("controller_torque", **values)["u"],
+        "torque": _torques(model, values),
         "d": model.evaluate("zmp", **values)["d"],
         "force": model.evaluate("ground_force", **values)["force"],
         "com": model.evaluate("centre_of_mass", **values)["com"],
@@ -144,13 +145,19 @@ def motions(
     return Motion(model=model, **columns, lines=lines, masses=masses)
 
 
+def _torques(model: Model, values: dict[str, Array]) -> Array:
+    if not model.actuated:
+        return np.zeros((*values["t"].shape, 0))
+    return model.evaluate("controller_torque", **values)["u"]
+
+
 def _sampled(model: Model, u: Array, params: Array, samples: int) -> tuple[Array, Array]:
     """Times, shape (m, samples), and states there, with the integrator's own accuracy between its nodes."""
     kernels = load_kernels(model)
     m = len(u)
     steps = 2 * Solver(model, kernels).cycle_steps(u[:, -1], params)
     t = u[:, -1:] * np.linspace(0, 1, samples)
-    states = np.empty((m, samples, 2 * len(model.coordinates) + 1))
+    states = np.empty((m, samples, 2 * len(model.coordinates) + len(model.actuated)))
     for n in np.unique(steps):
         at = np.flatnonzero(steps == n)
         w, g, dg, _ = kernels(f"trace_{n}", u[at], params[at])

@@ -4,8 +4,7 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, fields
 from enum import StrEnum
-from types import MappingProxyType
-from typing import Any
+from typing import Any, NoReturn
 
 
 class Status(StrEnum):
@@ -28,6 +27,21 @@ class Status(StrEnum):
     def found(self) -> bool:
         """Whether it is a limit cycle."""
         return self in (Status.CONVERGED, Status.INACCURATE)
+
+
+class FrozenDict(dict[str, float]):
+    """A dict that refuses to be changed; otherwise as any, for JSON, pickles and `dataclasses.asdict`."""
+
+    def _refuse(self, *_args: Any, **_values: Any) -> NoReturn:
+        """Raise TypeError."""
+        raise TypeError("this dict cannot be changed; change a copy, dict(...)")
+
+    __setitem__ = __delitem__ = __ior__ = _refuse
+    clear = pop = popitem = setdefault = update = _refuse
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Made anew in one piece."""
+        return FrozenDict, (dict(self),)
 
 
 @dataclass(frozen=True)
@@ -102,13 +116,8 @@ class Orbit:
     integration_error: float = math.nan
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "params", MappingProxyType(dict(self.params)))
-        object.__setattr__(self, "state", MappingProxyType(dict(self.state)))
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        """Read-only views do not pickle; plain dicts do."""
-        values = [getattr(self, f.name) for f in fields(self)]
-        return Orbit, tuple(dict(v) if isinstance(v, MappingProxyType) else v for v in values)
+        object.__setattr__(self, "params", FrozenDict(self.params))
+        object.__setattr__(self, "state", FrozenDict(self.state))
 
     def to_dict(self) -> dict[str, Any]:
         """Plain values for JSON, without model and parameters; what is not a number is None."""

@@ -1,7 +1,7 @@
 """All limit cycles at points of parameter space: many starts, Newton's method, duplicates merged."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,6 +13,10 @@ from stridemap.solver.model import Model
 from stridemap.solver.orbit import Orbit
 
 Array = NDArray[np.float64]
+
+STARTS_MAX = 1_000_000
+STARTS_PER_SECOND = 5_000
+"""Assumed speed of the search, used only to say what too many starts would cost."""
 
 DUPLICATE = 1e-6
 """Largest difference, in any section coordinate or the period, between two solutions that are one."""
@@ -31,8 +35,8 @@ class SearchOptions:
         Number of quasi-random starts a point.
     seed : int
         Seed of their scrambling.
-    period_min, period_max : float
-        Periods that count: ``period_min < T <= period_max``, in sqrt(L/g).
+    period_min, period_max : float or None
+        Periods that count: ``period_min < T <= period_max``; what is None is taken from the model.
 
     Raises
     ------
@@ -42,27 +46,44 @@ class SearchOptions:
 
     starts: int = 512
     seed: int = 0
-    period_min: float = 0.3
-    period_max: float = 3.0
+    period_min: float | None = None
+    period_max: float | None = None
 
     def __post_init__(self) -> None:
         if self.starts < 1:
             raise InputError(f"starts = {self.starts} is not allowed: at least 1 start is needed")
-        if not 0 < self.period_min < self.period_max < np.inf:
+        if self.starts > STARTS_MAX:
+            hours = self.starts / STARTS_PER_SECOND / 3600
             raise InputError(
-                f"the period range {self.period_min:g} to {self.period_max:g} is not allowed: "
-                "0 < period_min < period_max"
+                f"starts = {self.starts:,} is not allowed: at most {STARTS_MAX:,} (so many would take about "
+                f"{hours:.2g} hours a point); a few hundred find nearly every cycle"
             )
+        low, high = self.period_range
+        if not (0 < low < np.inf and low < high <= np.inf) or self.period_max == np.inf:
+            raise InputError(
+                f"the period range {low:g} to {high:g} is not allowed: 0 < period_min < period_max"
+            )
+
+    def of(self, model: Model) -> "SearchOptions":
+        """These options, with the model's period range where none is given."""
+        low, high = model.period_range
+        return replace(
+            self,
+            period_min=low if self.period_min is None else self.period_min,
+            period_max=high if self.period_max is None else self.period_max,
+        )
 
     @property
     def period_range(self) -> tuple[float, float]:
-        """(period_min, period_max)."""
-        return self.period_min, self.period_max
+        """(period_min, period_max); an end that is not given is the least or the greatest possible."""
+        low = np.nextafter(0, 1) if self.period_min is None else self.period_min
+        return float(low), np.inf if self.period_max is None else self.period_max
 
     @property
     def wider_period_range(self) -> tuple[float, float]:
         """A range in which a sweep follows branches that leave the range and come back."""
-        return 0.85 * self.period_min, 1.15 * self.period_max
+        low, high = self.period_range
+        return 0.85 * low, 1.15 * high
 
 
 def starts(model: Model, options: SearchOptions, point: int = 0) -> Array:
@@ -76,7 +97,7 @@ def starts(model: Model, options: SearchOptions, point: int = 0) -> Array:
     model : Model
     options : SearchOptions
     point : int
-        Each point of a grid gets starts of its own.
+        Points of a grid may get starts of their own.
 
     Returns
     -------
@@ -88,7 +109,8 @@ def starts(model: Model, options: SearchOptions, point: int = 0) -> Array:
     # Sobol points are balanced in powers of two; a part of them is cut off.
     unit = sobol.random_base2(int(np.ceil(np.log2(options.starts))))[: options.starts]
     section = box[:, 0] + box[:, 1] * (2 * unit[:, :-1] - 1) ** 3
-    period = options.period_min + (options.period_max - options.period_min) * unit[:, -1:]
+    shortest, longest = options.of(model).period_range
+    period = shortest + (longest - shortest) * unit[:, -1:]
     return np.hstack([section, period])
 
 
@@ -106,13 +128,13 @@ def find_orbits(model: Model, points: Array, options: SearchOptions | None = Non
     list of list of Orbit
         For each point its limit cycles, ordered by period.
     """
-    options = options or SearchOptions()
+    options = (options or SearchOptions()).of(model)
     if not len(points):
         return []
     solver = Solver.of(model)
     cell = np.repeat(np.arange(len(points)), options.starts)
-    guesses = [starts(model, options, i) for i in range(len(points))]
-    u, closed = solver.search(np.concatenate(guesses), points[cell])
+    # The same starts for each: what is found at a point does not depend on the others.
+    u, closed = solver.search(np.tile(starts(model, options), (len(points), 1)), points[cell])
     cell, u = distinct(cell[closed], u[closed])
     orbits = solver.complete(u, points[cell], options.period_range)
     return merge(len(points), cell, orbits)
@@ -133,7 +155,7 @@ def offer(model: Model, points: Array, guesses: Array, options: SearchOptions | 
     -------
     list of Orbit, length n
     """
-    options = options or SearchOptions()
+    options = (options or SearchOptions()).of(model)
     solver = Solver.of(model)
     u, _ = solver.search(guesses, points)
     return solver.complete(u, points, options.period_range)

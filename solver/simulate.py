@@ -141,9 +141,11 @@ class _Walker:
         self.model = model
         self.p = [float(value) for value in params]
         self.n = len(model.coordinates)
-        self.stance = model.coordinates.index(model.manifest["stance_angle"])
+        angle = model.manifest["stance_angle"]
+        self.stance = None if angle is None else model.coordinates.index(angle)
         self._state_derivative = self._bind("state_derivative")
         self._touchdown_condition = self._bind("touchdown_condition")
+        self._impact_map = self._bind("impact_map")
 
     def _bind(self, name: str) -> Callable[[float, list[float]], dict[str, Any]]:
         """A generated function of time and state, with numbers for sines and cosines."""
@@ -173,15 +175,18 @@ class _Walker:
 
     def start(self, z: Array) -> Array:
         """State of a section point."""
-        out = self.model.equations.section_state(math, z.tolist())
-        return np.array(out["q"] + out["v"])
+        out = self.model.evaluate("section_state", z=z, p=np.array(self.p))
+        return np.concatenate([out["q"], out["v"]])
 
     def land(self, y: Array) -> Array:
         """Section point after the impact."""
-        out = self._bind("impact_map")(0.0, y.tolist())
+        out = self._impact_map(0.0, y.tolist())
         values = dict(zip(self.model.coordinates, out["q_plus"], strict=True))
         rates = {f"d{c}": v for c, v in zip(self.model.coordinates, out["v_plus"], strict=True)}
-        return np.array([(values | rates)[name] for name in self.model.section])
+        z = np.array([(values | rates)[name] for name in self.model.section])
+        if (phase := self.model.manifest["phase"]) is not None:
+            z[self.model.section.index(phase)] %= 2 * math.pi
+        return z
 
     def advance(self, t: float, y: Array, to: float, rtol: float, atol: float) -> Array:
         """State at the time `to`, integrated from `t`."""
@@ -221,7 +226,7 @@ def walk(
             z = walker.land(phase.end)
             walked.append(_step(walker, phase, z))
     names = [parameter.name for parameter in model.parameters]
-    return Walk(model.name, dict(zip(names, walker.p, strict=True)), tuple(walked), outcome)
+    return Walk(model.source, dict(zip(names, walker.p, strict=True)), tuple(walked), outcome)
 
 
 def _step(walker: _Walker, phase: Swing, z: Array) -> Step:
@@ -229,11 +234,12 @@ def _step(walker: _Walker, phase: Swing, z: Array) -> Step:
     t = np.linspace(0.0, phase.duration, FORCE_SAMPLES)
     y = phase(t)
     force = model.evaluate("ground_force", t=t, q=y[:, :n], v=y[:, n:], p=np.array(walker.p))["force"]
-    foot = model.evaluate("swing_foot", q=phase.end[:n], v=phase.end[n:], p=np.array(walker.p))["foot"]
+    landed = model.evaluate("section_state", z=z, p=np.array(walker.p))
+    length = model.evaluate("step_length", q=landed["q"], p=np.array(walker.p))["length"]
     return Step(
         state=dict(zip(model.section, z.tolist(), strict=True)),
         period=phase.duration,
-        step_length=float(foot[0]),
+        step_length=float(length),
         min_vertical_force=float(force[:, 1].min()),
     )
 
@@ -368,7 +374,7 @@ def _first_event(walker: _Walker, piece: DenseOutput, below: bool) -> tuple[Outc
             t = _rising_zero(walker, piece, left, right)
             if walker.touchdown(piece(t))[2] < 0:
                 return Outcome.WALKED, t, below
-        if abs(states[i + 1, walker.stance]) > math.pi / 2:
+        if walker.stance is not None and abs(states[i + 1, walker.stance]) > math.pi / 2:
             return Outcome.FELL, right, below
     return None, piece.t, below
 

@@ -17,7 +17,7 @@ from functools import cached_property
 import casadi as ca
 
 from stridemap.solver.model import Model
-from stridemap.solver.phase import phase_function, rotated, with_phase
+from stridemap.solver.phase import clock_of
 from stridemap.solver.runge_kutta import NODES, STAGES, step
 
 BLOCK = 12
@@ -37,6 +37,8 @@ class StepMap:
         self.n = len(model.coordinates)
         self.nz = len(model.section)
         self.n_params = len(model.parameters)
+        self._clock = clock_of(model)
+        self._whole: dict[str, ca.Function] = {}
 
     # -- pieces ------------------------------------------------------------------------------------------
 
@@ -54,8 +56,8 @@ class StepMap:
         return ca.vertcat(out["dq"], out["dv"])
 
     def at_phase(self, name: str, phase: ca.SX, **values: ca.SX) -> dict[str, ca.SX]:
-        """Call a generated function with cosine and sine of the phase in the place of the time."""
-        return with_phase(self.model, name, ca.SX.sym("t"), phase, **values)[0]
+        """Call a generated function with the phase (see `phase`) in the place of the time."""
+        return self._clock.call(name, phase, **values)
 
     def rate_at_phase(self, phase: ca.SX, y: ca.SX, p: ca.SX) -> ca.SX:
         """Time derivative of the state, shape (2 n, 1)."""
@@ -75,12 +77,12 @@ class StepMap:
 
     @cached_property
     def phase(self) -> ca.Function:
-        """(t, p) -> cosine and sine of the oscillator's phase."""
-        return phase_function(self.model)
+        """(t, p) -> the time as the equations need it: cosine and sine of a phase where they have one."""
+        return self._clock.at
 
     @cached_property
     def turns(self) -> ca.Function:
-        """(h, p) -> cosine and sine, for each stage, of the phase's advance since the start of the step."""
+        """(h, p) -> for each stage, the phase's advance since the start of the step."""
         h, p = ca.SX.sym("h"), ca.SX.sym("p", self.n_params)
         columns = [self.phase(node * h, p) for node in NODES]
         return ca.Function("turns", [h, p], [ca.cse(ca.horzcat(*columns))], ["h", "p"], ["turns"])
@@ -89,10 +91,7 @@ class StepMap:
         """One Runge-Kutta step: (y, phase, turns, h, p) -> y, for a rate of (phase, y, p)."""
         phase, turns, h = ca.SX.sym("phase", 2), ca.SX.sym("turns", 2, STAGES), ca.SX.sym("h")
         p = ca.SX.sym("p", self.n_params)
-        phases = [
-            ca.vertcat(*rotated((phase[0], phase[1]), (turns[0, i], turns[1, i]))) if node else phase
-            for i, node in enumerate(NODES)
-        ]
+        phases = [self._clock.later(phase, turns[:, i]) if node else phase for i, node in enumerate(NODES)]
         end = step(lambda s, x: rate(s, x, p), phases, y, h)
         inputs = {"y": y, "phase": phase, "turns": turns, "h": h, "p": p}
         return ca.Function(name, [*inputs.values()], [ca.cse(end)], [*inputs], ["y_end"])
@@ -110,11 +109,12 @@ class StepMap:
 
     @cached_property
     def start(self) -> ca.Function:
-        """State of a section point and its derivative: z -> (y, dy/dz)."""
-        z = ca.SX.sym("z", self.nz)
-        out = self.call("section_state", z=z)
+        """State of a section point and its derivative: (z, p) -> (y, dy/dz)."""
+        z, p = ca.SX.sym("z", self.nz), ca.SX.sym("p", self.n_params)
+        out = self.call("section_state", z=z, p=p)
         y = ca.vertcat(out["q"], out["v"])
-        return ca.Function("start", [z], [y, ca.densify(ca.jacobian(y, z))], ["z"], ["y", "dy_dz"])
+        outputs = [ca.densify(y), ca.densify(ca.jacobian(y, z))]
+        return ca.Function("start", [z, p], outputs, ["z", "p"], ["y", "dy_dz"])
 
     def _landing_expr(self, y: ca.SX, p: ca.SX) -> tuple[ca.SX, ca.SX]:
         """Section point after the impact, and the touchdown condition before it."""
@@ -191,18 +191,31 @@ class StepMap:
 
     def residual(self, steps: int) -> ca.Function:
         """(u, p) -> R with u = (z, T) and a step of the walker cut into `steps` Runge-Kutta steps."""
-        u, p = ca.MX.sym("u", self.nz + 1), ca.MX.sym("p", self.n_params)
-        z, period = u[: self.nz], u[self.nz]
-        y = self._flow(self._plain_block, self.start(z)[0], period, p, steps)
-        return ca.Function(f"residual_{steps}", [u, p], [self.landing(y, z, p)], ["u", "p"], ["R"])
+
+        def outputs(z: ca.MX, period: ca.MX, p: ca.MX) -> list[ca.MX]:
+            y = self._flow(self._plain_block, self.start(z, p)[0], period, p, steps)
+            return [self.landing(y, z, p)]
+
+        return self._of_whole_step(f"residual_{steps}", outputs, ["R"])
 
     def jacobian(self, steps: int) -> ca.Function:
         """(u, p) -> (dR/du, R), by forward sensitivities through every stage."""
-        u, p = ca.MX.sym("u", self.nz + 1), ca.MX.sym("p", self.n_params)
-        z, period = u[: self.nz], u[self.nz]
-        y = self._flow(self._variational_block, ca.horzcat(*self.start(z)), period, p, steps)
-        outputs = self.landing_with_derivative(y, z, period, p)
-        return ca.Function(f"jacobian_{steps}", [u, p], list(outputs), ["u", "p"], ["J", "R"])
+
+        def outputs(z: ca.MX, period: ca.MX, p: ca.MX) -> list[ca.MX]:
+            y = self._flow(self._variational_block, ca.horzcat(*self.start(z, p)), period, p, steps)
+            return list(self.landing_with_derivative(y, z, period, p))
+
+        return self._of_whole_step(f"jacobian_{steps}", outputs, ["J", "R"])
+
+    def _of_whole_step(
+        self, name: str, outputs: Callable[[ca.MX, ca.MX, ca.MX], list[ca.MX]], names: list[str]
+    ) -> ca.Function:
+        """A function of (u, p), given as one of (z, T, p). Built once a name, so that it is printed once."""
+        if name not in self._whole:
+            u, p = ca.MX.sym("u", self.nz + 1), ca.MX.sym("p", self.n_params)
+            out = outputs(u[: self.nz], u[self.nz], p)
+            self._whole[name] = ca.Function(f"{self.model.name}_{name}", [u, p], out, ["u", "p"], names)
+        return self._whole[name]
 
     def rootfinder(
         self,

@@ -5,13 +5,14 @@
 >>> [orbit.group for orbit in orbits]
 ['B', 'B']
 >>> stridemap.load("wobbling").mass_matrix
-Function(mass_matrix:(q[3],p[8])->(M[3x3,7nz]) SXFunction)
+Function(mass_matrix:(q[3],p[8])->(M[3x3]) SXFunction)
 """
 
 from importlib.metadata import version
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from stridemap.build import derive_model
     from stridemap.errors import InputError
     from stridemap.solver.face import find_orbits, simulate
     from stridemap.solver.model import Model, load
@@ -19,19 +20,27 @@ if TYPE_CHECKING:
     from stridemap.solver.orbit import Orbit, Status
     from stridemap.solver.search import SearchOptions
     from stridemap.sweeps.draw.animate import animate
+    from stridemap.sweeps.paper.claim import Claim, Verdict
+    from stridemap.sweeps.paper.evaluate import claims
     from stridemap.sweeps.run import sweep
     from stridemap.sweeps.store import read_cells, read_orbits
+    from stridemap.units import Units
 
 __version__ = version("stridemap")
 
 _HOMES = {
+    "Claim": "stridemap.sweeps.paper.claim",
     "InputError": "stridemap.errors",
     "Model": "stridemap.solver.model",
     "Motion": "stridemap.solver.motion",
     "Orbit": "stridemap.solver.orbit",
     "SearchOptions": "stridemap.solver.search",
     "Status": "stridemap.solver.orbit",
+    "Units": "stridemap.units",
+    "Verdict": "stridemap.sweeps.paper.claim",
     "animate": "stridemap.sweeps.draw.animate",
+    "claims": "stridemap.sweeps.paper.evaluate",
+    "derive_model": "stridemap.build",
     "find_orbits": "stridemap.solver.face",
     "load": "stridemap.solver.model",
     "motion": "stridemap.solver.motion",
@@ -42,14 +51,19 @@ _HOMES = {
 }
 
 __all__ = [
+    "Claim",
     "InputError",
     "Model",
     "Motion",
     "Orbit",
     "SearchOptions",
     "Status",
+    "Units",
+    "Verdict",
     "__version__",
     "animate",
+    "claims",
+    "derive_model",
     "find_orbits",
     "load",
     "motion",

@@ -1,4 +1,4 @@
-"""The command line: ``stridemap orbit | sweep | simulate | derive | figures | animate``.
+"""The command line: ``stridemap orbit | sweep | simulate | derive | claims | figures | animate``.
 
 Exit status: 0 found or done, 1 nothing found, 2 unusable input (one sentence on standard error).
 """
@@ -16,10 +16,10 @@ from typing import TYPE_CHECKING, Annotated, Any, NoReturn
 import typer
 
 from stridemap.commands.animate import animate
+from stridemap.commands.claims import claims
 from stridemap.commands.figures import figures
 from stridemap.errors import InputError
 from stridemap.options import (
-    EPILOG,
     FOUND,
     INTERRUPTED,
     NOTHING,
@@ -28,6 +28,7 @@ from stridemap.options import (
     JsonOption,
     ModelOption,
     SetOption,
+    WithParameters,
     assign,
     parameters,
     split,
@@ -47,8 +48,9 @@ app = typer.Typer(
     rich_markup_mode=None,
 )
 
+app.command()(claims)
 app.command()(figures)
-app.command(epilog=EPILOG, context_settings=PARAMETERS)(animate)
+app.command(cls=WithParameters, context_settings=PARAMETERS)(animate)
 
 
 def main() -> NoReturn:
@@ -88,7 +90,7 @@ def _discard_output() -> None:
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
-@app.command(epilog=EPILOG, context_settings=PARAMETERS)
+@app.command(cls=WithParameters, context_settings=PARAMETERS)
 def orbit(
     context: typer.Context,
     model: ModelOption = "wobbling",
@@ -114,7 +116,7 @@ def orbit(
     return FOUND if orbits else NOTHING
 
 
-@app.command(epilog=EPILOG, context_settings=PARAMETERS)
+@app.command(cls=WithParameters, context_settings=PARAMETERS)
 def simulate(
     context: typer.Context,
     model: ModelOption = "wobbling",
@@ -195,13 +197,33 @@ def _interrupt(*_: object) -> NoReturn:
 
 @app.command()
 def derive(
+    path: Annotated[
+        Path | None, typer.Argument(help="Python file that declares a model; all built-in ones without it.")
+    ] = None,
+    out: Annotated[Path | None, typer.Option(help="Folder for the files of the model file.")] = None,
     check: Annotated[
         bool, typer.Option("--check", help="Write nothing; tell which generated files would change.")
     ] = False,
+    keep: Annotated[
+        bool, typer.Option("--keep", help="Leave files in the cache as they are, even if they were changed.")
+    ] = False,
 ) -> int:
-    """Derive every built-in model and write its equations, C and kernels into generated/."""
+    """Derive a model and write its equations, C and kernels: a model file's, or all built-in ones'.
+
+    A model file's go to --out, or into the user's cache; the built-in ones' into generated/.
+    """
     from stridemap import build
 
+    if path is not None and check:
+        raise InputError("--check is for the built-in models; leave it out, or the path of the model file")
+    if path is None and out is not None:
+        raise InputError("--out is for a model file; give its path, or leave --out out")
+    if path is not None:
+        walker = build.declared(path)
+        folder = build.into_cache(walker, keep) if out is None else build.into_folder(walker, out)
+        for written in build.generated_files(folder):
+            print(written)
+        return FOUND
     if not check:
         for path in build.derive():
             print(path)

@@ -113,7 +113,7 @@ class _File(BaseModel):
 
     model_config = _STRICT
 
-    model: str = Field(description='the name of a model in quotes, such as "wobbling"')
+    model: str = Field(description='the name or path of a model in quotes, such as "wobbling"')
     params: dict[str, Any] = Field({}, description="a table of numbers, [params]")
     grid: dict[str, Any] = Field({}, description="a table of lists or ranges, [grid]")
     search: dict[str, Any] = Field({}, description="a table, [search]")
@@ -128,7 +128,7 @@ class SweepConfig(BaseModel):
     Attributes
     ----------
     model : str
-        Name of the model.
+        What the model is loaded by: its name, or the path of its file.
     params : dict of str to float
         Every parameter held fixed, the preset's included, in the model's order.
     grid : dict of str to tuple of float
@@ -159,8 +159,11 @@ class SweepConfig(BaseModel):
 
     def canonical(self) -> str:
         """Return the configuration as canonical JSON (see `canonical_json`)."""
+        from stridemap.solver.model import load
+
         data = self.model_dump()
         data["search"]["subgrid"] = self.strides
+        data["model"] = load(self.model).name  # where a model file lies is no part of the configuration
         return canonical_json(data)
 
     @property
@@ -233,7 +236,7 @@ def parse_config(data: Mapping[str, Any], source: str = "configuration") -> Swee
 
     file = _validated(_File, data, source)
     try:
-        model = load(file.model)
+        model = load(_beside(source, file.model))
     except InputError as error:
         raise InputError(f"{source}: model = {_show(file.model)}: {error}") from None
     parameters = {parameter.name: parameter for parameter in model.parameters}
@@ -247,14 +250,26 @@ def parse_config(data: Mapping[str, Any], source: str = "configuration") -> Swee
     axes = {name: _axis(file.grid[name], parameters[name], f"{source}: [grid] {name}") for name in names}
     _check_size(axes, file.max_cells, source)
     grid = {name: _axis_values(axis, f"{source}: [grid] {name}") for name, axis in axes.items()}
-    search = _validated(Search, file.search, source, "search")
+    shortest, longest = model.period_range
+    given = {"period_min": shortest, "period_max": longest, **file.search}
+    search = _validated(Search, given, source, "search")
     for name in search.subgrid if isinstance(search.subgrid, dict) else ():
         if name not in grid:
             raise InputError(
                 f"{source}: [search] subgrid names {name}, which is not in [grid]{_hint(name, grid)}; "
                 f"the grid has {', '.join(grid)}"
             )
-    return SweepConfig(model=model.name, params=params, grid=grid, search=search)
+    return SweepConfig(model=model.source, params=params, grid=grid, search=search)
+
+
+def _beside(source: str, model: str) -> str:
+    """Where a model that is no built-in one lies: its path is meant from the folder of the configuration."""
+    from stridemap.solver.model import available
+
+    path = Path(source).parent / model
+    if model in available():
+        return model
+    return str(path) if model.endswith(".py") or (path / "manifest.json").exists() else model
 
 
 def _check_names(file: _File, parameters: Mapping[str, "Parameter"], source: str) -> None:

@@ -118,8 +118,8 @@ class Grid:
                 points[:, column] = self.axes[axis][indices[:, axis]]
         return points
 
-    def neighbour_pairs(self, cells: ArrayLike, distance: int = 1) -> Ints:
-        """Return pairs (cell, neighbour), shape(m, 2), `distance` steps along one axis apart.
+    def neighbour_pairs(self, cells: ArrayLike) -> Ints:
+        """Return pairs (cell, neighbour), shape(m, 2), one step along one axis apart.
 
         Ordered as `cells`, and for one cell by axis with the smaller neighbour first.
         """
@@ -128,8 +128,8 @@ class Grid:
         shape = np.array(self.shape)
         strides = np.array([math.prod(self.shape[axis + 1 :]) for axis in range(len(self.shape))])
         # The last two dimensions are the axes and the two directions along each.
-        neighbours = cells[:, None, None] + distance * strides[:, None] * np.array([-1, 1])
-        inside = np.stack([indices >= distance, indices < shape - distance], axis=-1)
+        neighbours = cells[:, None, None] + strides[:, None] * np.array([-1, 1])
+        inside = np.stack([indices > 0, indices < shape - 1], axis=-1)
         sources = np.broadcast_to(cells[:, None, None], inside.shape)
         return np.column_stack([sources[inside], neighbours[inside]])
 

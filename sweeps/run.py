@@ -1,9 +1,9 @@
 """Sweeps: every limit cycle of every cell of a grid of parameters.
 
-Many starts on a subgrid give the first cycles. Every cycle found in a cell is offered to its neighbours
-in all grid directions, until nothing new appears. The grid is cut into tiles. In one round, each tile
-with open offers is worked on by itself; offers across the edges of tiles wait for the next round. Tiles
-and rounds do not depend on the number of workers, so neither do the tables.
+Many starts on a subgrid give the first cycles. From every cycle found in a cell its branch is followed to
+the neighbours in all grid directions, around folds, until nothing new appears. The grid is cut into tiles. In
+one round, each tile with open offers is worked on by itself; what arrives in another tile waits for the next
+round. Tiles and rounds do not depend on the number of workers, so neither do the tables.
 """
 
 import contextlib
@@ -12,9 +12,11 @@ import os
 import signal
 import threading
 import warnings
+from collections import defaultdict
 from collections.abc import Callable, Iterator, Mapping
 from concurrent.futures import BrokenExecutor, Executor, Future, ProcessPoolExecutor, as_completed
 from dataclasses import dataclass
+from itertools import count
 from pathlib import Path
 from typing import Any
 
@@ -25,7 +27,7 @@ import pyarrow.compute
 from numpy.typing import NDArray
 
 from stridemap.errors import InputError
-from stridemap.solver.library import load_kernels
+from stridemap.solver.library import LockstepKernels, load_kernels
 from stridemap.solver.model import Model, load
 from stridemap.solver.search import SearchOptions
 from stridemap.sweeps.config import SweepConfig, load_config
@@ -33,17 +35,17 @@ from stridemap.sweeps.grid import Grid, tiles
 from stridemap.sweeps.provenance import provenance
 from stridemap.sweeps.store import Store, read_cells
 from stridemap.sweeps.tables import cell_table, orbit_schema, orbit_table
-from stridemap.sweeps.tile import Result, Task, work
+from stridemap.sweeps.tile import Offer, Result, Task, work
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
-TILE_CELLS = 96
-REACHES = (2, 3, 4, 6)
-"""Distances at which cycles are offered once more when nearest neighbours have nothing new."""
+TILE_CELLS = 160
+KIND, REASON, SOURCE = "_kind", "_reason", "_source"
+"""Columns of a part beside those of orbits: what a row is, why a cell failed, where an offer comes from."""
 
-FAILURE = "failure"
-"""Column of a part that holds the reason why a cell failed; empty in the rows of orbits."""
+KINDS = ORBIT, FAILURE, SEEN, OFFER = "orbit", "failure", "seen", "offer"
+"""Kinds of rows of a part."""
 
 
 @dataclass(frozen=True)
@@ -192,54 +194,41 @@ class _Run:
         self.options = SearchOptions(search.starts, search.seed, search.period_min, search.period_max)
         self.parts: list[pa.Table] = []
         self.failures: dict[int, str] = {}
-        # Every cycle known so far: its cell, and section point with period.
-        self.cells = np.empty(0, dtype=np.int64)
-        self.cycles = np.empty((0, len(model.section) + 1))
+        self.orbits_found = 0
+        # For each tile what its cells have: cycles, and what the search gave before it was completed.
+        self.known: dict[int, list[tuple[int, Floats]]] = defaultdict(list)
+        self.seen: dict[int, list[tuple[int, Floats]]] = defaultdict(list)
 
     def all_rounds(self, pool: Executor) -> Summary:
         """Work until nothing new appears, then write the tables."""
         seeds = self.grid.subgrid(self.config.strides)
         owner = self.tiles.tile_of(seeds)
-        nobody, nothing = np.empty((0, 2), dtype=np.int64), self.cycles[:0]
-        tasks = [
-            self._task(1, tile, seeds[owner == tile], nobody, nothing) for tile in np.unique(owner).tolist()
-        ]
-        round_ = self._until_nothing_new(pool, 1, tasks)
-        # A fold or a narrow gap can hide a cycle from the cells beside it, but not from those further off.
-        for distance in REACHES:
-            everywhere = self._offers(round_, self.cells, distance)
-            round_ = self._until_nothing_new(pool, round_, everywhere)
-        return self._finish()
+        tasks = [self._task(1, tile, seeds[owner == tile], []) for tile in np.unique(owner).tolist()]
+        for round_ in count(1):
+            offers = self._run_round(pool, round_, tasks)
+            tasks = [self._task(round_ + 1, tile, seeds[:0], offers[tile]) for tile in sorted(offers)]
+            if not tasks:
+                return self._finish()
+        raise AssertionError("count has no end")
 
-    def _until_nothing_new(self, pool: Executor, round_: int, tasks: list[Task]) -> int:
-        """Run rounds until no cycle is left to offer; returns the number of the next round."""
-        while tasks:
-            new_cells = self._run_round(pool, round_, tasks)
-            round_ += 1
-            tasks = self._offers(round_, new_cells)
-        return round_
-
-    def _task(self, round_: int, tile: int, seeds: Ints, pairs: Ints, offers: Floats) -> Task:
-        cells = self.tiles[tile]
-        known = np.isin(self.cells, cells)
+    def _task(self, round_: int, tile: int, seeds: Ints, offers: list[Offer]) -> Task:
         return Task(
-            model=self.model.name,
+            model=self.model.source if self.model.builtin else str(self.model.folder),
             grid=self.grid,
             params=dict(self.config.params),
             options=self.options,
+            lockstep=isinstance(load_kernels(self.model), LockstepKernels),
             round=round_,
             tile=tile,
-            cells=cells,
+            cells=self.tiles[tile],
             seeds=seeds,
-            sources=pairs[:, 0],
-            targets=pairs[:, 1],
             offers=offers,
-            known_cells=self.cells[known],
-            known=self.cycles[known],
+            known=self.known[tile],
+            seen=self.seen[tile],
         )
 
-    def _run_round(self, pool: Executor, round_: int, tasks: list[Task]) -> Ints:
-        """Compute the tiles of a round that no earlier run finished; returns the cells with new cycles."""
+    def _run_round(self, pool: Executor, round_: int, tasks: list[Task]) -> dict[int, list[Offer]]:
+        """Compute the tiles of a round that no earlier run finished; returns the offers for each tile."""
         done = [task for task in tasks if self.store.has_part(round_, task.tile)]
         finished = len(done)
         self._report(round_, finished, len(tasks))
@@ -266,12 +255,10 @@ class _Run:
                 future.cancel()
             raise
         # Read back in the order of tiles, whatever the order in which they were finished.
-        parts = [self.store.read_part(round_, task.tile) for task in tasks]
-        return self._absorb(parts)
+        return self._absorb([(task.tile, self.store.read_part(round_, task.tile)) for task in tasks])
 
     def _report(self, round_: int, done: int, total: int, found: int = 0) -> None:
-        known = int(np.count_nonzero(self._counts(self.cycles[:, -1])))
-        self.progress(Progress(round_, done, total, known + found))
+        self.progress(Progress(round_, done, total, self.orbits_found + found))
 
     def _counts(self, period: Any) -> Any:
         """Whether a period is in the range that was asked for, and not just near it."""
@@ -279,48 +266,39 @@ class _Run:
         return (period > shortest) & (period <= longest)
 
     def _part(self, result: Result) -> pa.Table:
-        schema = orbit_schema(self.model).append(pa.field(FAILURE, pa.string()))
-        rows: list[Mapping[str, Any]] = [*result.rows]
-        rows += [{"cell": cell, FAILURE: reason} for cell, reason in sorted(result.failures.items())]
-        return pa.Table.from_pylist(rows, schema=pa.schema([f.with_nullable(True) for f in schema]))
-
-    def _absorb(self, parts: list[pa.Table]) -> Ints:
-        """Take up the finished parts of a round; returns the cells with new cycles."""
-        table = pa.concat_tables(parts)
-        failed = table.filter(pa.compute.is_valid(table[FAILURE]))
-        self.failures |= dict(zip(failed["cell"].to_pylist(), failed[FAILURE].to_pylist(), strict=True))
-        orbits = table.filter(pa.compute.is_null(table[FAILURE])).drop_columns([FAILURE])
-        self.parts.append(orbits)
         names = [*self.model.section, "period"]
-        cells = orbits["cell"].to_numpy().astype(np.int64)
-        cycles = np.column_stack([orbits[name].to_numpy() for name in names])
-        self.cells = np.concatenate([self.cells, cells])
-        self.cycles = np.concatenate([self.cycles, cycles])
-        return cells
+        rows: list[Mapping[str, Any]] = [{**row, KIND: ORBIT} for row in result.rows]
+        rows += [{"cell": cell, KIND: FAILURE, REASON: why} for cell, why in sorted(result.failures.items())]
+        for cell, u in result.seen:
+            rows.append({"cell": cell, KIND: SEEN, **dict(zip(names, u.tolist(), strict=True))})
+        for cell, source, u in result.offers:
+            point = dict(zip(names, u.tolist(), strict=True))
+            rows.append({"cell": cell, KIND: OFFER, SOURCE: source, **point})
+        fields = [field.with_nullable(True) for field in orbit_schema(self.model)]
+        fields += [pa.field(KIND, pa.string()), pa.field(REASON, pa.string()), pa.field(SOURCE, pa.int64())]
+        return pa.Table.from_pylist(rows, schema=pa.schema(fields))
 
-    def _offers(self, round_: int, cells: Ints, distance: int = 1) -> list[Task]:
-        """Offers of all cycles of cells to cells at a distance.
+    def _absorb(self, parts: list[tuple[int, pa.Table]]) -> dict[int, list[Offer]]:
+        """Take up the finished parts of a round, in the order of tiles; returns the offers for each tile."""
+        offers: dict[int, list[Offer]] = defaultdict(list)
+        for tile, part in parts:
+            of_kind = {kind: part.filter(pa.compute.equal(part[KIND], kind)) for kind in KINDS}
+            failed = of_kind[FAILURE]
+            self.failures |= dict(zip(failed["cell"].to_pylist(), failed[REASON].to_pylist(), strict=True))
+            orbits = of_kind[ORBIT].drop_columns([KIND, REASON, SOURCE])
+            self.parts.append(orbits)
+            self.orbits_found += int(np.count_nonzero(self._counts(orbits["period"].to_numpy())))
+            self.known[tile] += self._points(of_kind[ORBIT])
+            self.seen[tile] += self._points(of_kind[SEEN])
+            made = of_kind[OFFER]
+            for (cell, u), source in zip(self._points(made), made[SOURCE].to_pylist(), strict=True):
+                offers[int(self.tiles.tile_of([cell])[0])].append(Offer(cell, source, u))
+        return offers
 
-        A tile sees to its own nearest neighbours; cells further off are offered to if they have fewer cycles.
-        """
-        pairs = self.grid.neighbour_pairs(np.unique(cells), distance)
-        tile = self.tiles.tile_of(pairs[:, 1])
-        if distance == 1:
-            crossing = self.tiles.tile_of(pairs[:, 0]) != tile
-            pairs, tile = pairs[crossing], tile[crossing]
-        else:
-            count = np.bincount(self.cells, minlength=self.grid.n_cells)
-            fewer = count[pairs[:, 1]] < count[pairs[:, 0]]
-            pairs, tile = pairs[fewer], tile[fewer]
-        order = np.argsort(self.cells, kind="stable")
-        first, last = (np.searchsorted(self.cells[order], pairs[:, 0], side) for side in ("left", "right"))
-        tasks = []
-        for t in np.unique(tile).tolist():
-            here = np.flatnonzero(tile == t)
-            rows = np.concatenate([order[first[i] : last[i]] for i in here])
-            repeated = np.repeat(pairs[here], last[here] - first[here], axis=0)
-            tasks.append(self._task(round_, t, np.empty(0, dtype=np.int64), repeated, self.cycles[rows]))
-        return tasks
+    def _points(self, rows: pa.Table) -> list[tuple[int, Floats]]:
+        """Cells and section points with periods of rows of a part."""
+        u = np.column_stack([rows[name].to_numpy() for name in (*self.model.section, "period")])
+        return list(zip(rows["cell"].to_pylist(), u, strict=True))
 
     def _finish(self) -> Summary:
         schema = orbit_schema(self.model)

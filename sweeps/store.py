@@ -8,6 +8,7 @@ mixed with another sweep's. No time, host or number of workers enters a file.
 """
 
 import contextlib
+import hashlib
 import json
 import os
 import uuid
@@ -25,8 +26,9 @@ from stridemap.sweeps.config import SweepConfig, canonical_json
 
 ORBITS, CELLS, PARTS = "orbits.parquet", "cells.parquet", "parts"
 
-# Keys of the schema metadata: the provenance, and the name that the file was written under.
-_PROVENANCE, _FILE = b"stridemap", b"stridemap.file"
+# Keys of the schema metadata: the provenance, the name that the file was written under, and the digest of
+# both with columns and number of rows: Parquet has checksums for its pages, but none for its footer.
+_PROVENANCE, _FILE, _DIGEST = b"stridemap", b"stridemap.file", b"stridemap.digest"
 
 
 @dataclass(frozen=True)
@@ -186,6 +188,7 @@ class Store:
         """Write `table` with the provenance to `path`, in one step as seen from outside."""
         metadata = {_PROVENANCE: canonical_json(self.provenance).encode(), _FILE: path.name.encode()}
         # One chunk, so that how the table was put together leaves no trace in the pages.
+        metadata[_DIGEST] = _digest(table.schema, table.num_rows, metadata)
         table = table.replace_schema_metadata(metadata).combine_chunks()
         temporary = self.folder / PARTS / f"{uuid.uuid4().hex}.tmp"
         try:
@@ -274,18 +277,29 @@ def _opened(path: Path) -> Iterator[pq.ParquetFile]:
     except (pa.ArrowException, OSError, UnicodeDecodeError) as error:
         if isinstance(error, OSError) and error.errno is not None:
             raise InputError(f"cannot read {path} ({error.strerror or error})") from None
-        raise InputError(
-            f"{path} is damaged or is no Parquet file; restore it, or move it away and sweep again"
-        ) from None
+        raise _damaged(path) from None
+
+
+def _damaged(path: Path) -> InputError:
+    return InputError(f"{path} is damaged or is no Parquet file; restore it, or move it away and sweep again")
+
+
+def _digest(schema: pa.Schema, rows: int, metadata: Mapping[bytes, bytes]) -> bytes:
+    columns = [f"{field.name} {field.type} {field.nullable}" for field in schema]
+    text = [metadata.get(_PROVENANCE, b""), metadata.get(_FILE, b""), str(rows).encode()]
+    return hashlib.sha256(b"\n".join([*text, *(c.encode() for c in columns)])).hexdigest().encode()
 
 
 def _provenance(path: Path) -> dict[str, Any]:
     """Return the provenance in a file of ours, after checking that it is one and bears its own name."""
     with _opened(path) as file:
-        metadata = file.schema_arrow.metadata or {}
+        schema, rows = file.schema_arrow, file.metadata.num_rows
+    metadata = schema.metadata or {}
+    if _DIGEST in metadata and metadata[_DIGEST] != _digest(schema, rows, metadata):
+        raise _damaged(path)
     try:
         data: dict[str, Any] = json.loads(metadata[_PROVENANCE])
-        if metadata[_FILE] == path.name.encode() and data["configuration_hash"]:
+        if metadata[_FILE] == path.name.encode() and metadata[_DIGEST] and data["configuration_hash"]:
             return data
     except (KeyError, TypeError, ValueError):
         pass  # told below, as a file under another name is

@@ -3,13 +3,17 @@
 A pure function of its input, so that the result does not depend on who computes it, or when.
 """
 
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from itertools import chain
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from stridemap.errors import InputError
+from stridemap.solver.continuation import follow
+from stridemap.solver.library import LockstepKernels
 from stridemap.solver.limit_cycle import Solver
 from stridemap.solver.model import load
 from stridemap.solver.orbit import Orbit, Status
@@ -28,9 +32,27 @@ from stridemap.sweeps.tables import orbit_row
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
-LIKE = 0.03
-"""Largest difference, in any section coordinate or the period, between cycles of neighbouring cells that are
-taken for the same branch. Too small a value costs time only."""
+SAME_BRANCH = 1e-3
+"""Largest difference between a cycle and the end of a branch that arrived in its cell, if it is that branch's
+and need not be followed back to where the branch came from. Too small a value costs time only."""
+
+PULL = 1.0
+"""Of the foot at the ground, in units of M g. A cycle that needs more is far from every physical one: it is a
+row as any other, but its branch is not followed."""
+
+NO_GAIT = (Status.NOT_A_STEP, Status.LATER_TOUCHDOWN)
+"""Solutions that are no gait, but whose branch may become one again in another cell, and is followed."""
+
+NOWHERE = -1
+"""Source of a guess that did not come along a branch."""
+
+
+class Offer(NamedTuple):
+    """A guess for a cell, with the cell that the branch came from."""
+
+    cell: int
+    source: int
+    u: Floats
 
 
 @dataclass(frozen=True)
@@ -44,40 +66,58 @@ class Task:
     params : dict of str to float
         Parameters that are not on an axis of the grid.
     options : SearchOptions
+    lockstep : bool
+        Whether the sweep's kernels are those for several points an instruction.
     round, tile : int
     cells : ndarray of int, shape (n,)
         The tile's cells, ascending.
     seeds : ndarray of int
         Those of them that get many starts.
-    sources, targets, offers : ndarray, shapes (m,), (m,) and (m, nz + 1)
-        All cycles of cells elsewhere, those cells, and the cells here that the cycles are offered to.
-    known_cells, known : ndarray, shapes (l,) and (l, nz + 1)
-        Cycles that the tile's cells have already.
+    offers : list of Offer
+        Guesses from branches that began in other tiles.
+    known : list of (int, ndarray)
+        Cycles that the tile's cells have already, with their cells: section point and period.
+    seen : list of (int, ndarray)
+        What the search gave there, before it was completed: the cycles, and what turned out to be none.
     """
 
     model: str
     grid: Grid
     params: dict[str, float]
     options: SearchOptions
+    lockstep: bool
     round: int
     tile: int
     cells: Ints
     seeds: Ints
-    sources: Ints
-    targets: Ints
-    offers: Floats
-    known_cells: Ints
-    known: Floats
+    offers: list[Offer]
+    known: list[tuple[int, Floats]]
+    seen: list[tuple[int, Floats]]
 
 
 @dataclass(frozen=True)
 class Result:
-    """What a worker found: rows of the table of orbits, and the cells that failed with the reason."""
+    """What a worker found.
+
+    Parameters
+    ----------
+    round, tile : int
+    rows : list of dict
+        Rows of the table of orbits.
+    failures : dict of int to str
+        Cells that failed with the reason.
+    seen : list of (int, ndarray)
+        What is to be added to the task's.
+    offers : list of Offer
+        For cells of other tiles.
+    """
 
     round: int
     tile: int
     rows: list[dict[str, Any]]
     failures: dict[int, str] = field(default_factory=dict)
+    seen: list[tuple[int, Floats]] = field(default_factory=list)
+    offers: list[Offer] = field(default_factory=list)
 
 
 def work(task: Task) -> Result:
@@ -91,32 +131,23 @@ def work(task: Task) -> Result:
     -------
     Result
         A cell whose computation raises is a failure with its reason; the others are not affected.
+
+    Raises
+    ------
+    InputError
+        When this process has other kernels than the one that began the sweep: the bytes would differ.
     """
     search = _Search(task)
-    options = task.options
-    guesses = [starts(search.solver.model, options, cell) for cell in task.seeds.tolist()]
-    targets, offers = search.wanted_offers()
-    cells = np.concatenate([targets, np.repeat(task.seeds, options.starts)])
-    search.relax(cells, np.concatenate([offers, *guesses]))
+    if isinstance(search.solver.kernels, LockstepKernels) != task.lockstep:
+        raise InputError(
+            f"a worker on this sweep computes with other kernels ({search.solver.kernels.compiler}) than the "
+            "process that began it: give all machines the same compiler (environment variable CC)"
+        )
+    model, options = search.solver.model, task.options
+    guesses = (Offer(cell, NOWHERE, u) for cell in task.seeds.tolist() for u in starts(model, options, cell))
+    search.relax([*task.offers, *guesses])
     rows = [orbit_row(cell, orbit) for cell in sorted(search.new) for orbit in search.new[cell]]
-    return Result(task.round, task.tile, rows, search.failures)
-
-
-def without_their_like(offered: list[Floats], present: list[Floats]) -> list[Floats]:
-    """Cycles of one cell that have no like among those of another, which so are worth an offer.
-
-    Likes are matched one to one, nearest first: of two cycles beside a fold, one is offered to a cell that
-    has only the other.
-    """
-    if not offered or not present:
-        return offered
-    distance = np.abs(np.array(offered)[:, None, :] - np.array(present)[None, :, :]).max(axis=2)
-    free = np.ones(len(offered), dtype=bool)
-    while distance.min() < LIKE:
-        one, other = np.unravel_index(distance.argmin(), distance.shape)
-        free[one] = False
-        distance[one, :] = distance[:, other] = np.inf
-    return [u for u, is_free in zip(offered, free, strict=True) if is_free]
+    return Result(task.round, task.tile, rows, search.failures, search.new_seen, search.outgoing)
 
 
 class _Search:
@@ -126,87 +157,104 @@ class _Search:
         self.task = task
         self.solver = Solver.of(load(task.model))
         self.new: dict[int, list[Orbit]] = {}
+        self.new_seen: list[tuple[int, Floats]] = []
+        self.outgoing: list[Offer] = []
         self.failures: dict[int, str] = {}
-        # The cycles of each cell, and other solutions that need no second look.
+        self._neighbours: dict[int, list[int]] = {int(cell): [] for cell in task.cells}
+        for cell, neighbour in task.grid.neighbour_pairs(task.cells).tolist():
+            self._neighbours[cell].append(neighbour)
         self._cycles: dict[int, list[Floats]] = {int(cell): [] for cell in task.cells}
-        self._rejected: dict[int, list[Floats]] = {int(cell): [] for cell in task.cells}
-        self._offered: set[tuple[int, int]] = set()
-        for cell, u in zip(task.known_cells, task.known, strict=True):
-            self._cycles[int(cell)].append(u)
-        points = task.grid.points(self.solver.model, task.params, task.cells)
-        self._point = dict(zip(task.cells.tolist(), points, strict=True))
+        self._seen: dict[int, list[Floats]] = {int(cell): [] for cell in task.cells}
+        # Ends of branches by the cell in which they ended and the one that they came from.
+        self._ends: dict[tuple[int, int], list[Floats]] = {}
+        for cell, u in task.known:
+            self._cycles[cell].append(u)
+        for cell, u in task.seen:
+            self._seen[cell].append(u)
 
-    def wanted_offers(self) -> tuple[Ints, Floats]:
-        """Offers from elsewhere whose like their target does not have, with their targets."""
-        task = self.task
-        targets, offers = [], [np.empty((0, task.offers.shape[1]))]
-        edges = np.flatnonzero(np.diff(task.sources) | np.diff(task.targets)) + 1
-        for rows in np.split(np.arange(len(task.sources)), edges):
-            if len(rows):
-                target = int(task.targets[rows[0]])
-                wanted = without_their_like(list(task.offers[rows]), self._cycles[target])
-                targets += [target] * len(wanted)
-                offers += [u[None, :] for u in wanted]
-        return np.array(targets, dtype=np.int64), np.concatenate(offers)
-
-    def relax(self, cells: Ints, guesses: Floats) -> None:
-        """Solve from guesses, offer what is new to neighbours in the tile, and so on."""
-        while len(cells):
-            found = self._solve(cells, guesses)
-            offers = [
-                (target, u)
-                for cell in sorted({cell for cell, _ in found})
-                for target in self.task.grid.neighbours(cell).tolist()
-                if target in self._point
-                for u in without_their_like(self._cycles[cell], self._cycles[target])
-                if (target, id(u)) not in self._offered
+    def relax(self, guesses: list[Offer]) -> None:
+        """Solve from guesses, follow what is new to the neighbours, and so on."""
+        while guesses:
+            for cell, source, u in guesses:
+                if source != NOWHERE:
+                    self._ends.setdefault((cell, source), []).append(u)
+            found = self._apart(self._solve, guesses)
+            branches = [
+                Offer(target, cell, u)
+                for cell, u in sorted(found, key=lambda one: one[0])
+                for target in self._neighbours[cell]
+                if _unlike(u, self._ends.get((cell, target), []), SAME_BRANCH)
             ]
-            self._offered |= {(target, id(u)) for target, u in offers}
-            cells = np.array([target for target, _ in offers], dtype=np.int64)
-            guesses = np.array([u for _, u in offers]).reshape(len(offers), guesses.shape[1])
+            ends = self._apart(self._follow, branches)
+            self.outgoing += [end for end in ends if end.cell not in self._cycles]
+            guesses = [end for end in ends if end.cell in self._cycles]
 
-    def _solve(self, cells: Ints, guesses: Floats) -> list[tuple[int, Orbit]]:
-        """New cycles from guesses, with their cells."""
+    def _apart(self, method: Any, offers: list[Offer]) -> list[Any]:
+        """Apply a method to all offers; where that raises, to those of each cell apart."""
         try:
-            return self._solve_together(cells, guesses)
+            return list(method(offers))
         except Exception:
-            found: list[tuple[int, Orbit]] = []
-            # One of the cells spoils the batch: alone, it spoils only itself.
-            for cell in np.unique(cells):
-                mine = cells == cell
+            out: list[Any] = []
+            for cell in sorted({offer.cell for offer in offers}):
                 try:
-                    found += self._solve_together(cells[mine], guesses[mine])
+                    out += method([offer for offer in offers if offer.cell == cell])
                 except Exception as error:
-                    self.failures[int(cell)] = f"{type(error).__name__}: {error}"
-            return found
+                    if cell in self._cycles:  # a branch into another tile is lost, but no cell fails
+                        self.failures[cell] = f"{type(error).__name__}: {error}"
+            return out
 
-    def _solve_together(self, cells: Ints, guesses: Floats) -> list[tuple[int, Orbit]]:
-        u, closed = self.solver.search(guesses, self._points(cells))
+    def _follow(self, branches: list[Offer]) -> list[Offer]:
+        """Where branches end that begin at a cycle of `source` and lead towards `cell`."""
+        if not branches:
+            return []
+        u = np.array([branch.u for branch in branches])
+        params, towards = (self._points([getattr(b, name) for b in branches]) for name in ("source", "cell"))
+        ends = follow(self.solver, u, params, towards, self.task.options.wider_period_range)
+        lost = np.setdiff1d(np.arange(len(branches)), ends.branch).tolist()
+        out = [branches[i]._replace(source=NOWHERE) for i in lost]  # the cycle itself may do
+        for i, end, arrived in zip(ends.branch.tolist(), ends.u, ends.arrived.tolist(), strict=True):
+            target, source, _ = branches[i]
+            out.append(Offer(target, source, end) if arrived else Offer(source, NOWHERE, end))
+        return out
+
+    def _solve(self, guesses: list[Offer]) -> list[tuple[int, Floats]]:
+        """Solutions from guesses that are new and are to be followed, with their cells."""
+        cells = np.array([guess.cell for guess in guesses])
+        u, closed = self.solver.search(np.array([guess.u for guess in guesses]), self._points(cells))
         shortest, longest = self.task.options.wider_period_range
         closed &= (u[:, -1] > shortest) & (u[:, -1] <= longest)
         cells, u = distinct(cells[closed], u[closed])
-        unseen = np.array([self._unseen(c, x) for c, x in zip(cells.tolist(), u, strict=True)], dtype=bool)
+        unseen = [
+            _unlike(x, chain(self._seen[cell], self._cycles[cell]), SEARCH_TOLERANCE)
+            for cell, x in zip(cells.tolist(), u, strict=True)
+        ]
         cells, u = cells[unseen], u[unseen]
+        if not len(cells):
+            return []
         orbits = self.solver.complete(u, self._points(cells), self.task.options.wider_period_range)
-        new: list[tuple[int, Orbit]] = []
+        new: list[tuple[int, Floats]] = []
+        for cell, x, orbit in zip(cells.tolist(), u, orbits, strict=True):
+            if orbit.status != Status.NOT_CONVERGED:
+                self._seen[cell].append(x)
+                self.new_seen.append((cell, x))
+            if orbit.status in NO_GAIT:
+                new.append((cell, x))
         merged = merge(len(cells), np.searchsorted(np.unique(cells), cells), orbits)
         for cell, candidates in zip(np.unique(cells).tolist(), merged, strict=False):
             for orbit in candidates:
                 point = np.array(section_point(orbit))
                 # Newton's method at full resolution may have moved on to a cycle that is there already.
-                if self._unseen(cell, point, DUPLICATE):
+                if _unlike(point, self._cycles[cell], DUPLICATE):
                     self._cycles[cell].append(point)
                     self.new.setdefault(cell, []).append(orbit)
-                    new.append((cell, orbit))
-        for cell, x, orbit in zip(cells.tolist(), u, orbits, strict=True):
-            if not orbit.status.found and orbit.status != Status.NOT_CONVERGED:
-                self._rejected[cell].append(x)
+                    if not orbit.min_vertical_force < -PULL:
+                        new.append((cell, point))
         return new
 
-    def _points(self, cells: Ints) -> Floats:
-        width = len(self.solver.model.parameters)
-        return np.array([self._point[c] for c in cells.tolist()]).reshape(len(cells), width)
+    def _points(self, cells: Any) -> Floats:
+        return self.task.grid.points(self.solver.model, self.task.params, cells)
 
-    def _unseen(self, cell: int, u: Floats, tolerance: float = SEARCH_TOLERANCE) -> bool:
-        seen = chain(self._cycles[cell], self._rejected[cell])
-        return all(abs(u[-1] - s[-1]) > tolerance or np.abs(u - s).max() > tolerance for s in seen)
+
+def _unlike(u: Floats, others: Iterable[Floats], tolerance: float) -> bool:
+    """Whether a solution is none of the others."""
+    return all(abs(u[-1] - v[-1]) > tolerance or np.abs(u - v).max() > tolerance for v in others)

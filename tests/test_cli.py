@@ -261,8 +261,16 @@ def test_help_names_the_commands_and_the_parameters(run):
     assert {"orbit", "sweep", "simulate", "derive"} <= set(listed)
     for command in ("orbit", "simulate"):
         text = " ".join(run(command, "--help")[1].split())
+        assert " ".join(run(command, "--help", "--model=wobbling")[1].split()) == text
         for name in available():
-            assert f"{name}: {' '.join(load(name).preset)}" in text
+            status, out, err = run(command, "--model", name, "--help")
+            assert (status, err) == (0, "")
+            parameters = out[out.index(f"Parameters of the model {name}") :].splitlines()[1:]
+            options = [line.split()[0] for line in parameters if line.strip().startswith("--")]
+            assert options == [f"--{parameter}" for parameter in load(name).preset]
+            told = " ".join(out.split())
+            for a in load(name).parameters:
+                assert f"{a.meaning} [{a.unit}]; {a.allowed}; preset {a.default:.6g}" in told
         for option in ("--model", "--set", "--json"):
             assert option in text
     text = run("sweep", "--help")[1]
@@ -287,8 +295,11 @@ def test_without_a_compiler_the_same_comes_with_one_warning(run, tmp_path, monke
     assert err.count("\n") == 1
     assert err.startswith("warning: no C compiler found")
     found = json.loads(out)
-    assert [o["period"] for o in found["orbits"]] == [o["period"] for o in compiled["orbits"]]
-    assert found["orbits"][0]["state"] == compiled["orbits"][0]["state"]
+    # Compiled kernels may take several points at a time, with sines of their own: equal but for rounding.
+    assert len(found["orbits"]) == len(compiled["orbits"])
+    for mine, wanted in zip(found["orbits"], compiled["orbits"], strict=True):
+        assert mine["period"] == pytest.approx(wanted["period"], rel=1e-12)
+        assert mine["state"] == pytest.approx(wanted["state"], rel=0, abs=1e-11)
 
 
 def test_a_sweep_without_a_compiler_warns_once(tmp_path):

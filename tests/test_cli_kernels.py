@@ -8,7 +8,7 @@ import pytest
 from sweep_support import STRIDEMAP, content, ended, start
 
 from stridemap.solver import library
-from stridemap.solver.model import GENERATED, load
+from stridemap.solver.model import GENERATED
 
 # -- generated files -----------------------------------------------------------------------------------------
 
@@ -19,9 +19,7 @@ def copy(tmp_path, monkeypatch):
     folder = tmp_path / "generated"
     shutil.copytree(GENERATED, folder, ignore=shutil.ignore_patterns("__pycache__"))
     monkeypatch.setattr("stridemap.solver.model.GENERATED", folder)
-    load.cache_clear()
-    yield folder
-    load.cache_clear()
+    return folder
 
 
 @pytest.mark.parametrize("name", ["compass_kernels.c", "compass.py"])

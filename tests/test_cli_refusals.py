@@ -11,6 +11,8 @@ import stridemap
 from stridemap.sweeps.config import load_config
 from stridemap.sweeps.run import sweep
 
+KNOWN = "compass, goswami_compass, rimless_wheel, simplest_walker, wobbling"
+
 # -- parameters and options ----------------------------------------------------------------------------------
 
 
@@ -48,8 +50,8 @@ from stridemap.sweeps.run import sweep
         ("--set k=3 --set k=4", ["k is given twice"]),
         ("k=3", ["'k=3'", "--NAME VALUE"]),
         ("-k 3", ["'-k'", "--NAME VALUE"]),
-        ("--model wobbeling", ["'wobbeling'", "compass, wobbling"]),
-        ("--model ../compass", ["'../compass'", "compass, wobbling"]),
+        ("--model wobbeling", ["'wobbeling'", KNOWN]),
+        ("--model ../compass", ["'../compass'", KNOWN]),
         ("--model", ["--model"]),
     ],
 )
@@ -107,7 +109,7 @@ HEAD = 'model = "wobbling"\n'
     ("text", "words"),
     [
         ("[grid]\nomega = [3.0]\n", ["model is missing"]),
-        ('model = "woble"\n[grid]\nomega = [3.0]\n', ["woble", "compass, wobbling"]),
+        ('model = "woble"\n[grid]\nomega = [3.0]\n', ["woble", KNOWN]),
         (HEAD + "[gird]\nk = [1.0]\n", ["gird", "did you mean grid?"]),
         (HEAD + "[grid]\nalhpa = [0.3]\n", ["alhpa", "did you mean alpha?"]),
         (HEAD + "[params]\nBeta = 0.2\n[grid]\nk = [1.0]\n", ["Beta", "did you mean beta?"]),

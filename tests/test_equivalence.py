@@ -17,7 +17,6 @@ from derive_support import (
     FIFTY,
     MODELS,
     MP,
-    Newton,
     call,
     differences,
     error_bounds,
@@ -25,13 +24,15 @@ from derive_support import (
     need,
     states,
 )
+from newton import by_hand
 
 from stridemap.solver.model import load
 
 FUNCTIONS = (
     "mass_matrix", "bias_forces", "controller_torque", "state_derivative", "touchdown_condition",
     "impact_map", "impact_impulse", "kinetic_energy", "potential_energy", "total_mass", "centre_of_mass",
-    "ground_force", "zmp", "swing_foot", "drawing", "spring_mode", "section_state",
+    "ground_force", "zmp", "swing_foot", "drawing", "spring_mode", "section_state", "before_touchdown",
+    "step_length",
 )  # fmt: skip
 JACOBIANS = {
     "state_derivative_dq": ("dv_dq", "state_derivative", "dv", "q"),
@@ -40,8 +41,9 @@ JACOBIANS = {
     "impact_map_dq": ("v_plus_dq", "impact_map", "v_plus", "q"),
     "impact_map_dv": ("v_plus_dv", "impact_map", "v_plus", "v"),
 }
+PASSIVE = {"spring_mode", "controller_torque"}
 LACKING = {"wobbling": set(), "compass": {"spring_mode"}}
-PAIRS = [(m, f) for m in MODELS for f in (*FUNCTIONS, *JACOBIANS) if f not in LACKING[m]]
+PAIRS = [(m, f) for m in MODELS for f in (*FUNCTIONS, *JACOBIANS) if f not in LACKING.get(m, PASSIVE)]
 
 
 @pytest.mark.parametrize("name", MODELS)
@@ -72,7 +74,7 @@ def exact_states(name):
 def truth(name, function):
     """The 50-digit values at all states."""
     if function not in JACOBIANS:
-        return getattr(Newton(name, exact_states(name), MP), function)()
+        return getattr(by_hand(name, exact_states(name), MP), function)()
     # The function that is differentiated here was itself compared with the hand-written one.
     result, parent, output, which = JACOBIANS[function]
     parent = getattr(load(name).equations, parent)
@@ -169,6 +171,8 @@ def assert_sharp(bounds, value):
     """The bounds mean something: most are within some hundred units in the last place."""
     for key in value:
         size = np.abs(value[key]).astype(float).reshape(COUNT, -1).max(axis=1)
+        if size.max() < 1e-40:
+            size = 1.0  # the zero moment point of a single mass on a leg without any is the foot
         bound = bounds[key].reshape(COUNT, -1).max(axis=1)
         assert np.median(bound / np.maximum(size, 1e-3)) < 1e-12, key
 

@@ -81,7 +81,10 @@ def test_simulate_walks_the_stable_cycle():
 @pytest.mark.parametrize(
     ("arguments", "sentence"),
     [
-        ({"model": "none"}, "there is no model 'none'; models are compass, wobbling"),
+        (
+            {"model": "none"},
+            "there is no model 'none'; models are compass, goswami_compass, rimless_wheel, simplest_walker",
+        ),
         ({"model": "wobbling", "alpah": 0.3}, "no parameter 'alpah'; did you mean alpha"),
         ({"model": "wobbling", "alpha": 1}, r"alpha = 1 is outside the allowed range \(> 0 and < 1\)"),
         ({"model": "wobbling", "omega": 0.0}, r"omega = 0 is outside the allowed range \(> 0\)"),
@@ -129,8 +132,9 @@ def test_every_function_of_a_model_is_a_casadi_function_with_names(name):
     assert model is stridemap.load(name)
     functions = model.manifest["functions"]
     wanted = {
-        "mass_matrix", "bias_forces", "controller_torque", "state_derivative", "touchdown_condition",
-        "impact_map", "kinetic_energy", "potential_energy", "centre_of_mass", "ground_force", "swing_foot",
+        "mass_matrix", "bias_forces", "state_derivative", "touchdown_condition", "impact_map",
+        "kinetic_energy", "potential_energy", "centre_of_mass", "ground_force", "swing_foot",
+        "before_touchdown", "step_length", "total_mass", *(["controller_torque"] if model.actuated else []),
     }  # fmt: skip
     assert wanted <= set(functions), sorted(functions)
     for key, entry in functions.items():
@@ -174,8 +178,9 @@ def test_a_model_says_what_it_is():
 def test_public_names():
     assert dir(stridemap) == sorted(stridemap.__all__)
     assert set(stridemap.__all__) == {
-        "InputError", "Model", "Motion", "Orbit", "SearchOptions", "Status", "__version__", "find_orbits",
-        "load", "motion", "read_cells", "read_orbits", "simulate", "sweep",
+        "Claim", "InputError", "Model", "Motion", "Orbit", "SearchOptions", "Status", "Units",
+        "Verdict", "__version__", "animate", "claims", "derive_model", "find_orbits", "load",
+        "motion", "read_cells", "read_orbits", "simulate", "sweep",
     }  # fmt: skip
     for name in stridemap.__all__:
         value = getattr(stridemap, name)

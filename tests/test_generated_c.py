@@ -17,7 +17,7 @@ STRICT = ["-std=c99", "-pedantic", "-Wall", "-Wextra", "-Werror"]
 COMPILERS = ("gcc", "clang")
 LIBM = {"sin", "cos", "tan", "exp", "log", "sqrt", "sincos"}
 
-both_models = pytest.mark.parametrize("name", MODELS)
+all_models = pytest.mark.parametrize("name", MODELS)
 both_compilers = pytest.mark.parametrize("compiler", COMPILERS)
 
 
@@ -38,7 +38,7 @@ def folder(name):
 # -- compilers -----------------------------------------------------------------------------------------------
 
 
-@both_models
+@all_models
 @both_compilers
 @pytest.mark.parametrize("file", ["{}.c", "example.c"])
 def test_readable_c_compiles_without_a_warning(name, compiler, file, tmp_path):
@@ -46,7 +46,7 @@ def test_readable_c_compiles_without_a_warning(name, compiler, file, tmp_path):
     run(need(compiler), *STRICT, "-Wconversion", "-O2", "-c", source, "-o", tmp_path / "out.o")
 
 
-@both_models
+@all_models
 @pytest.mark.parametrize("compiler", ["g++", "clang++"])
 @pytest.mark.parametrize("file", ["{}.c", "example.c"])
 def test_readable_c_compiles_as_cpp(name, compiler, file, tmp_path):
@@ -61,8 +61,10 @@ def test_cpp_links_with_the_c(compiler, tmp_path):
     c_compiler = need({"g++": "gcc", "clang++": "clang"}[compiler])
     source = tmp_path / "main.cpp"
     source.write_text(
-        '#include "wobbling.h"\n#include "compass.h"\n'
-        "int main() { double h[3]; wobbling_touchdown_condition_dq(h); compass_touchdown_condition_dq(h); }\n"
+        "".join(f'#include "{name}.h"\n' for name in MODELS)
+        + "int main() { double z[5] = {0}, q[3], v[3]; "
+        + "".join(f"{name}_section_state(z, q, v); " for name in MODELS)
+        + "}\n"
     )
     for name in MODELS:
         run(c_compiler, "-std=c99", "-c", folder(name) / f"{name}.c", "-o", tmp_path / f"{name}.o")
@@ -72,7 +74,7 @@ def test_cpp_links_with_the_c(compiler, tmp_path):
     run(tmp_path / "program")
 
 
-@both_models
+@all_models
 @both_compilers
 def test_kernels_compile_without_a_warning(name, compiler, tmp_path):
     source = folder(name) / f"{name}_kernels.c"
@@ -82,7 +84,7 @@ def test_kernels_compile_without_a_warning(name, compiler, tmp_path):
 # -- symbols -------------------------------------------------------------------------------------------------
 
 
-@both_models
+@all_models
 @both_compilers
 def test_readable_c_exports_its_functions_and_needs_only_libm(name, compiler, tmp_path):
     run(need(compiler), "-std=c99", "-O2", "-c", folder(name) / f"{name}.c", "-o", tmp_path / "out.o")
@@ -117,7 +119,7 @@ def numbers(printed):
     return [float(x) for x in re.findall(r"(?<![\w\[(])-?\d+\.\d+", printed)]
 
 
-@both_models
+@all_models
 @both_compilers
 def test_the_example_prints_what_python_computes(name, compiler, tmp_path):
     sources = [folder(name) / "example.c", folder(name) / f"{name}.c"]
@@ -129,7 +131,7 @@ def test_the_example_prints_what_python_computes(name, compiler, tmp_path):
     assert len(set(np.abs(printed))) > len(printed) / 2, "a dull example"
 
 
-@both_models
+@all_models
 def test_the_readme_builds_the_example_and_names_everything(name, tmp_path):
     need("cc")
     shutil.copytree(folder(name), tmp_path / name)
@@ -150,6 +152,9 @@ def test_the_readme_builds_the_example_and_names_everything(name, tmp_path):
 ORBITS = {  # a limit cycle of each at the preset: the point on the section, and the period
     "wobbling": [0.0975854377, -0.1236463659, -0.0023474881, 0.0045399252, 0.2844991066, 1.1544726234],
     "compass": [0.0892433641, -0.1689726626, -0.0026843865, 1.2184370389],
+    "simplest_walker": [0.2003109005, -0.1998324730, 3.8824637529],
+    "goswami_compass": [0.2668212224, -0.3460754495, -0.218981989, 2.2939906403],
+    "rimless_wheel": [-0.5235987756, 0.4603411266, 2.310014865],
 }
 
 
@@ -239,7 +244,8 @@ def kernels_main(name):
     source = (folder(name) / f"{name}_kernels.c").read_text()
     kernels = re.findall(r"^CASADI_SYMBOL_EXPORT int (\w+)\(const casadi_real\*\* arg", source, flags=re.M)
     orbit = ORBITS[name]
-    state = [orbit[0], 2 * orbit[0], *orbit[3:-2], orbit[1], orbit[2], *orbit[4:-1], 0.0]
+    start = model.evaluate("section_state", z=np.array(orbit[:-1]))
+    state = [*start["q"], *start["v"], *np.zeros(len(model.actuated))]
     lines = [f'#include "{folder(name) / f"{name}_kernels.c"}"', "#define POINTS 3"]
     lines += [f"static const double p[] = {c_list(model.point({}))};"]
     lines += [f"static const double u[] = {c_list(orbit)};", f"static const double w[] = {c_list(state)};"]
@@ -262,7 +268,7 @@ def sanitized(compiler, source, *others, includes, tmp_path):
     return run(program).split("\n")[:-1]
 
 
-@both_models
+@all_models
 @both_compilers
 def test_readable_c_under_sanitizers(name, compiler, tmp_path):
     here = folder(name)
@@ -270,7 +276,7 @@ def test_readable_c_under_sanitizers(name, compiler, tmp_path):
     assert printed == list(load(name).manifest["functions"])
 
 
-@both_models
+@all_models
 @both_compilers
 def test_kernels_under_sanitizers(name, compiler, tmp_path):
     source, kernels = kernels_main(name)

@@ -9,15 +9,10 @@ import numpy as np
 import pytest
 
 from stridemap.errors import InputError
-from stridemap.solver import library
+from stridemap.solver import limit_cycle
+from stridemap.solver.compiler import FLAGS, compile_shared, find_compiler
 from stridemap.solver.kernels import CYCLE_STEPS, SEARCH_STEPS
-from stridemap.solver.library import (
-    CompiledKernels,
-    InterpretedKernels,
-    compile_shared,
-    find_compiler,
-    load_kernels,
-)
+from stridemap.solver.library import CompiledKernels, InterpretedKernels, LockstepKernels, load_kernels
 from stridemap.solver.model import Model, load
 from stridemap.solver.search import SearchOptions, find_orbits
 
@@ -123,8 +118,10 @@ def test_without_a_compiler_the_virtual_machine_finds_the_same_orbits(monkeypatc
     model = load("wobbling")
     points = np.array([model.point({}), model.point({"k": 0.5})])
     options = SearchOptions(starts=48, seed=1)
+    # One point at a time, to the last bit.
+    monkeypatch.setattr(limit_cycle, "load_kernels", lambda m: CompiledKernels(m, find_compiler()))
     expected = find_orbits(model, points, options)
-    assert isinstance(load_kernels(model), CompiledKernels)
+    monkeypatch.undo()
     assert all(expected)
 
     load_kernels.cache_clear()
@@ -203,31 +200,31 @@ def test_second_load_does_not_compile_again(tmp_path, monkeypatch, own_cache):
     compiler = shutil.which(os.environ.get("CC", "").split(" ")[0] or find_compiler())
     monkeypatch.setenv("CC", script(tmp_path / "counting", f'echo "$@" >> {log}\nexec {compiler} "$@"'))
     first = BARE(load("compass"))
-    compiled = [line for line in log.read_text().splitlines() if "compass_kernels.c" in line]
-    assert len(compiled) == 1
-    assert all(flag in compiled[0].split() for flag in library.FLAGS)
+    assert isinstance(first, LockstepKernels)
+    assert log.read_text().count("compass_lockstep.cpp") == 1
     assert [path.suffix for path in own_cache.iterdir()] == [".so"]
     second = BARE(load("compass"))
-    assert log.read_text().count("compass_kernels.c") == 1
+    assert log.read_text().count("compass_lockstep.cpp") == 1
+    CompiledKernels(load("compass"), find_compiler())
+    compiled = [line for line in log.read_text().splitlines() if "compass_kernels.c" in line]
+    assert len(compiled) == 1
+    assert all(flag in compiled[0].split() for flag in FLAGS)
     u, p = np.array([[0.09, -0.17, -0.003, 1.2]]), load("compass").point({})[None]
     assert_same_bits(first("trace_48", u, p), second("trace_48", u, p))
 
 
 @needs_compiler
 def test_each_source_compiler_and_flags_have_a_library_of_their_own(tmp_path, own_cache):
-    one, other = tmp_path / "one.c", tmp_path / "other.c"
-    one.write_text("double one(void) { return 1.0; }\n")
-    other.write_text("double other(void) { return 2.0; }\n")
+    one, other = "double one(void) { return 1.0; }\n", "double one(void) { return 2.0; }\n"
     compiler = find_compiler()
     built = [
-        compile_shared(one, compiler),
-        compile_shared(one, f"{compiler} -DANOTHER"),
-        compile_shared(other, compiler),
+        compile_shared("one.c", one, compiler),
+        compile_shared("one.c", one, f"{compiler} -DANOTHER"),
+        compile_shared("one.c", one, compiler, [*FLAGS, "-DANOTHER"]),
+        compile_shared("one.c", other, compiler),
     ]
-    assert len(set(built)) == 3
+    assert len(set(built)) == 4
     assert sorted(own_cache.iterdir()) == sorted(built)
     before = built[0].stat().st_mtime_ns
-    assert compile_shared(one, compiler) == built[0]
+    assert compile_shared("one.c", one, compiler) == built[0]
     assert built[0].stat().st_mtime_ns == before
-    one.write_text("double one(void) { return 3.0; }\n")
-    assert compile_shared(one, compiler) not in built

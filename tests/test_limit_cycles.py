@@ -1,5 +1,6 @@
 """Limit cycles: the reference orbits, all cycles at a point, and how each failure is told."""
 
+import copy
 import dataclasses
 import json
 import math
@@ -86,6 +87,7 @@ def test_search_is_reproducible_and_points_do_not_disturb_each_other():
     together = find_orbits(model, points)
     assert together[0] == find_orbits(model, points[:1])[0]
     assert find_orbits(model, points) == together
+    assert find_orbits(model, points[::-1]) == together[::-1]  # nor does the place in the batch matter
 
 
 def test_no_points_have_no_orbits():
@@ -98,6 +100,7 @@ def test_no_points_have_no_orbits():
     "options",
     [
         {"starts": 0},
+        {"starts": 1_000_001},
         {"period_min": 0.0},
         {"period_min": 3.0, "period_max": 1.0},
         {"period_max": math.inf},
@@ -230,17 +233,32 @@ def test_orbit_cannot_be_changed():
         orbit.period = 1.0
     with pytest.raises(TypeError):
         orbit.state["theta1"] = 1.0
-    with pytest.raises(TypeError):
-        orbit.params["k"] = 1.0
+    for change in (
+        lambda d: d.update(k=1.0), lambda d: d.pop("k"), lambda d: d.clear(), lambda d: d.__ior__({"k": 1.0}),
+        lambda d: d.setdefault("new", 1.0), lambda d: d.__delitem__("k"), lambda d: d.popitem(),
+    ):  # fmt: skip
+        with pytest.raises(TypeError, match="cannot be changed"):
+            change(orbit.params)
+
+
+def test_orbit_as_plain_dicts():
+    (orbit, _) = find("wobbling", **TWO_CYCLES)
+    plain = dataclasses.asdict(orbit)
+    assert plain["params"] == dict(orbit.params)
+    assert plain["state"] == dict(orbit.state)
+    assert Orbit(**plain) == orbit
+    assert dataclasses.replace(orbit, stable=False).state == orbit.state
+    assert copy.deepcopy(orbit) == orbit
+    assert json.loads(json.dumps(orbit.state)) == orbit.state
 
 
 @pytest.mark.parametrize("status", [Status.CONVERGED, Status.NOT_CONVERGED])
 def test_orbit_pickles(status):
     _, _, orbit = offer_one(*GUESSES[status])
-    copy = pickle.loads(pickle.dumps(orbit))
-    assert repr(copy) == repr(orbit)  # NaN is not equal to itself
-    assert copy.status is status
-    assert (copy == orbit) == status.found
+    again = pickle.loads(pickle.dumps(orbit))
+    assert repr(again) == repr(orbit)  # NaN is not equal to itself
+    assert again.status is status
+    assert (again == orbit) == status.found
 
 
 @pytest.mark.parametrize("status", Status)

@@ -30,7 +30,7 @@ class Motion:
         return self.model.evaluate(function, **values)[output]
 
     def power(self, t):
-        return self.evaluate("controller_torque", "u", t) * self.swing(t)[..., self.n + 1]
+        return self.evaluate("controller_torque", "u", t)[..., 0] * self.swing(t)[..., self.n + 1]
 
     def d(self, t):
         return np.abs(self.evaluate("zmp", "d", t))

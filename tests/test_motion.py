@@ -48,7 +48,8 @@ def test_what_is_seen_agrees_with_the_measures(orbit):
     assert np.abs(seen.d).max() == pytest.approx(orbit.d_max, abs=1e-7)
     assert seen.force[:, 1].min() == pytest.approx(orbit.min_vertical_force, abs=1e-6)
     assert np.abs(seen.force[:, 0] / seen.force[:, 1]).max() == pytest.approx(orbit.friction, abs=1e-6)
-    power = seen.torque * seen.coordinate("dtheta2")
+    assert seen.torque.shape == (20_001, 1)
+    power = seen.torque[:, 0] * seen.coordinate("dtheta2")
     assert np.trapezoid(np.abs(power), seen.t) == pytest.approx(orbit.work, rel=1e-5)
 
 

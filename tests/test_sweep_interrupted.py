@@ -1,5 +1,6 @@
 """A sweep that is stopped: what is finished stays, nobody shouts, and --resume gives the same bytes."""
 
+import contextlib
 import os
 import shutil
 import signal
@@ -180,7 +181,12 @@ def started(config, out, *more, rest=0.1):
 def workers_of(process):
     """Process numbers of the workers."""
     children = Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text().split()
-    return [int(c) for c in children if b"spawn_main" in Path(f"/proc/{c}/cmdline").read_bytes()]
+    found = []
+    for child in children:
+        with contextlib.suppress(ProcessLookupError, FileNotFoundError):  # not a worker, and over already
+            if b"spawn_main" in Path(f"/proc/{child}/cmdline").read_bytes():
+                found.append(int(child))
+    return found
 
 
 def whole_parts(out):

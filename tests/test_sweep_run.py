@@ -13,7 +13,8 @@ from solver_cases import REFERENCE
 from sweep_support import ALPHA, CONFIG, Inline, K, tables, uninterrupted
 
 import stridemap
-from stridemap.solver.library import load_kernels
+from stridemap.solver import limit_cycle
+from stridemap.solver.library import InterpretedKernels, load_kernels
 from stridemap.solver.limit_cycle import Solver
 from stridemap.solver.model import load
 from stridemap.sweeps import run
@@ -146,9 +147,8 @@ def test_few_starts_and_neighbours_find_the_same(reference, thorough):
 
 
 def test_neighbours_hand_cycles_on_across_tiles(tmp_path, monkeypatch):
-    """Starts at both ends only, a tile a cell, and no offers to cells further off."""
+    """Starts at both ends only, and a tile a cell."""
     monkeypatch.setattr(run, "TILE_CELLS", 1)
-    monkeypatch.setattr(run, "REACHES", ())
     grid = {"k": [22.0, 22.2, 22.4, 22.6, 22.8, 23.0]}
     search = {"starts": 32, "subgrid": 5}
     executor = Inline()
@@ -302,3 +302,12 @@ def test_a_cell_that_raises_is_a_row_with_a_reason(tmp_path, monkeypatch, stage,
     sound = sound[sound["cell"] != 1]
     assert rows["cell"].tolist() == sound["cell"].tolist()
     np.testing.assert_allclose(rows["period"], sound["period"], atol=1e-9, rtol=0)
+
+
+def test_a_worker_with_other_kernels_is_refused(tmp_path, monkeypatch):
+    """They differ in the last digits: the bytes of the tables would depend on who computes what."""
+    config = parse_config({"model": "compass", "grid": {"omega": [3.0]}, "search": {"starts": 8}})
+    monkeypatch.setattr(limit_cycle, "load_kernels", lambda model: InterpretedKernels(model))
+    with pytest.raises(stridemap.InputError, match=r"other kernels \(CasADi .* virtual machine\)") as caught:
+        sweep(config, tmp_path, executor=Inline())
+    assert "\n" not in str(caught.value)

@@ -363,6 +363,25 @@ def test_damaged_tables_are_refused(tmp_path, name):
             refused(action, out, str(out / name), "damaged or is no Parquet file")
 
 
+def test_a_flipped_bit_is_refused_or_changes_nothing(tmp_path):
+    """In the footer, which has no checksum of its own, and in the pages."""
+    out = finished(tmp_path / "out")
+    path = out / "cells.parquet"
+    whole, sound = path.read_bytes(), read_cells(out)
+    footer = len(whole) - 8 - int.from_bytes(whole[-8:-4], "little")
+    refusals = 0
+    for at in [*range(4, footer, 301), *range(footer, len(whole), 3)]:
+        broken = bytearray(whole)
+        broken[at] ^= 1 << (at % 8)
+        path.write_bytes(broken)
+        try:
+            pd.testing.assert_frame_equal(read_cells(out), sound)
+        except InputError as error:
+            assert str(path) in str(error)
+            refusals += 1
+    assert refusals > (len(whole) - footer) / 6
+
+
 def test_foreign_parquet_files_are_refused(tmp_path):
     for name, metadata in itertools.product(
         ("orbits.parquet", "cells.parquet"),

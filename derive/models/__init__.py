@@ -1,7 +1,10 @@
 """The walkers that come with stridemap, each a short declaration in a file of its own."""
 
 from stridemap.derive.declaration import Walker
-from stridemap.derive.models import compass, wobbling
+from stridemap.derive.models import compass, goswami_compass, rimless_wheel, simplest_walker, wobbling
 
-WALKERS: dict[str, Walker] = {walker.name: walker for walker in (wobbling.WALKER, compass.WALKER)}
+WALKERS: dict[str, Walker] = {
+    module.WALKER.name: module.WALKER
+    for module in (wobbling, compass, simplest_walker, goswami_compass, rimless_wheel)
+}
 """Every built-in walker by name."""

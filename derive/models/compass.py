@@ -6,8 +6,8 @@ matrix of that one is singular at ``alpha = 0``.
 
 import sympy as sp
 
-from stridemap.derive.controller import GAINS, OSCILLATOR, hip_torque
-from stridemap.derive.declaration import STANCE_FOOT, Coordinate, Line, Parameter, PointMass, Walker
+from stridemap.derive.controller import CLOCK, GAINS, OMEGA, hip_torque
+from stridemap.derive.declaration import STANCE_FOOT, Body, Coordinate, Line, Parameter, Touchdown, Walker
 
 THETA1 = Coordinate("theta1", "rad", "angle of the stance leg from the vertical, positive leaning back")
 THETA2 = Coordinate("theta2", "rad", "angle from the stance leg to the swing leg")
@@ -17,28 +17,35 @@ theta1, theta2 = THETA1.symbol, THETA2.symbol
 hip = STANCE_FOOT + sp.Matrix([-sp.sin(theta1), sp.cos(theta1)])
 swing_foot = hip + sp.Matrix([sp.sin(theta1 - theta2), -sp.cos(theta1 - theta2)])
 
-FEET = (PointMass("stance foot", BETA.symbol, STANCE_FOOT), PointMass("swing foot", BETA.symbol, swing_foot))
 LEGS = Line("legs", (STANCE_FOOT, hip, swing_foot))
-SWAP = {theta1: theta1 - theta2, theta2: -theta2}
+PAPER = "Kamimura & Sano 2023"
 
 WALKER = Walker(
     name="compass",
     title="Compass walker",
     reference="T. Kamimura, A. Sano, ICRA 2023 (arXiv:2209.14515), without the wobbling mass",
     coordinates=(THETA1, THETA2),
-    parameters=(*OSCILLATOR, BETA, *GAINS),
-    masses=(PointMass("hip", sp.Integer(1), hip), *FEET),
-    springs={},
-    actuated=THETA2,
-    torque=hip_torque(THETA2),
+    parameters=(OMEGA, BETA, *GAINS),
+    bodies=(
+        Body("hip", sp.Integer(1), hip),
+        Body("stance foot", BETA.symbol, STANCE_FOOT),
+        Body("swing foot", BETA.symbol, swing_foot),
+    ),
+    torques={THETA2: hip_torque(THETA2, CLOCK)},
+    clock=CLOCK,
     swing_foot=swing_foot,
-    touchdown=theta2 - 2 * theta1,
-    touchdown_side=theta1,
-    relabel=SWAP,
-    section_solves=(theta2, 2 * theta1),
+    touchdown=Touchdown(theta2 - 2 * theta1, region=theta1),
+    relabel={theta1: theta1 - theta2, theta2: -theta2},
+    section={theta2: 2 * theta1},
     stance_angle=THETA1,
-    spring_mode=None,
-    wobbling=None,
     drawing=(LEGS,),
     search_box={"theta1": (0.08, 0.15), "dtheta1": (-0.15, 0.6), "dtheta2": (0.0, 0.2)},
+    sources={
+        "mass_matrix": f"{PAPER}, eq. (1)",
+        "bias_forces": f"{PAPER}, eq. (1)",
+        "controller_torque": f"{PAPER}, eqs. (3) and (4)",
+        "state_derivative": f"{PAPER}, eq. (1)",
+        "touchdown_condition": f"{PAPER}, below eq. (1)",
+        "zmp": f"{PAPER}, eq. (6)",
+    },
 )

@@ -5,20 +5,8 @@ The rail of the wobbling mass stays horizontal at the height of the hip.
 
 import sympy as sp
 
-from stridemap.derive.controller import GAINS, OSCILLATOR, hip_torque
-from stridemap.derive.declaration import Coordinate, Line, Parameter, PointMass, Walker
-from stridemap.derive.models.compass import (
-    BETA,
-    FEET,
-    LEGS,
-    SWAP,
-    THETA1,
-    THETA2,
-    hip,
-    swing_foot,
-    theta1,
-    theta2,
-)
+from stridemap.derive.declaration import Body, Coordinate, Line, Parameter
+from stridemap.derive.models.compass import LEGS, hip
 from stridemap.derive.models.compass import WALKER as COMPASS
 
 X = Coordinate("x", "L", "distance of the wobbling mass ahead of the hip")
@@ -28,30 +16,20 @@ ALPHA = Parameter(
 )
 
 k, alpha, x = K.symbol, ALPHA.symbol, X.symbol
-wobbling_mass = hip + sp.Matrix([x, 0])
+mass = hip + sp.Matrix([x, 0])
+_, *feet = COMPASS.bodies
 
-WALKER = Walker(
+WALKER = COMPASS.with_(
     name="wobbling",
     title="Compass walker with a horizontally wobbling mass",
     reference="T. Kamimura, A. Sano, ICRA 2023 (arXiv:2209.14515)",
-    coordinates=(THETA1, THETA2, X),
-    parameters=(K, ALPHA, *OSCILLATOR, BETA, *GAINS),
-    masses=(
-        PointMass("hip", 1 - alpha, hip),
-        PointMass("wobbling mass", alpha, wobbling_mass),
-        *FEET,
-    ),
-    springs={"spring": k * x**2 / 2},
-    actuated=THETA2,
-    torque=hip_torque(THETA2),
-    swing_foot=swing_foot,
-    touchdown=theta2 - 2 * theta1,
-    touchdown_side=theta1,
-    relabel={**SWAP, x: x},
-    section_solves=(theta2, 2 * theta1),
-    stance_angle=THETA1,
+    coordinates=(*COMPASS.coordinates, X),
+    parameters=(K, ALPHA, *COMPASS.parameters),
+    bodies=(Body("hip", 1 - alpha, hip), Body("wobbling mass", alpha, mass), *feet),
+    potentials={"spring": k * x**2 / 2},
+    relabel={**COMPASS.relabel, x: x},
     spring_mode=sp.sqrt(k / (alpha * (1 - alpha))),
     wobbling=X,
-    drawing=(LEGS, Line("spring", (hip, wobbling_mass), spring=True)),
+    drawing=(LEGS, Line("spring", (hip, mass), spring=True)),
     search_box={**COMPASS.search_box, "x": (0.0, 0.15), "dx": (0.0, 1.5)},
 )

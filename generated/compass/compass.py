@@ -44,7 +44,7 @@ def bias_forces(xp, q, v, p):
 
 
 def controller_torque(xp, t, q, v, p):
-    """Torque of the oscillator-driven hip.
+    """Torque of the controller.
 
     Source: Kamimura & Sano 2023, eqs. (3) and (4).
     15 operations.
@@ -59,7 +59,7 @@ def controller_torque(xp, t, q, v, p):
     c_omega_t = xp.cos(omega*t)
     s_omega_t = xp.sin(omega*t)
     return {
-        "u": -Kd*(dtheta2 + gamma*omega*s_omega_t) - Kp*(S - gamma*(c_omega_t + 1) + theta2),
+        "u": [-Kd*(dtheta2 + gamma*omega*s_omega_t) - Kp*(S - gamma*(c_omega_t + 1) + theta2)],
     }
 
 
@@ -220,7 +220,7 @@ def impact_map(xp, q, v, p):
     """State just after touchdown from the state just before.
 
     Source: plastic impact: Me (v+ - v-) = J^T Lambda, J v+ = 0, projected on the velocities with J v = 0.
-    27 operations.
+    21 operations.
     """
     theta1 = q[0]
     theta2 = q[1]
@@ -229,18 +229,16 @@ def impact_map(xp, q, v, p):
     c_theta2 = xp.cos(theta2)
     A_11 = 2*beta*(1 - c_theta2) + 1
     t1 = 1/A_11
-    A_12 = beta*(c_theta2 - 1) - 1
+    A_12 = beta*(c_theta2 - 1)
     A_L21 = A_12*t1
-    A_22 = beta + 1
-    A_D2 = A_22 - A_11*A_L21*A_L21
+    A_D2 = beta - A_11*A_L21*A_L21
     momentum_1 = c_theta2*dtheta1
-    momentum_2 = -c_theta2*dtheta1
-    after_f2 = momentum_2 - A_L21*momentum_1
+    after_f2 = -A_L21*momentum_1
     after_2 = after_f2/A_D2
     after_1 = momentum_1*t1 - A_L21*after_2
     return {
         "q_plus": [theta1 - theta2, -theta2],
-        "v_plus": [after_1 - after_2, -after_2],
+        "v_plus": [after_1, after_2],
     }
 
 
@@ -249,7 +247,7 @@ def impact_map_dq(xp, q, v, p):
 
     Source: plastic impact: Me (v+ - v-) = J^T Lambda, J v+ = 0, projected on the velocities with J v = 0,
     differentiated.
-    41 operations.
+    34 operations.
     """
     theta2 = q[1]
     dtheta1 = v[0]
@@ -257,24 +255,22 @@ def impact_map_dq(xp, q, v, p):
     c_theta2 = xp.cos(theta2)
     A_11 = 2*beta*(1 - c_theta2) + 1
     t1 = 1/A_11
-    A_22 = beta + 1
-    A_12 = beta*(c_theta2 - 1) - 1
+    A_12 = beta*(c_theta2 - 1)
     A_L21 = A_12*t1
-    A_D2 = A_22 - A_11*A_L21*A_L21
+    A_D2 = beta - A_11*A_L21*A_L21
     t2 = 1/A_D2
     momentum_1 = c_theta2*dtheta1
-    momentum_2 = -c_theta2*dtheta1
-    after_f2 = momentum_2 - A_L21*momentum_1
+    after_f2 = -A_L21*momentum_1
     after_2 = after_f2*t2
     after_1 = momentum_1*t1 - A_L21*after_2
     s_theta2 = xp.sin(theta2)
     r2_1 = s_theta2*(beta*(after_2 - 2*after_1) - dtheta1)
-    r2_2 = s_theta2*(after_1*beta + dtheta1)
+    r2_2 = after_1*beta*s_theta2
     d2_f2 = r2_2 - A_L21*r2_1
     d2_2 = d2_f2*t2
     d2_1 = r2_1*t1 - A_L21*d2_2
     return {
-        "v_plus_dq": [[0, d2_1 - d2_2], [0, -d2_2]],
+        "v_plus_dq": [[0, d2_1], [0, d2_2]],
     }
 
 
@@ -283,25 +279,23 @@ def impact_map_dv(xp, q, p):
 
     Source: plastic impact: Me (v+ - v-) = J^T Lambda, J v+ = 0, projected on the velocities with J v = 0,
     differentiated.
-    24 operations.
+    19 operations.
     """
     theta2 = q[1]
     beta = p[1]
     c_theta2 = xp.cos(theta2)
     A_11 = 2*beta*(1 - c_theta2) + 1
     t1 = 1/A_11
-    A_22 = beta + 1
-    A_12 = beta*(c_theta2 - 1) - 1
+    A_12 = beta*(c_theta2 - 1)
     A_L21 = A_12*t1
-    A_D2 = A_22 - A_11*A_L21*A_L21
+    A_D2 = beta - A_11*A_L21*A_L21
     t2 = 1/A_D2
     r1_1 = c_theta2
-    r1_2 = -c_theta2
-    d1_f2 = r1_2 - A_L21*r1_1
+    d1_f2 = -A_L21*r1_1
     d1_2 = d1_f2*t2
     d1_1 = r1_1*t1 - A_L21*d1_2
     return {
-        "v_plus_dv": [[d1_1 - d1_2, 0], [-d1_2, 0]],
+        "v_plus_dv": [[d1_1, 0], [d1_2, 0]],
     }
 
 
@@ -309,7 +303,7 @@ def impact_impulse(xp, q, v, p):
     """Impulse of the ground at touchdown.
 
     Source: plastic impact: Me (v+ - v-) = J^T Lambda, J v+ = 0, projected on the velocities with J v = 0.
-    59 operations.
+    51 operations.
     """
     theta1 = q[0]
     theta2 = q[1]
@@ -318,24 +312,22 @@ def impact_impulse(xp, q, v, p):
     beta = p[1]
     c_theta2 = xp.cos(theta2)
     A_11 = 2*beta*(1 - c_theta2) + 1
-    A_22 = beta + 1
     t1 = 1/A_11
-    A_12 = beta*(c_theta2 - 1) - 1
+    A_12 = beta*(c_theta2 - 1)
     A_L21 = A_12*t1
-    A_D2 = A_22 - A_11*A_L21*A_L21
+    A_D2 = beta - A_11*A_L21*A_L21
     momentum_1 = c_theta2*dtheta1
-    momentum_2 = -c_theta2*dtheta1
-    after_f2 = momentum_2 - A_L21*momentum_1
+    after_f2 = -A_L21*momentum_1
     after_2 = after_f2/A_D2
-    t2 = beta*(after_2 - dtheta2)
-    t3 = 2*beta + 1
     after_1 = momentum_1*t1 - A_L21*after_2
     c_theta1 = xp.cos(theta1)
     c_theta1_minus_theta2 = xp.cos(theta1 - theta2)
+    t2 = c_theta1*dtheta1 - after_1*c_theta1_minus_theta2
     s_theta1 = xp.sin(theta1)
     s_theta1_minus_theta2 = xp.sin(theta1 - theta2)
+    t3 = dtheta1*s_theta1 - after_1*s_theta1_minus_theta2
     return {
-        "Lambda": [t3*(after_1*(c_theta1 - c_theta1_minus_theta2) + after_2*c_theta1_minus_theta2) - c_theta1_minus_theta2*t2 + (after_1 - dtheta1)*(beta*(c_theta1_minus_theta2 - c_theta1) - c_theta1), t3*(after_1*(s_theta1 - s_theta1_minus_theta2) + after_2*s_theta1_minus_theta2) - s_theta1_minus_theta2*t2 + (after_1 - dtheta1)*(beta*(s_theta1_minus_theta2 - s_theta1) - s_theta1)],
+        "Lambda": [beta*(after_1*c_theta1 - after_2*c_theta1 - c_theta1_minus_theta2*dtheta1 + c_theta1_minus_theta2*dtheta2 + t2) + t2, beta*(after_1*s_theta1 - after_2*s_theta1 - dtheta1*s_theta1_minus_theta2 + dtheta2*s_theta1_minus_theta2 + t3) + t3],
     }
 
 
@@ -356,9 +348,9 @@ def kinetic_energy(xp, q, v, p):
 
 
 def potential_energy(xp, q, p):
-    """Potential energy of gravity and springs.
+    """Potential energy.
 
-    Source: sum of m g y, and k x^2/2.
+    Source: sum over gravity.
     6 operations.
     """
     theta1 = q[0]
@@ -372,14 +364,17 @@ def potential_energy(xp, q, p):
 
 
 def total_mass(xp, p):
-    """Mass of the whole walker.
+    """Mass and weight of the whole walker.
 
-    Source: sum of the point masses.
+    Source: sum over the bodies.
     2 operations.
     """
     beta = p[1]
+    t1 = 2*beta + 1
     return {
-        "mass": 2*beta + 1,
+        "mass": t1,
+        "weight": t1,
+        "pull": 0,
     }
 
 
@@ -519,7 +514,7 @@ def swing_foot(xp, q, v):
 def drawing(xp, q, p):
     """What the walker is drawn by.
 
-    Source: geometry; masses: hip, stance foot, swing foot.
+    Source: geometry; bodies: hip, stance foot, swing foot.
     12 operations.
     """
     theta1 = q[0]
@@ -548,4 +543,32 @@ def section_state(xp, z):
     return {
         "q": [theta1, 2*theta1],
         "v": [dtheta1, dtheta2],
+    }
+
+
+def before_touchdown(xp, q):
+    """Coordinates just before touchdown from those just after.
+
+    Source: the legs' names swapped back.
+    2 operations.
+    """
+    theta1 = q[0]
+    theta2 = q[1]
+    return {
+        "q_minus": [theta1 - theta2, -theta2],
+    }
+
+
+def step_length(xp, q):
+    """Length of the step from the coordinates just after touchdown.
+
+    Source: geometry of the legs.
+    4 operations.
+    """
+    theta1 = q[0]
+    theta2 = q[1]
+    s_theta1 = xp.sin(theta1)
+    s_theta1_minus_theta2 = xp.sin(theta1 - theta2)
+    return {
+        "length": s_theta1 - s_theta1_minus_theta2,
     }

@@ -1,5 +1,5 @@
 /* Compass walker: kernels of the solver
- * Printed by CasADi 3.8.2 from equations 9a21403f68fd2b91.
+ * Printed by CasADi 3.8.2 from equations 6cee94c77bf81c04.
  * Do not edit: run `make derive`.
  * SPDX-License-Identifier: BSD-3-Clause
  */
@@ -100,20 +100,7 @@
 #define casadi_f72 CASADI_PREFIX(f72)
 #define casadi_f73 CASADI_PREFIX(f73)
 #define casadi_f74 CASADI_PREFIX(f74)
-#define casadi_f75 CASADI_PREFIX(f75)
-#define casadi_f76 CASADI_PREFIX(f76)
-#define casadi_f77 CASADI_PREFIX(f77)
-#define casadi_f78 CASADI_PREFIX(f78)
-#define casadi_f79 CASADI_PREFIX(f79)
 #define casadi_f8 CASADI_PREFIX(f8)
-#define casadi_f80 CASADI_PREFIX(f80)
-#define casadi_f81 CASADI_PREFIX(f81)
-#define casadi_f82 CASADI_PREFIX(f82)
-#define casadi_f83 CASADI_PREFIX(f83)
-#define casadi_f84 CASADI_PREFIX(f84)
-#define casadi_f85 CASADI_PREFIX(f85)
-#define casadi_f86 CASADI_PREFIX(f86)
-#define casadi_f87 CASADI_PREFIX(f87)
 #define casadi_f9 CASADI_PREFIX(f9)
 #define casadi_fabs CASADI_PREFIX(fabs)
 #define casadi_fmax CASADI_PREFIX(fmax)
@@ -483,7 +470,7 @@ static const casadi_int casadi_s27[3] = {8, 1, 1};
 static const casadi_real casadi_zeros[24] = 
   {0.};
 
-/* start:(z[3])->(y[4],dy_dz[4x3]) */
+/* start:(z[3],p[6])->(y[4],dy_dz[4x3]) */
 static int casadi_f3(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1;
   a0=arg[0]? arg[0][0] : 0;
@@ -4793,7 +4780,6 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
 static int casadi_f8(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
-  casadi_real a24;
   a00=arg[0]? arg[0][4] : 0;
   a01=arg[0]? arg[0][5] : 0;
   a02=(a00-a01);
@@ -4810,59 +4796,52 @@ static int casadi_f8(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a08=(a04/a07);
   a09=(a04-a03);
   a09=(a05*a09);
-  a10=(a09-a03);
-  a11=(a10/a07);
-  a12=(a11*a04);
-  a12=(a04+a12);
-  a13=(a05+a03);
-  a14=(a10*a11);
-  a13=(a13-a14);
-  a12=(a12/a13);
-  a14=(a11*a12);
-  a08=(a08+a14);
-  a08=(a08+a12);
-  a14=arg[0]? arg[0][6] : 0;
-  a15=(a08*a14);
-  a16=arg[0]? arg[0][2] : 0;
-  a17=sin(a02);
-  a18=(a16*a17);
-  a19=(a18/a07);
-  a04=(a04*a16);
-  a20=(a04/a07);
-  a21=(a20/a07);
-  a06=(a06*a17);
-  a21=(a21*a06);
-  a19=(a19+a21);
-  a21=(a11*a04);
-  a21=(a04+a21);
-  a21=(a21/a13);
-  a22=(a05*a17);
-  a23=(a22/a07);
-  a24=(a11/a07);
-  a24=(a24*a06);
-  a23=(a23+a24);
-  a24=(a21*a23);
-  a04=(a04*a23);
-  a06=(a11*a18);
-  a04=(a04+a06);
-  a18=(a18+a04);
-  a18=(a18/a13);
-  a13=(a21/a13);
-  a22=(a11*a22);
-  a10=(a10*a23);
-  a22=(a22+a10);
-  a13=(a13*a22);
-  a18=(a18+a13);
-  a13=(a11*a18);
-  a24=(a24+a13);
-  a19=(a19+a24);
-  a19=(a19+a18);
-  a24=(a19*a01);
-  a15=(a15-a24);
-  if (res[0]!=0) res[0][1]=a15;
-  a14=(a12*a14);
-  a15=(a18*a01);
-  a14=(a14-a15);
+  a10=(a09/a07);
+  a11=(a10*a04);
+  a12=(a09*a10);
+  a12=(a05-a12);
+  a11=(a11/a12);
+  a13=(a10*a11);
+  a08=(a08+a13);
+  a13=arg[0]? arg[0][6] : 0;
+  a14=(a08*a13);
+  a15=arg[0]? arg[0][2] : 0;
+  a16=sin(a02);
+  a17=(a15*a16);
+  a18=(a17/a07);
+  a04=(a04*a15);
+  a19=(a04/a07);
+  a20=(a19/a07);
+  a06=(a06*a16);
+  a20=(a20*a06);
+  a18=(a18+a20);
+  a20=(a10*a04);
+  a20=(a20/a12);
+  a21=(a05*a16);
+  a22=(a21/a07);
+  a23=(a10/a07);
+  a23=(a23*a06);
+  a22=(a22+a23);
+  a23=(a20*a22);
+  a04=(a04*a22);
+  a17=(a10*a17);
+  a04=(a04+a17);
+  a04=(a04/a12);
+  a17=(a20/a12);
+  a21=(a10*a21);
+  a09=(a09*a22);
+  a21=(a21+a09);
+  a17=(a17*a21);
+  a04=(a04+a17);
+  a17=(a10*a04);
+  a23=(a23+a17);
+  a18=(a18+a23);
+  a23=(a18*a01);
+  a14=(a14-a23);
+  if (res[0]!=0) res[0][1]=a14;
+  a14=(a04*a01);
+  a13=(a11*a13);
+  a14=(a14-a13);
   if (res[0]!=0) res[0][2]=a14;
   a14=-2.;
   a00=(a14*a00);
@@ -4870,168 +4849,166 @@ static int casadi_f8(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   if (res[0]!=0) res[0][3]=a00;
   a00=arg[0]? arg[0][8] : 0;
   a01=arg[0]? arg[0][9] : 0;
-  a15=(a00-a01);
-  if (res[0]!=0) res[0][4]=a15;
-  a15=arg[0]? arg[0][10] : 0;
-  a24=(a08*a15);
-  a13=(a19*a01);
-  a24=(a24-a13);
-  a24=(a24-a03);
-  if (res[0]!=0) res[0][5]=a24;
-  a15=(a12*a15);
-  a24=(a18*a01);
-  a15=(a15-a24);
-  if (res[0]!=0) res[0][6]=a15;
+  a13=(a00-a01);
+  if (res[0]!=0) res[0][4]=a13;
+  a13=arg[0]? arg[0][10] : 0;
+  a23=(a08*a13);
+  a17=(a18*a01);
+  a23=(a23-a17);
+  a23=(a23-a03);
+  if (res[0]!=0) res[0][5]=a23;
+  a23=(a04*a01);
+  a13=(a11*a13);
+  a23=(a23-a13);
+  if (res[0]!=0) res[0][6]=a23;
   a00=(a14*a00);
   a00=(a00+a01);
   if (res[0]!=0) res[0][7]=a00;
   a00=arg[0]? arg[0][12] : 0;
   a01=arg[0]? arg[0][13] : 0;
-  a15=(a00-a01);
-  if (res[0]!=0) res[0][8]=a15;
-  a15=arg[0]? arg[0][14] : 0;
-  a24=(a08*a15);
-  a13=(a19*a01);
-  a24=(a24-a13);
-  if (res[0]!=0) res[0][9]=a24;
-  a15=(a12*a15);
-  a24=(a18*a01);
-  a15=(a15-a24);
-  a15=(a15-a03);
-  if (res[0]!=0) res[0][10]=a15;
+  a23=(a00-a01);
+  if (res[0]!=0) res[0][8]=a23;
+  a23=arg[0]? arg[0][14] : 0;
+  a13=(a08*a23);
+  a17=(a18*a01);
+  a13=(a13-a17);
+  if (res[0]!=0) res[0][9]=a13;
+  a13=(a04*a01);
+  a23=(a11*a23);
+  a13=(a13-a23);
+  a13=(a13-a03);
+  if (res[0]!=0) res[0][10]=a13;
   a00=(a14*a00);
   a00=(a00+a01);
   if (res[0]!=0) res[0][11]=a00;
   a00=arg[0]? arg[0][3] : 0;
-  a01=(a16-a00);
+  a01=(a15-a00);
   if (res[0]!=0) res[0][12]=a01;
   a01=(a05*a00);
-  a01=(a01*a17);
-  a15=(2.*a16);
-  a15=(a00-a15);
-  a01=(a01*a15);
-  a15=arg[0]? arg[0][0] : 0;
-  a24=sin(a15);
-  a13=(a15-a02);
-  a22=sin(a13);
-  a10=(a24-a22);
-  a10=(a05*a10);
-  a01=(a01+a10);
-  a01=(a01+a24);
-  a24=(a01/a07);
-  a07=(a09/a07);
-  a10=casadi_sq(a16);
-  a10=(a10*a17);
-  a10=(a10+a22);
-  a10=(a05*a10);
-  a22=arg[3]? arg[3][3] : 0;
-  a17=arg[3]? arg[3][5] : 0;
-  a23=arg[3]? arg[3][0] : 0;
-  a04=(a17*a23);
-  a06=arg[2]? arg[2][0] : 0;
-  a23=(a23*a06);
-  a06=sin(a23);
-  a04=(a04*a06);
-  a04=(a00+a04);
-  a22=(a22*a04);
-  a04=arg[3]? arg[3][2] : 0;
-  a06=arg[3]? arg[3][4] : 0;
-  a23=cos(a23);
-  a23=(a23+a03);
-  a17=(a17*a23);
-  a06=(a06-a17);
-  a06=(a06+a02);
-  a04=(a04*a06);
-  a22=(a22+a04);
-  a10=(a10-a22);
-  a01=(a07*a01);
-  a10=(a10-a01);
-  a09=(a09*a07);
-  a05=(a05-a09);
-  a10=(a10/a05);
-  a07=(a07*a10);
-  a24=(a24-a07);
-  a08=(a08*a24);
-  a19=(a19*a00);
-  a08=(a08-a19);
-  if (res[0]!=0) res[0][13]=a08;
-  a12=(a12*a24);
+  a01=(a01*a16);
+  a13=(2.*a15);
+  a13=(a00-a13);
+  a01=(a01*a13);
+  a13=arg[0]? arg[0][0] : 0;
+  a23=sin(a13);
+  a17=(a13-a02);
+  a21=sin(a17);
+  a09=(a23-a21);
+  a09=(a05*a09);
+  a01=(a01+a09);
+  a01=(a01+a23);
+  a07=(a01/a07);
+  a23=casadi_sq(a15);
+  a23=(a23*a16);
+  a23=(a23+a21);
+  a05=(a05*a23);
+  a23=arg[3]? arg[3][3] : 0;
+  a21=arg[3]? arg[3][5] : 0;
+  a16=arg[3]? arg[3][0] : 0;
+  a09=(a21*a16);
+  a22=arg[2]? arg[2][0] : 0;
+  a16=(a16*a22);
+  a22=sin(a16);
+  a09=(a09*a22);
+  a09=(a00+a09);
+  a23=(a23*a09);
+  a09=arg[3]? arg[3][2] : 0;
+  a22=arg[3]? arg[3][4] : 0;
+  a16=cos(a16);
+  a16=(a16+a03);
+  a21=(a21*a16);
+  a22=(a22-a21);
+  a22=(a22+a02);
+  a09=(a09*a22);
+  a23=(a23+a09);
+  a05=(a05-a23);
+  a01=(a10*a01);
+  a05=(a05-a01);
+  a05=(a05/a12);
+  a05=(a10*a05);
+  a07=(a07-a05);
+  a08=(a08*a07);
   a18=(a18*a00);
-  a12=(a12-a18);
-  if (res[0]!=0) res[0][14]=a12;
-  a14=(a14*a16);
+  a08=(a08-a18);
+  if (res[0]!=0) res[0][13]=a08;
+  a04=(a04*a00);
+  a11=(a11*a07);
+  a04=(a04-a11);
+  if (res[0]!=0) res[0][14]=a04;
+  a14=(a14*a15);
   a14=(a14+a00);
   if (res[0]!=0) res[0][15]=a14;
   a14=arg[1]? arg[1][0] : 0;
-  a13=(a13-a14);
-  if (res[1]!=0) res[1][0]=a13;
-  a11=(a11*a21);
-  a20=(a20+a11);
-  a20=(a20+a21);
-  a11=arg[1]? arg[1][1] : 0;
-  a20=(a20-a11);
-  if (res[1]!=0) res[1][1]=a20;
-  a20=arg[1]? arg[1][2] : 0;
-  a21=(a21-a20);
-  if (res[1]!=0) res[1][2]=a21;
-  a15=(2.*a15);
-  a02=(a02-a15);
+  a17=(a17-a14);
+  if (res[1]!=0) res[1][0]=a17;
+  a10=(a10*a20);
+  a19=(a19+a10);
+  a10=arg[1]? arg[1][1] : 0;
+  a19=(a19-a10);
+  if (res[1]!=0) res[1][1]=a19;
+  a19=arg[1]? arg[1][2] : 0;
+  a20=(a20+a19);
+  a20=(-a20);
+  if (res[1]!=0) res[1][2]=a20;
+  a13=(2.*a13);
+  a02=(a02-a13);
   if (res[1]!=0) res[1][3]=a02;
   return 0;
 }
 
-/* jacobian_12:(u[4],p[6])->(J[4x4],R[4]) */
+/* compass_jacobian_12:(u[4],p[6])->(J[4x4],R[4]) */
 static int casadi_f2(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+305, *w04=w+317, w05, w06, w07, *w08=w+333, *w09=w+339;
+  casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+307, *w04=w+311, *w05=w+323, w06, w07, w08, *w09=w+339;
   casadi_real *w10=w+363;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w00);
   /* #1: @1 = @0[:3] */
   for (rr=w01, cs=w00+0; cs!=w00+3; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
+  /* #2: @2 = input[1][0] */
+  casadi_copy(arg[1], 6, w02);
+  /* #3: {@3, @4} = start(@1, @2) */
   arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
+  arg1[1]=w02;
+  res1[0]=w03;
+  res1[1]=w04;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<4; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<12; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[3] */
-  for (rr=(&w06), cs=w00+3; cs!=w00+4; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 12 */
-  w07 = 12.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  casadi_copy(arg[1], 6, w08);
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=w08;
+  /* #4: @5 = horzcat(@3, @4) */
+  rr=w05;
+  for (i=0, cs=w03; i<4; ++i) *rr++ = *cs++;
+  for (i=0, cs=w04; i<12; ++i) *rr++ = *cs++;
+  /* #5: @6 = 0 */
+  w06 = 0.;
+  /* #6: @7 = @0[3] */
+  for (rr=(&w07), cs=w00+3; cs!=w00+4; cs+=1) *rr++ = *cs;
+  /* #7: @8 = 12 */
+  w08 = 12.;
+  /* #8: @8 = (@7/@8) */
+  w08  = (w07/w08);
+  /* #9: @9 = turns(@8, @2) */
+  arg1[0]=(&w08);
+  arg1[1]=w02;
   res1[0]=w09;
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: {@4, @0} = landing_with_derivative(@10, @1, @6, @8) */
+  /* #11: {@5, @0} = landing_with_derivative(@10, @1, @7, @2) */
   arg1[0]=w10;
   arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=w08;
-  res1[0]=w04;
+  arg1[2]=(&w07);
+  arg1[3]=w02;
+  res1[0]=w05;
   res1[1]=w00;
   if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
-  /* #12: output[0][0] = @4 */
-  casadi_copy(w04, 16, res[0]);
+  /* #12: output[0][0] = @5 */
+  casadi_copy(w05, 16, res[0]);
   /* #13: output[1][0] = @0 */
   casadi_copy(w00, 4, res[1]);
   return 0;
@@ -6537,7 +6514,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
 
 /* landing:(y[4],z[3],p[6])->(R[4]) */
 static int casadi_f12(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real a0, a1, a2, a3, a4, a5, a6, a7, a8;
+  casadi_real a0, a1, a2, a3, a4, a5, a6, a7;
   a0=arg[0]? arg[0][0] : 0;
   a1=arg[0]? arg[0][1] : 0;
   a2=(a0-a1);
@@ -6556,22 +6533,19 @@ static int casadi_f12(const casadi_real** arg, casadi_real** res, casadi_int* iw
   a7=(a3/a5);
   a2=(a2-a6);
   a2=(a4*a2);
-  a2=(a2-a6);
   a5=(a2/a5);
-  a8=(a5*a3);
-  a3=(a3+a8);
-  a4=(a4+a6);
+  a3=(a5*a3);
   a2=(a2*a5);
   a4=(a4-a2);
   a3=(a3/a4);
   a5=(a5*a3);
   a7=(a7+a5);
-  a7=(a7+a3);
   a5=arg[1]? arg[1][1] : 0;
   a7=(a7-a5);
   if (res[0]!=0) res[0][1]=a7;
   a7=arg[1]? arg[1][2] : 0;
-  a3=(a3-a7);
+  a3=(a3+a7);
+  a3=(-a3);
   if (res[0]!=0) res[0][2]=a3;
   a0=(2.*a0);
   a1=(a1-a0);
@@ -6579,50 +6553,51 @@ static int casadi_f12(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* residual_12:(u[4],p[6])->(R[4]) */
+/* compass_residual_12:(u[4],p[6])->(R[4]) */
 static int casadi_f9(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, w3, w4, w5, *w6=w+129, *w7=w+135;
+  casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, *w3=w+131, w4, w5, w6, *w7=w+135;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w0);
   /* #1: @1 = @0[:3] */
   for (rr=w1, cs=w0+0; cs!=w0+3; cs+=1) *rr++ = *cs;
-  /* #2: {@2, NULL} = start(@1) */
+  /* #2: @2 = input[1][0] */
+  casadi_copy(arg[1], 6, w2);
+  /* #3: {@3, NULL} = start(@1, @2) */
   arg1[0]=w1;
-  res1[0]=w2;
+  arg1[1]=w2;
+  res1[0]=w3;
   res1[1]=0;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @3 = 0 */
-  w3 = 0.;
-  /* #4: @4 = @0[3] */
-  for (rr=(&w4), cs=w0+3; cs!=w0+4; cs+=1) *rr++ = *cs;
-  /* #5: @5 = 12 */
-  w5 = 12.;
-  /* #6: @4 = (@4/@5) */
-  w4 /= w5;
-  /* #7: @6 = input[1][0] */
-  casadi_copy(arg[1], 6, w6);
-  /* #8: @7 = turns(@4, @6) */
-  arg1[0]=(&w4);
-  arg1[1]=w6;
+  /* #4: @4 = 0 */
+  w4 = 0.;
+  /* #5: @5 = @0[3] */
+  for (rr=(&w5), cs=w0+3; cs!=w0+4; cs+=1) *rr++ = *cs;
+  /* #6: @6 = 12 */
+  w6 = 12.;
+  /* #7: @5 = (@5/@6) */
+  w5 /= w6;
+  /* #8: @7 = turns(@5, @2) */
+  arg1[0]=(&w5);
+  arg1[1]=w2;
   res1[0]=w7;
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #9: @0 = plain_steps(@2, @3, @7, @4, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #9: @0 = plain_steps(@3, @4, @7, @5, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w4);
-  arg1[4]=w6;
+  arg1[3]=(&w5);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @2 = landing(@0, @1, @6) */
+  /* #10: @3 = landing(@0, @1, @2) */
   arg1[0]=w0;
   arg1[1]=w1;
-  arg1[2]=w6;
-  res1[0]=w2;
+  arg1[2]=w2;
+  res1[0]=w3;
   if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
-  /* #11: output[0][0] = @2 */
-  casadi_copy(w2, 4, res[0]);
+  /* #11: output[0][0] = @3 */
+  casadi_copy(w3, 4, res[0]);
   return 0;
 }
 
@@ -6641,7 +6616,7 @@ static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   if (casadi_f1(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 4, res[0]);
-  /* #4: @0 = residual_12(@2, @1) */
+  /* #4: @0 = compass_residual_12(@2, @1) */
   arg1[0]=w2;
   arg1[1]=w1;
   res1[0]=w0;
@@ -6726,65 +6701,66 @@ CASADI_SYMBOL_EXPORT int compass_search_12_work_bytes(casadi_int *sz_arg, casadi
   return 0;
 }
 
-/* jacobian_24:(u[4],p[6])->(J[4x4],R[4]) */
+/* compass_jacobian_24:(u[4],p[6])->(J[4x4],R[4]) */
 static int casadi_f15(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+305, *w04=w+317, w05, w06, w07, *w08=w+333, *w09=w+339;
+  casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+307, *w04=w+311, *w05=w+323, w06, w07, w08, *w09=w+339;
   casadi_real *w10=w+363;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w00);
   /* #1: @1 = @0[:3] */
   for (rr=w01, cs=w00+0; cs!=w00+3; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
+  /* #2: @2 = input[1][0] */
+  casadi_copy(arg[1], 6, w02);
+  /* #3: {@3, @4} = start(@1, @2) */
   arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
+  arg1[1]=w02;
+  res1[0]=w03;
+  res1[1]=w04;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<4; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<12; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[3] */
-  for (rr=(&w06), cs=w00+3; cs!=w00+4; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 24 */
-  w07 = 24.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  casadi_copy(arg[1], 6, w08);
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=w08;
+  /* #4: @5 = horzcat(@3, @4) */
+  rr=w05;
+  for (i=0, cs=w03; i<4; ++i) *rr++ = *cs++;
+  for (i=0, cs=w04; i<12; ++i) *rr++ = *cs++;
+  /* #5: @6 = 0 */
+  w06 = 0.;
+  /* #6: @7 = @0[3] */
+  for (rr=(&w07), cs=w00+3; cs!=w00+4; cs+=1) *rr++ = *cs;
+  /* #7: @8 = 24 */
+  w08 = 24.;
+  /* #8: @8 = (@7/@8) */
+  w08  = (w07/w08);
+  /* #9: @9 = turns(@8, @2) */
+  arg1[0]=(&w08);
+  arg1[1]=w02;
   res1[0]=w09;
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: @5 = 0.5 */
-  w05 = 5.0000000000000000e-01;
-  /* #12: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #13: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #11: @6 = 0.5 */
+  w06 = 5.0000000000000000e-01;
+  /* #12: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #13: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #14: {@10, @0} = landing_with_derivative(@4, @1, @6, @8) */
-  arg1[0]=w04;
+  /* #14: {@10, @0} = landing_with_derivative(@5, @1, @7, @2) */
+  arg1[0]=w05;
   arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=w08;
+  arg1[2]=(&w07);
+  arg1[3]=w02;
   res1[0]=w10;
   res1[1]=w00;
   if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
@@ -6830,58 +6806,59 @@ static int casadi_f14(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* residual_24:(u[4],p[6])->(R[4]) */
+/* compass_residual_24:(u[4],p[6])->(R[4]) */
 static int casadi_f16(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, w3, w4, w5, *w6=w+129, *w7=w+135;
+  casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, *w3=w+131, w4, w5, w6, *w7=w+135;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w0);
   /* #1: @1 = @0[:3] */
   for (rr=w1, cs=w0+0; cs!=w0+3; cs+=1) *rr++ = *cs;
-  /* #2: {@2, NULL} = start(@1) */
+  /* #2: @2 = input[1][0] */
+  casadi_copy(arg[1], 6, w2);
+  /* #3: {@3, NULL} = start(@1, @2) */
   arg1[0]=w1;
-  res1[0]=w2;
+  arg1[1]=w2;
+  res1[0]=w3;
   res1[1]=0;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @3 = 0 */
-  w3 = 0.;
-  /* #4: @4 = @0[3] */
-  for (rr=(&w4), cs=w0+3; cs!=w0+4; cs+=1) *rr++ = *cs;
-  /* #5: @5 = 24 */
-  w5 = 24.;
-  /* #6: @5 = (@4/@5) */
-  w5  = (w4/w5);
-  /* #7: @6 = input[1][0] */
-  casadi_copy(arg[1], 6, w6);
-  /* #8: @7 = turns(@5, @6) */
-  arg1[0]=(&w5);
-  arg1[1]=w6;
+  /* #4: @4 = 0 */
+  w4 = 0.;
+  /* #5: @5 = @0[3] */
+  for (rr=(&w5), cs=w0+3; cs!=w0+4; cs+=1) *rr++ = *cs;
+  /* #6: @6 = 24 */
+  w6 = 24.;
+  /* #7: @6 = (@5/@6) */
+  w6  = (w5/w6);
+  /* #8: @7 = turns(@6, @2) */
+  arg1[0]=(&w6);
+  arg1[1]=w2;
   res1[0]=w7;
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #9: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #9: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @3 = 0.5 */
-  w3 = 5.0000000000000000e-01;
-  /* #11: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #12: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #10: @4 = 0.5 */
+  w4 = 5.0000000000000000e-01;
+  /* #11: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #12: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #13: @0 = landing(@2, @1, @6) */
-  arg1[0]=w2;
+  /* #13: @0 = landing(@3, @1, @2) */
+  arg1[0]=w3;
   arg1[1]=w1;
-  arg1[2]=w6;
+  arg1[2]=w2;
   res1[0]=w0;
   if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #14: output[0][0] = @0 */
@@ -6904,7 +6881,7 @@ static int casadi_f13(const casadi_real** arg, casadi_real** res, casadi_int* iw
   if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 4, res[0]);
-  /* #4: @0 = residual_24(@2, @1) */
+  /* #4: @0 = compass_residual_24(@2, @1) */
   arg1[0]=w2;
   arg1[1]=w1;
   res1[0]=w0;
@@ -6989,89 +6966,90 @@ CASADI_SYMBOL_EXPORT int compass_search_24_work_bytes(casadi_int *sz_arg, casadi
   return 0;
 }
 
-/* jacobian_48:(u[4],p[6])->(J[4x4],R[4]) */
+/* compass_jacobian_48:(u[4],p[6])->(J[4x4],R[4]) */
 static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+305, *w04=w+317, w05, w06, w07, *w08=w+333, *w09=w+339;
+  casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+307, *w04=w+311, *w05=w+323, w06, w07, w08, *w09=w+339;
   casadi_real *w10=w+363;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w00);
   /* #1: @1 = @0[:3] */
   for (rr=w01, cs=w00+0; cs!=w00+3; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
+  /* #2: @2 = input[1][0] */
+  casadi_copy(arg[1], 6, w02);
+  /* #3: {@3, @4} = start(@1, @2) */
   arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
+  arg1[1]=w02;
+  res1[0]=w03;
+  res1[1]=w04;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<4; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<12; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[3] */
-  for (rr=(&w06), cs=w00+3; cs!=w00+4; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 48 */
-  w07 = 48.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  casadi_copy(arg[1], 6, w08);
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=w08;
+  /* #4: @5 = horzcat(@3, @4) */
+  rr=w05;
+  for (i=0, cs=w03; i<4; ++i) *rr++ = *cs++;
+  for (i=0, cs=w04; i<12; ++i) *rr++ = *cs++;
+  /* #5: @6 = 0 */
+  w06 = 0.;
+  /* #6: @7 = @0[3] */
+  for (rr=(&w07), cs=w00+3; cs!=w00+4; cs+=1) *rr++ = *cs;
+  /* #7: @8 = 48 */
+  w08 = 48.;
+  /* #8: @8 = (@7/@8) */
+  w08  = (w07/w08);
+  /* #9: @9 = turns(@8, @2) */
+  arg1[0]=(&w08);
+  arg1[1]=w02;
   res1[0]=w09;
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: @5 = 0.25 */
-  w05 = 2.5000000000000000e-01;
-  /* #12: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #13: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #11: @6 = 0.25 */
+  w06 = 2.5000000000000000e-01;
+  /* #12: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #13: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #14: @5 = 0.5 */
-  w05 = 5.0000000000000000e-01;
-  /* #15: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #16: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #14: @6 = 0.5 */
+  w06 = 5.0000000000000000e-01;
+  /* #15: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #16: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #17: @5 = 0.75 */
-  w05 = 7.5000000000000000e-01;
-  /* #18: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #19: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #17: @6 = 0.75 */
+  w06 = 7.5000000000000000e-01;
+  /* #18: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #19: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #20: {@10, @0} = landing_with_derivative(@4, @1, @6, @8) */
-  arg1[0]=w04;
+  /* #20: {@10, @0} = landing_with_derivative(@5, @1, @7, @2) */
+  arg1[0]=w05;
   arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=w08;
+  arg1[2]=(&w07);
+  arg1[3]=w02;
   res1[0]=w10;
   res1[1]=w00;
   if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
@@ -7117,82 +7095,83 @@ static int casadi_f18(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* residual_48:(u[4],p[6])->(R[4]) */
+/* compass_residual_48:(u[4],p[6])->(R[4]) */
 static int casadi_f20(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, w3, w4, w5, *w6=w+129, *w7=w+135;
+  casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, *w3=w+131, w4, w5, w6, *w7=w+135;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w0);
   /* #1: @1 = @0[:3] */
   for (rr=w1, cs=w0+0; cs!=w0+3; cs+=1) *rr++ = *cs;
-  /* #2: {@2, NULL} = start(@1) */
+  /* #2: @2 = input[1][0] */
+  casadi_copy(arg[1], 6, w2);
+  /* #3: {@3, NULL} = start(@1, @2) */
   arg1[0]=w1;
-  res1[0]=w2;
+  arg1[1]=w2;
+  res1[0]=w3;
   res1[1]=0;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @3 = 0 */
-  w3 = 0.;
-  /* #4: @4 = @0[3] */
-  for (rr=(&w4), cs=w0+3; cs!=w0+4; cs+=1) *rr++ = *cs;
-  /* #5: @5 = 48 */
-  w5 = 48.;
-  /* #6: @5 = (@4/@5) */
-  w5  = (w4/w5);
-  /* #7: @6 = input[1][0] */
-  casadi_copy(arg[1], 6, w6);
-  /* #8: @7 = turns(@5, @6) */
-  arg1[0]=(&w5);
-  arg1[1]=w6;
+  /* #4: @4 = 0 */
+  w4 = 0.;
+  /* #5: @5 = @0[3] */
+  for (rr=(&w5), cs=w0+3; cs!=w0+4; cs+=1) *rr++ = *cs;
+  /* #6: @6 = 48 */
+  w6 = 48.;
+  /* #7: @6 = (@5/@6) */
+  w6  = (w5/w6);
+  /* #8: @7 = turns(@6, @2) */
+  arg1[0]=(&w6);
+  arg1[1]=w2;
   res1[0]=w7;
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #9: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #9: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @3 = 0.25 */
-  w3 = 2.5000000000000000e-01;
-  /* #11: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #12: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #10: @4 = 0.25 */
+  w4 = 2.5000000000000000e-01;
+  /* #11: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #12: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #13: @3 = 0.5 */
-  w3 = 5.0000000000000000e-01;
-  /* #14: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #15: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #13: @4 = 0.5 */
+  w4 = 5.0000000000000000e-01;
+  /* #14: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #15: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #16: @3 = 0.75 */
-  w3 = 7.5000000000000000e-01;
-  /* #17: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #18: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #16: @4 = 0.75 */
+  w4 = 7.5000000000000000e-01;
+  /* #17: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #18: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #19: @0 = landing(@2, @1, @6) */
-  arg1[0]=w2;
+  /* #19: @0 = landing(@3, @1, @2) */
+  arg1[0]=w3;
   arg1[1]=w1;
-  arg1[2]=w6;
+  arg1[2]=w2;
   res1[0]=w0;
   if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][0] = @0 */
@@ -7215,7 +7194,7 @@ static int casadi_f17(const casadi_real** arg, casadi_real** res, casadi_int* iw
   if (casadi_f18(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 4, res[0]);
-  /* #4: @0 = residual_48(@2, @1) */
+  /* #4: @0 = compass_residual_48(@2, @1) */
   arg1[0]=w2;
   arg1[1]=w1;
   res1[0]=w0;
@@ -7300,122 +7279,6 @@ CASADI_SYMBOL_EXPORT int compass_search_48_work_bytes(casadi_int *sz_arg, casadi
   return 0;
 }
 
-/* jacobian_12:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f24(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+305, *w04=w+317, w05, w06, w07, *w08=w+333, *w09=w+339;
-  casadi_real *w10=w+363;
-  const casadi_real **arg1=arg+2, *cs;
-  /* #0: @0 = input[0][0] */
-  casadi_copy(arg[0], 4, w00);
-  /* #1: @1 = @0[:3] */
-  for (rr=w01, cs=w00+0; cs!=w00+3; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
-  arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<4; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<12; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[3] */
-  for (rr=(&w06), cs=w00+3; cs!=w00+4; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 12 */
-  w07 = 12.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  casadi_copy(arg[1], 6, w08);
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=w08;
-  res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: {@4, @0} = landing_with_derivative(@10, @1, @6, @8) */
-  arg1[0]=w10;
-  arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=w08;
-  res1[0]=w04;
-  res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
-  /* #12: output[0][0] = @4 */
-  casadi_copy(w04, 16, res[0]);
-  /* #13: output[1][0] = @0 */
-  casadi_copy(w00, 4, res[1]);
-  return 0;
-}
-
-/* residual_24:(u[4],p[6])->(R[4]) */
-static int casadi_f25(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, w3, w4, w5, *w6=w+129, *w7=w+135;
-  const casadi_real **arg1=arg+2, *cs;
-  /* #0: @0 = input[0][0] */
-  casadi_copy(arg[0], 4, w0);
-  /* #1: @1 = @0[:3] */
-  for (rr=w1, cs=w0+0; cs!=w0+3; cs+=1) *rr++ = *cs;
-  /* #2: {@2, NULL} = start(@1) */
-  arg1[0]=w1;
-  res1[0]=w2;
-  res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @3 = 0 */
-  w3 = 0.;
-  /* #4: @4 = @0[3] */
-  for (rr=(&w4), cs=w0+3; cs!=w0+4; cs+=1) *rr++ = *cs;
-  /* #5: @5 = 24 */
-  w5 = 24.;
-  /* #6: @5 = (@4/@5) */
-  w5  = (w4/w5);
-  /* #7: @6 = input[1][0] */
-  casadi_copy(arg[1], 6, w6);
-  /* #8: @7 = turns(@5, @6) */
-  arg1[0]=(&w5);
-  arg1[1]=w6;
-  res1[0]=w7;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #9: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
-  arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @3 = 0.5 */
-  w3 = 5.0000000000000000e-01;
-  /* #11: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #12: @2 = plain_steps(@0, @3, @7, @5, @6) */
-  arg1[0]=w0;
-  arg1[1]=(&w3);
-  arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #13: @0 = landing(@2, @1, @6) */
-  arg1[0]=w2;
-  arg1[1]=w1;
-  arg1[2]=w6;
-  res1[0]=w0;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
-  /* #14: output[0][0] = @0 */
-  casadi_copy(w0, 4, res[0]);
-  return 0;
-}
-
 /* coarse_jacobian_24:(u[4],p[6])->(J[4x4],R[4]) */
 static int casadi_f23(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+382, *w1=w+386, *w2=w+392, *w3=w+408;
@@ -7424,19 +7287,19 @@ static int casadi_f23(const casadi_real** arg, casadi_real** res, casadi_int* iw
   casadi_copy(arg[0], 4, w0);
   /* #1: @1 = input[1][0] */
   casadi_copy(arg[1], 6, w1);
-  /* #2: {@2, NULL} = jacobian_12(@0, @1) */
+  /* #2: {@2, NULL} = compass_jacobian_12(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f24(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f2(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 16, res[0]);
-  /* #4: @3 = residual_24(@0, @1) */
+  /* #4: @3 = compass_residual_24(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w3;
-  if (casadi_f25(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f16(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 4, res[1]);
   return 0;
@@ -7477,75 +7340,6 @@ static int casadi_f22(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* jacobian_24:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f26(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+305, *w04=w+317, w05, w06, w07, *w08=w+333, *w09=w+339;
-  casadi_real *w10=w+363;
-  const casadi_real **arg1=arg+2, *cs;
-  /* #0: @0 = input[0][0] */
-  casadi_copy(arg[0], 4, w00);
-  /* #1: @1 = @0[:3] */
-  for (rr=w01, cs=w00+0; cs!=w00+3; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
-  arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<4; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<12; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[3] */
-  for (rr=(&w06), cs=w00+3; cs!=w00+4; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 24 */
-  w07 = 24.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  casadi_copy(arg[1], 6, w08);
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=w08;
-  res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: @5 = 0.5 */
-  w05 = 5.0000000000000000e-01;
-  /* #12: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #13: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #14: {@10, @0} = landing_with_derivative(@4, @1, @6, @8) */
-  arg1[0]=w04;
-  arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=w08;
-  res1[0]=w10;
-  res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
-  /* #15: output[0][0] = @10 */
-  casadi_copy(w10, 16, res[0]);
-  /* #16: output[1][0] = @0 */
-  casadi_copy(w00, 4, res[1]);
-  return 0;
-}
-
 /* compass_limit_cycle_24:(u0[4],p[6])->(u[4],J[4x4],R[4]) */
 static int casadi_f21(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+3, *w0=w+476, *w1=w+480, *w2=w+486, *w3=w+490;
@@ -7561,12 +7355,12 @@ static int casadi_f21(const casadi_real** arg, casadi_real** res, casadi_int* iw
   if (casadi_f22(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 4, res[0]);
-  /* #4: {@3, @0} = jacobian_24(@2, @1) */
+  /* #4: {@3, @0} = compass_jacobian_24(@2, @1) */
   arg1[0]=w2;
   arg1[1]=w1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f26(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f15(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 16, res[1]);
   /* #6: output[2][0] = @0 */
@@ -7651,162 +7445,106 @@ CASADI_SYMBOL_EXPORT int compass_limit_cycle_24_work_bytes(casadi_int *sz_arg, c
   return 0;
 }
 
-/* jacobian_12:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f30(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+305, *w04=w+317, w05, w06, w07, *w08=w+333, *w09=w+339;
-  casadi_real *w10=w+363;
-  const casadi_real **arg1=arg+2, *cs;
-  /* #0: @0 = input[0][0] */
-  casadi_copy(arg[0], 4, w00);
-  /* #1: @1 = @0[:3] */
-  for (rr=w01, cs=w00+0; cs!=w00+3; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
-  arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<4; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<12; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[3] */
-  for (rr=(&w06), cs=w00+3; cs!=w00+4; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 12 */
-  w07 = 12.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  casadi_copy(arg[1], 6, w08);
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=w08;
-  res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: {@4, @0} = landing_with_derivative(@10, @1, @6, @8) */
-  arg1[0]=w10;
-  arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=w08;
-  res1[0]=w04;
-  res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
-  /* #12: output[0][0] = @4 */
-  casadi_copy(w04, 16, res[0]);
-  /* #13: output[1][0] = @0 */
-  casadi_copy(w00, 4, res[1]);
-  return 0;
-}
-
-/* residual_36:(u[4],p[6])->(R[4]) */
-static int casadi_f31(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, w3, w4, w5, *w6=w+129, *w7=w+135;
+/* compass_residual_36:(u[4],p[6])->(R[4]) */
+static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, *w3=w+131, w4, w5, w6, *w7=w+135;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w0);
   /* #1: @1 = @0[:3] */
   for (rr=w1, cs=w0+0; cs!=w0+3; cs+=1) *rr++ = *cs;
-  /* #2: {@2, NULL} = start(@1) */
+  /* #2: @2 = input[1][0] */
+  casadi_copy(arg[1], 6, w2);
+  /* #3: {@3, NULL} = start(@1, @2) */
   arg1[0]=w1;
-  res1[0]=w2;
+  arg1[1]=w2;
+  res1[0]=w3;
   res1[1]=0;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @3 = 0 */
-  w3 = 0.;
-  /* #4: @4 = @0[3] */
-  for (rr=(&w4), cs=w0+3; cs!=w0+4; cs+=1) *rr++ = *cs;
-  /* #5: @5 = 36 */
-  w5 = 36.;
-  /* #6: @5 = (@4/@5) */
-  w5  = (w4/w5);
-  /* #7: @6 = input[1][0] */
-  casadi_copy(arg[1], 6, w6);
-  /* #8: @7 = turns(@5, @6) */
-  arg1[0]=(&w5);
-  arg1[1]=w6;
+  /* #4: @4 = 0 */
+  w4 = 0.;
+  /* #5: @5 = @0[3] */
+  for (rr=(&w5), cs=w0+3; cs!=w0+4; cs+=1) *rr++ = *cs;
+  /* #6: @6 = 36 */
+  w6 = 36.;
+  /* #7: @6 = (@5/@6) */
+  w6  = (w5/w6);
+  /* #8: @7 = turns(@6, @2) */
+  arg1[0]=(&w6);
+  arg1[1]=w2;
   res1[0]=w7;
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #9: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #9: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @3 = 0.333333 */
-  w3 = 3.3333333333333331e-01;
-  /* #11: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #12: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #10: @4 = 0.333333 */
+  w4 = 3.3333333333333331e-01;
+  /* #11: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #12: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #13: @3 = 0.666667 */
-  w3 = 6.6666666666666663e-01;
-  /* #14: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #15: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #13: @4 = 0.666667 */
+  w4 = 6.6666666666666663e-01;
+  /* #14: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #15: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #16: @2 = landing(@0, @1, @6) */
+  /* #16: @3 = landing(@0, @1, @2) */
   arg1[0]=w0;
   arg1[1]=w1;
-  arg1[2]=w6;
-  res1[0]=w2;
+  arg1[2]=w2;
+  res1[0]=w3;
   if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
-  /* #17: output[0][0] = @2 */
-  casadi_copy(w2, 4, res[0]);
+  /* #17: output[0][0] = @3 */
+  casadi_copy(w3, 4, res[0]);
   return 0;
 }
 
 /* coarse_jacobian_36:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f29(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f26(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+382, *w1=w+386, *w2=w+392, *w3=w+408;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w0);
   /* #1: @1 = input[1][0] */
   casadi_copy(arg[1], 6, w1);
-  /* #2: {@2, NULL} = jacobian_12(@0, @1) */
+  /* #2: {@2, NULL} = compass_jacobian_12(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f30(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f2(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 16, res[0]);
-  /* #4: @3 = residual_36(@0, @1) */
+  /* #4: @3 = compass_residual_36(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w3;
-  if (casadi_f31(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f27(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 4, res[1]);
   return 0;
 }
 
 /* newton_36:(u0[4],p[6])->(u[4]) */
-static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f25(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 4;
@@ -7832,7 +7570,7 @@ static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f29(arg+2, res+1, iw, w+56, 0)) return 1;
+    if (casadi_f26(arg+2, res+1, iw, w+56, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -7840,89 +7578,90 @@ static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* jacobian_36:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f32(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+/* compass_jacobian_36:(u[4],p[6])->(J[4x4],R[4]) */
+static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+305, *w04=w+317, w05, w06, w07, *w08=w+333, *w09=w+339;
+  casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+307, *w04=w+311, *w05=w+323, w06, w07, w08, *w09=w+339;
   casadi_real *w10=w+363;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w00);
   /* #1: @1 = @0[:3] */
   for (rr=w01, cs=w00+0; cs!=w00+3; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
+  /* #2: @2 = input[1][0] */
+  casadi_copy(arg[1], 6, w02);
+  /* #3: {@3, @4} = start(@1, @2) */
   arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
+  arg1[1]=w02;
+  res1[0]=w03;
+  res1[1]=w04;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<4; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<12; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[3] */
-  for (rr=(&w06), cs=w00+3; cs!=w00+4; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 36 */
-  w07 = 36.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  casadi_copy(arg[1], 6, w08);
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=w08;
+  /* #4: @5 = horzcat(@3, @4) */
+  rr=w05;
+  for (i=0, cs=w03; i<4; ++i) *rr++ = *cs++;
+  for (i=0, cs=w04; i<12; ++i) *rr++ = *cs++;
+  /* #5: @6 = 0 */
+  w06 = 0.;
+  /* #6: @7 = @0[3] */
+  for (rr=(&w07), cs=w00+3; cs!=w00+4; cs+=1) *rr++ = *cs;
+  /* #7: @8 = 36 */
+  w08 = 36.;
+  /* #8: @8 = (@7/@8) */
+  w08  = (w07/w08);
+  /* #9: @9 = turns(@8, @2) */
+  arg1[0]=(&w08);
+  arg1[1]=w02;
   res1[0]=w09;
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: @5 = 0.333333 */
-  w05 = 3.3333333333333331e-01;
-  /* #12: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #13: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #11: @6 = 0.333333 */
+  w06 = 3.3333333333333331e-01;
+  /* #12: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #13: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #14: @5 = 0.666667 */
-  w05 = 6.6666666666666663e-01;
-  /* #15: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #16: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #14: @6 = 0.666667 */
+  w06 = 6.6666666666666663e-01;
+  /* #15: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #16: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #17: {@4, @0} = landing_with_derivative(@10, @1, @6, @8) */
+  /* #17: {@5, @0} = landing_with_derivative(@10, @1, @7, @2) */
   arg1[0]=w10;
   arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=w08;
-  res1[0]=w04;
+  arg1[2]=(&w07);
+  arg1[3]=w02;
+  res1[0]=w05;
   res1[1]=w00;
   if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
-  /* #18: output[0][0] = @4 */
-  casadi_copy(w04, 16, res[0]);
+  /* #18: output[0][0] = @5 */
+  casadi_copy(w05, 16, res[0]);
   /* #19: output[1][0] = @0 */
   casadi_copy(w00, 4, res[1]);
   return 0;
 }
 
 /* compass_limit_cycle_36:(u0[4],p[6])->(u[4],J[4x4],R[4]) */
-static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f24(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+3, *w0=w+476, *w1=w+480, *w2=w+486, *w3=w+490;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
@@ -7933,15 +7672,15 @@ static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w2;
-  if (casadi_f28(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f25(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 4, res[0]);
-  /* #4: {@3, @0} = jacobian_36(@2, @1) */
+  /* #4: {@3, @0} = compass_jacobian_36(@2, @1) */
   arg1[0]=w2;
   arg1[1]=w1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f32(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f28(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 16, res[1]);
   /* #6: output[2][0] = @0 */
@@ -7950,7 +7689,7 @@ static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_36(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f27(arg, res, iw, w, mem);
+  return casadi_f24(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_36_checkout(void) {
@@ -8026,186 +7765,34 @@ CASADI_SYMBOL_EXPORT int compass_limit_cycle_36_work_bytes(casadi_int *sz_arg, c
   return 0;
 }
 
-/* jacobian_24:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+305, *w04=w+317, w05, w06, w07, *w08=w+333, *w09=w+339;
-  casadi_real *w10=w+363;
-  const casadi_real **arg1=arg+2, *cs;
-  /* #0: @0 = input[0][0] */
-  casadi_copy(arg[0], 4, w00);
-  /* #1: @1 = @0[:3] */
-  for (rr=w01, cs=w00+0; cs!=w00+3; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
-  arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<4; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<12; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[3] */
-  for (rr=(&w06), cs=w00+3; cs!=w00+4; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 24 */
-  w07 = 24.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  casadi_copy(arg[1], 6, w08);
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=w08;
-  res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: @5 = 0.5 */
-  w05 = 5.0000000000000000e-01;
-  /* #12: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #13: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #14: {@10, @0} = landing_with_derivative(@4, @1, @6, @8) */
-  arg1[0]=w04;
-  arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=w08;
-  res1[0]=w10;
-  res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
-  /* #15: output[0][0] = @10 */
-  casadi_copy(w10, 16, res[0]);
-  /* #16: output[1][0] = @0 */
-  casadi_copy(w00, 4, res[1]);
-  return 0;
-}
-
-/* residual_48:(u[4],p[6])->(R[4]) */
-static int casadi_f37(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, w3, w4, w5, *w6=w+129, *w7=w+135;
-  const casadi_real **arg1=arg+2, *cs;
-  /* #0: @0 = input[0][0] */
-  casadi_copy(arg[0], 4, w0);
-  /* #1: @1 = @0[:3] */
-  for (rr=w1, cs=w0+0; cs!=w0+3; cs+=1) *rr++ = *cs;
-  /* #2: {@2, NULL} = start(@1) */
-  arg1[0]=w1;
-  res1[0]=w2;
-  res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @3 = 0 */
-  w3 = 0.;
-  /* #4: @4 = @0[3] */
-  for (rr=(&w4), cs=w0+3; cs!=w0+4; cs+=1) *rr++ = *cs;
-  /* #5: @5 = 48 */
-  w5 = 48.;
-  /* #6: @5 = (@4/@5) */
-  w5  = (w4/w5);
-  /* #7: @6 = input[1][0] */
-  casadi_copy(arg[1], 6, w6);
-  /* #8: @7 = turns(@5, @6) */
-  arg1[0]=(&w5);
-  arg1[1]=w6;
-  res1[0]=w7;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #9: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
-  arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @3 = 0.25 */
-  w3 = 2.5000000000000000e-01;
-  /* #11: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #12: @2 = plain_steps(@0, @3, @7, @5, @6) */
-  arg1[0]=w0;
-  arg1[1]=(&w3);
-  arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #13: @3 = 0.5 */
-  w3 = 5.0000000000000000e-01;
-  /* #14: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #15: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
-  arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #16: @3 = 0.75 */
-  w3 = 7.5000000000000000e-01;
-  /* #17: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #18: @2 = plain_steps(@0, @3, @7, @5, @6) */
-  arg1[0]=w0;
-  arg1[1]=(&w3);
-  arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #19: @0 = landing(@2, @1, @6) */
-  arg1[0]=w2;
-  arg1[1]=w1;
-  arg1[2]=w6;
-  res1[0]=w0;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
-  /* #20: output[0][0] = @0 */
-  casadi_copy(w0, 4, res[0]);
-  return 0;
-}
-
 /* coarse_jacobian_48:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f31(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+382, *w1=w+386, *w2=w+392, *w3=w+408;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w0);
   /* #1: @1 = input[1][0] */
   casadi_copy(arg[1], 6, w1);
-  /* #2: {@2, NULL} = jacobian_24(@0, @1) */
+  /* #2: {@2, NULL} = compass_jacobian_24(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f36(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f15(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 16, res[0]);
-  /* #4: @3 = residual_48(@0, @1) */
+  /* #4: @3 = compass_residual_48(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w3;
-  if (casadi_f37(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f20(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 4, res[1]);
   return 0;
 }
 
 /* newton_48:(u0[4],p[6])->(u[4]) */
-static int casadi_f34(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f30(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 4;
@@ -8231,7 +7818,7 @@ static int casadi_f34(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f35(arg+2, res+1, iw, w+56, 0)) return 1;
+    if (casadi_f31(arg+2, res+1, iw, w+56, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -8239,101 +7826,8 @@ static int casadi_f34(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* jacobian_48:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f38(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+305, *w04=w+317, w05, w06, w07, *w08=w+333, *w09=w+339;
-  casadi_real *w10=w+363;
-  const casadi_real **arg1=arg+2, *cs;
-  /* #0: @0 = input[0][0] */
-  casadi_copy(arg[0], 4, w00);
-  /* #1: @1 = @0[:3] */
-  for (rr=w01, cs=w00+0; cs!=w00+3; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
-  arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<4; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<12; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[3] */
-  for (rr=(&w06), cs=w00+3; cs!=w00+4; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 48 */
-  w07 = 48.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  casadi_copy(arg[1], 6, w08);
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=w08;
-  res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: @5 = 0.25 */
-  w05 = 2.5000000000000000e-01;
-  /* #12: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #13: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #14: @5 = 0.5 */
-  w05 = 5.0000000000000000e-01;
-  /* #15: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #16: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #17: @5 = 0.75 */
-  w05 = 7.5000000000000000e-01;
-  /* #18: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #19: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #20: {@10, @0} = landing_with_derivative(@4, @1, @6, @8) */
-  arg1[0]=w04;
-  arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=w08;
-  res1[0]=w10;
-  res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
-  /* #21: output[0][0] = @10 */
-  casadi_copy(w10, 16, res[0]);
-  /* #22: output[1][0] = @0 */
-  casadi_copy(w00, 4, res[1]);
-  return 0;
-}
-
 /* compass_limit_cycle_48:(u0[4],p[6])->(u[4],J[4x4],R[4]) */
-static int casadi_f33(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f29(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+3, *w0=w+476, *w1=w+480, *w2=w+486, *w3=w+490;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
@@ -8344,15 +7838,15 @@ static int casadi_f33(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w2;
-  if (casadi_f34(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f30(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 4, res[0]);
-  /* #4: {@3, @0} = jacobian_48(@2, @1) */
+  /* #4: {@3, @0} = compass_jacobian_48(@2, @1) */
   arg1[0]=w2;
   arg1[1]=w1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f38(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f19(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 16, res[1]);
   /* #6: output[2][0] = @0 */
@@ -8361,7 +7855,7 @@ static int casadi_f33(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f33(arg, res, iw, w, mem);
+  return casadi_f29(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_48_checkout(void) {
@@ -8437,187 +7931,107 @@ CASADI_SYMBOL_EXPORT int compass_limit_cycle_48_work_bytes(casadi_int *sz_arg, c
   return 0;
 }
 
-/* jacobian_36:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f42(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+305, *w04=w+317, w05, w06, w07, *w08=w+333, *w09=w+339;
-  casadi_real *w10=w+363;
-  const casadi_real **arg1=arg+2, *cs;
-  /* #0: @0 = input[0][0] */
-  casadi_copy(arg[0], 4, w00);
-  /* #1: @1 = @0[:3] */
-  for (rr=w01, cs=w00+0; cs!=w00+3; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
-  arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<4; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<12; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[3] */
-  for (rr=(&w06), cs=w00+3; cs!=w00+4; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 36 */
-  w07 = 36.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  casadi_copy(arg[1], 6, w08);
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=w08;
-  res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: @5 = 0.333333 */
-  w05 = 3.3333333333333331e-01;
-  /* #12: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #13: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #14: @5 = 0.666667 */
-  w05 = 6.6666666666666663e-01;
-  /* #15: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #16: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #17: {@4, @0} = landing_with_derivative(@10, @1, @6, @8) */
-  arg1[0]=w10;
-  arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=w08;
-  res1[0]=w04;
-  res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
-  /* #18: output[0][0] = @4 */
-  casadi_copy(w04, 16, res[0]);
-  /* #19: output[1][0] = @0 */
-  casadi_copy(w00, 4, res[1]);
-  return 0;
-}
-
-/* residual_72:(u[4],p[6])->(R[4]) */
-static int casadi_f43(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, w3, w4, w5, *w6=w+129, *w7=w+135;
+/* compass_residual_72:(u[4],p[6])->(R[4]) */
+static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, *w3=w+131, w4, w5, w6, *w7=w+135;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w0);
   /* #1: @1 = @0[:3] */
   for (rr=w1, cs=w0+0; cs!=w0+3; cs+=1) *rr++ = *cs;
-  /* #2: {@2, NULL} = start(@1) */
+  /* #2: @2 = input[1][0] */
+  casadi_copy(arg[1], 6, w2);
+  /* #3: {@3, NULL} = start(@1, @2) */
   arg1[0]=w1;
-  res1[0]=w2;
+  arg1[1]=w2;
+  res1[0]=w3;
   res1[1]=0;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @3 = 0 */
-  w3 = 0.;
-  /* #4: @4 = @0[3] */
-  for (rr=(&w4), cs=w0+3; cs!=w0+4; cs+=1) *rr++ = *cs;
-  /* #5: @5 = 72 */
-  w5 = 72.;
-  /* #6: @5 = (@4/@5) */
-  w5  = (w4/w5);
-  /* #7: @6 = input[1][0] */
-  casadi_copy(arg[1], 6, w6);
-  /* #8: @7 = turns(@5, @6) */
-  arg1[0]=(&w5);
-  arg1[1]=w6;
+  /* #4: @4 = 0 */
+  w4 = 0.;
+  /* #5: @5 = @0[3] */
+  for (rr=(&w5), cs=w0+3; cs!=w0+4; cs+=1) *rr++ = *cs;
+  /* #6: @6 = 72 */
+  w6 = 72.;
+  /* #7: @6 = (@5/@6) */
+  w6  = (w5/w6);
+  /* #8: @7 = turns(@6, @2) */
+  arg1[0]=(&w6);
+  arg1[1]=w2;
   res1[0]=w7;
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #9: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #9: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @3 = 0.166667 */
-  w3 = 1.6666666666666666e-01;
-  /* #11: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #12: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #10: @4 = 0.166667 */
+  w4 = 1.6666666666666666e-01;
+  /* #11: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #12: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #13: @3 = 0.333333 */
-  w3 = 3.3333333333333331e-01;
-  /* #14: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #15: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #13: @4 = 0.333333 */
+  w4 = 3.3333333333333331e-01;
+  /* #14: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #15: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #16: @3 = 0.5 */
-  w3 = 5.0000000000000000e-01;
-  /* #17: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #18: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #16: @4 = 0.5 */
+  w4 = 5.0000000000000000e-01;
+  /* #17: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #18: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #19: @3 = 0.666667 */
-  w3 = 6.6666666666666663e-01;
-  /* #20: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #21: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #19: @4 = 0.666667 */
+  w4 = 6.6666666666666663e-01;
+  /* #20: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #21: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #22: @3 = 0.833333 */
-  w3 = 8.3333333333333337e-01;
-  /* #23: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #24: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #22: @4 = 0.833333 */
+  w4 = 8.3333333333333337e-01;
+  /* #23: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #24: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #25: @0 = landing(@2, @1, @6) */
-  arg1[0]=w2;
+  /* #25: @0 = landing(@3, @1, @2) */
+  arg1[0]=w3;
   arg1[1]=w1;
-  arg1[2]=w6;
+  arg1[2]=w2;
   res1[0]=w0;
   if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #26: output[0][0] = @0 */
@@ -8626,33 +8040,33 @@ static int casadi_f43(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* coarse_jacobian_72:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f34(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+382, *w1=w+386, *w2=w+392, *w3=w+408;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w0);
   /* #1: @1 = input[1][0] */
   casadi_copy(arg[1], 6, w1);
-  /* #2: {@2, NULL} = jacobian_36(@0, @1) */
+  /* #2: {@2, NULL} = compass_jacobian_36(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f42(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f28(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 16, res[0]);
-  /* #4: @3 = residual_72(@0, @1) */
+  /* #4: @3 = compass_residual_72(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w3;
-  if (casadi_f43(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f35(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 4, res[1]);
   return 0;
 }
 
 /* newton_72:(u0[4],p[6])->(u[4]) */
-static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f33(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 4;
@@ -8678,7 +8092,7 @@ static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f41(arg+2, res+1, iw, w+56, 0)) return 1;
+    if (casadi_f34(arg+2, res+1, iw, w+56, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -8686,113 +8100,114 @@ static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* jacobian_72:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f44(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+/* compass_jacobian_72:(u[4],p[6])->(J[4x4],R[4]) */
+static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+305, *w04=w+317, w05, w06, w07, *w08=w+333, *w09=w+339;
+  casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+307, *w04=w+311, *w05=w+323, w06, w07, w08, *w09=w+339;
   casadi_real *w10=w+363;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w00);
   /* #1: @1 = @0[:3] */
   for (rr=w01, cs=w00+0; cs!=w00+3; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
+  /* #2: @2 = input[1][0] */
+  casadi_copy(arg[1], 6, w02);
+  /* #3: {@3, @4} = start(@1, @2) */
   arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
+  arg1[1]=w02;
+  res1[0]=w03;
+  res1[1]=w04;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<4; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<12; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[3] */
-  for (rr=(&w06), cs=w00+3; cs!=w00+4; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 72 */
-  w07 = 72.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  casadi_copy(arg[1], 6, w08);
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=w08;
+  /* #4: @5 = horzcat(@3, @4) */
+  rr=w05;
+  for (i=0, cs=w03; i<4; ++i) *rr++ = *cs++;
+  for (i=0, cs=w04; i<12; ++i) *rr++ = *cs++;
+  /* #5: @6 = 0 */
+  w06 = 0.;
+  /* #6: @7 = @0[3] */
+  for (rr=(&w07), cs=w00+3; cs!=w00+4; cs+=1) *rr++ = *cs;
+  /* #7: @8 = 72 */
+  w08 = 72.;
+  /* #8: @8 = (@7/@8) */
+  w08  = (w07/w08);
+  /* #9: @9 = turns(@8, @2) */
+  arg1[0]=(&w08);
+  arg1[1]=w02;
   res1[0]=w09;
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: @5 = 0.166667 */
-  w05 = 1.6666666666666666e-01;
-  /* #12: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #13: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #11: @6 = 0.166667 */
+  w06 = 1.6666666666666666e-01;
+  /* #12: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #13: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #14: @5 = 0.333333 */
-  w05 = 3.3333333333333331e-01;
-  /* #15: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #16: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #14: @6 = 0.333333 */
+  w06 = 3.3333333333333331e-01;
+  /* #15: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #16: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #17: @5 = 0.5 */
-  w05 = 5.0000000000000000e-01;
-  /* #18: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #19: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #17: @6 = 0.5 */
+  w06 = 5.0000000000000000e-01;
+  /* #18: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #19: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #20: @5 = 0.666667 */
-  w05 = 6.6666666666666663e-01;
-  /* #21: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #22: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #20: @6 = 0.666667 */
+  w06 = 6.6666666666666663e-01;
+  /* #21: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #22: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #23: @5 = 0.833333 */
-  w05 = 8.3333333333333337e-01;
-  /* #24: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #25: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #23: @6 = 0.833333 */
+  w06 = 8.3333333333333337e-01;
+  /* #24: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #25: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #26: {@10, @0} = landing_with_derivative(@4, @1, @6, @8) */
-  arg1[0]=w04;
+  /* #26: {@10, @0} = landing_with_derivative(@5, @1, @7, @2) */
+  arg1[0]=w05;
   arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=w08;
+  arg1[2]=(&w07);
+  arg1[3]=w02;
   res1[0]=w10;
   res1[1]=w00;
   if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
@@ -8804,7 +8219,7 @@ static int casadi_f44(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* compass_limit_cycle_72:(u0[4],p[6])->(u[4],J[4x4],R[4]) */
-static int casadi_f39(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f32(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+3, *w0=w+476, *w1=w+480, *w2=w+486, *w3=w+490;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
@@ -8815,15 +8230,15 @@ static int casadi_f39(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w2;
-  if (casadi_f40(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f33(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 4, res[0]);
-  /* #4: {@3, @0} = jacobian_72(@2, @1) */
+  /* #4: {@3, @0} = compass_jacobian_72(@2, @1) */
   arg1[0]=w2;
   arg1[1]=w1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f44(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f36(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 16, res[1]);
   /* #6: output[2][0] = @0 */
@@ -8832,7 +8247,7 @@ static int casadi_f39(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_72(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f39(arg, res, iw, w, mem);
+  return casadi_f32(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_72_checkout(void) {
@@ -8908,223 +8323,131 @@ CASADI_SYMBOL_EXPORT int compass_limit_cycle_72_work_bytes(casadi_int *sz_arg, c
   return 0;
 }
 
-/* jacobian_48:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+305, *w04=w+317, w05, w06, w07, *w08=w+333, *w09=w+339;
-  casadi_real *w10=w+363;
-  const casadi_real **arg1=arg+2, *cs;
-  /* #0: @0 = input[0][0] */
-  casadi_copy(arg[0], 4, w00);
-  /* #1: @1 = @0[:3] */
-  for (rr=w01, cs=w00+0; cs!=w00+3; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
-  arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<4; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<12; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[3] */
-  for (rr=(&w06), cs=w00+3; cs!=w00+4; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 48 */
-  w07 = 48.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  casadi_copy(arg[1], 6, w08);
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=w08;
-  res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: @5 = 0.25 */
-  w05 = 2.5000000000000000e-01;
-  /* #12: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #13: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #14: @5 = 0.5 */
-  w05 = 5.0000000000000000e-01;
-  /* #15: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #16: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #17: @5 = 0.75 */
-  w05 = 7.5000000000000000e-01;
-  /* #18: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #19: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #20: {@10, @0} = landing_with_derivative(@4, @1, @6, @8) */
-  arg1[0]=w04;
-  arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=w08;
-  res1[0]=w10;
-  res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
-  /* #21: output[0][0] = @10 */
-  casadi_copy(w10, 16, res[0]);
-  /* #22: output[1][0] = @0 */
-  casadi_copy(w00, 4, res[1]);
-  return 0;
-}
-
-/* residual_96:(u[4],p[6])->(R[4]) */
-static int casadi_f49(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, w3, w4, w5, *w6=w+129, *w7=w+135;
+/* compass_residual_96:(u[4],p[6])->(R[4]) */
+static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, *w3=w+131, w4, w5, w6, *w7=w+135;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w0);
   /* #1: @1 = @0[:3] */
   for (rr=w1, cs=w0+0; cs!=w0+3; cs+=1) *rr++ = *cs;
-  /* #2: {@2, NULL} = start(@1) */
+  /* #2: @2 = input[1][0] */
+  casadi_copy(arg[1], 6, w2);
+  /* #3: {@3, NULL} = start(@1, @2) */
   arg1[0]=w1;
-  res1[0]=w2;
+  arg1[1]=w2;
+  res1[0]=w3;
   res1[1]=0;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @3 = 0 */
-  w3 = 0.;
-  /* #4: @4 = @0[3] */
-  for (rr=(&w4), cs=w0+3; cs!=w0+4; cs+=1) *rr++ = *cs;
-  /* #5: @5 = 96 */
-  w5 = 96.;
-  /* #6: @5 = (@4/@5) */
-  w5  = (w4/w5);
-  /* #7: @6 = input[1][0] */
-  casadi_copy(arg[1], 6, w6);
-  /* #8: @7 = turns(@5, @6) */
-  arg1[0]=(&w5);
-  arg1[1]=w6;
+  /* #4: @4 = 0 */
+  w4 = 0.;
+  /* #5: @5 = @0[3] */
+  for (rr=(&w5), cs=w0+3; cs!=w0+4; cs+=1) *rr++ = *cs;
+  /* #6: @6 = 96 */
+  w6 = 96.;
+  /* #7: @6 = (@5/@6) */
+  w6  = (w5/w6);
+  /* #8: @7 = turns(@6, @2) */
+  arg1[0]=(&w6);
+  arg1[1]=w2;
   res1[0]=w7;
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #9: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #9: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @3 = 0.125 */
-  w3 = 1.2500000000000000e-01;
-  /* #11: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #12: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #10: @4 = 0.125 */
+  w4 = 1.2500000000000000e-01;
+  /* #11: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #12: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #13: @3 = 0.25 */
-  w3 = 2.5000000000000000e-01;
-  /* #14: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #15: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #13: @4 = 0.25 */
+  w4 = 2.5000000000000000e-01;
+  /* #14: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #15: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #16: @3 = 0.375 */
-  w3 = 3.7500000000000000e-01;
-  /* #17: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #18: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #16: @4 = 0.375 */
+  w4 = 3.7500000000000000e-01;
+  /* #17: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #18: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #19: @3 = 0.5 */
-  w3 = 5.0000000000000000e-01;
-  /* #20: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #21: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #19: @4 = 0.5 */
+  w4 = 5.0000000000000000e-01;
+  /* #20: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #21: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #22: @3 = 0.625 */
-  w3 = 6.2500000000000000e-01;
-  /* #23: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #24: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #22: @4 = 0.625 */
+  w4 = 6.2500000000000000e-01;
+  /* #23: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #24: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #25: @3 = 0.75 */
-  w3 = 7.5000000000000000e-01;
-  /* #26: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #27: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #25: @4 = 0.75 */
+  w4 = 7.5000000000000000e-01;
+  /* #26: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #27: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #28: @3 = 0.875 */
-  w3 = 8.7500000000000000e-01;
-  /* #29: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #30: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #28: @4 = 0.875 */
+  w4 = 8.7500000000000000e-01;
+  /* #29: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #30: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #31: @0 = landing(@2, @1, @6) */
-  arg1[0]=w2;
+  /* #31: @0 = landing(@3, @1, @2) */
+  arg1[0]=w3;
   arg1[1]=w1;
-  arg1[2]=w6;
+  arg1[2]=w2;
   res1[0]=w0;
   if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][0] = @0 */
@@ -9133,33 +8456,33 @@ static int casadi_f49(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* coarse_jacobian_96:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f47(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f39(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+382, *w1=w+386, *w2=w+392, *w3=w+408;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w0);
   /* #1: @1 = input[1][0] */
   casadi_copy(arg[1], 6, w1);
-  /* #2: {@2, NULL} = jacobian_48(@0, @1) */
+  /* #2: {@2, NULL} = compass_jacobian_48(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f48(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f19(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 16, res[0]);
-  /* #4: @3 = residual_96(@0, @1) */
+  /* #4: @3 = compass_residual_96(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w3;
-  if (casadi_f49(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f40(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 4, res[1]);
   return 0;
 }
 
 /* newton_96:(u0[4],p[6])->(u[4]) */
-static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f38(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 4;
@@ -9185,7 +8508,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f47(arg+2, res+1, iw, w+56, 0)) return 1;
+    if (casadi_f39(arg+2, res+1, iw, w+56, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -9193,137 +8516,138 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* jacobian_96:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+/* compass_jacobian_96:(u[4],p[6])->(J[4x4],R[4]) */
+static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+305, *w04=w+317, w05, w06, w07, *w08=w+333, *w09=w+339;
+  casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+307, *w04=w+311, *w05=w+323, w06, w07, w08, *w09=w+339;
   casadi_real *w10=w+363;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w00);
   /* #1: @1 = @0[:3] */
   for (rr=w01, cs=w00+0; cs!=w00+3; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
+  /* #2: @2 = input[1][0] */
+  casadi_copy(arg[1], 6, w02);
+  /* #3: {@3, @4} = start(@1, @2) */
   arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
+  arg1[1]=w02;
+  res1[0]=w03;
+  res1[1]=w04;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<4; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<12; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[3] */
-  for (rr=(&w06), cs=w00+3; cs!=w00+4; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 96 */
-  w07 = 96.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  casadi_copy(arg[1], 6, w08);
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=w08;
+  /* #4: @5 = horzcat(@3, @4) */
+  rr=w05;
+  for (i=0, cs=w03; i<4; ++i) *rr++ = *cs++;
+  for (i=0, cs=w04; i<12; ++i) *rr++ = *cs++;
+  /* #5: @6 = 0 */
+  w06 = 0.;
+  /* #6: @7 = @0[3] */
+  for (rr=(&w07), cs=w00+3; cs!=w00+4; cs+=1) *rr++ = *cs;
+  /* #7: @8 = 96 */
+  w08 = 96.;
+  /* #8: @8 = (@7/@8) */
+  w08  = (w07/w08);
+  /* #9: @9 = turns(@8, @2) */
+  arg1[0]=(&w08);
+  arg1[1]=w02;
   res1[0]=w09;
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: @5 = 0.125 */
-  w05 = 1.2500000000000000e-01;
-  /* #12: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #13: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #11: @6 = 0.125 */
+  w06 = 1.2500000000000000e-01;
+  /* #12: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #13: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #14: @5 = 0.25 */
-  w05 = 2.5000000000000000e-01;
-  /* #15: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #16: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #14: @6 = 0.25 */
+  w06 = 2.5000000000000000e-01;
+  /* #15: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #16: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #17: @5 = 0.375 */
-  w05 = 3.7500000000000000e-01;
-  /* #18: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #19: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #17: @6 = 0.375 */
+  w06 = 3.7500000000000000e-01;
+  /* #18: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #19: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #20: @5 = 0.5 */
-  w05 = 5.0000000000000000e-01;
-  /* #21: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #22: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #20: @6 = 0.5 */
+  w06 = 5.0000000000000000e-01;
+  /* #21: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #22: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #23: @5 = 0.625 */
-  w05 = 6.2500000000000000e-01;
-  /* #24: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #25: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #23: @6 = 0.625 */
+  w06 = 6.2500000000000000e-01;
+  /* #24: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #25: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #26: @5 = 0.75 */
-  w05 = 7.5000000000000000e-01;
-  /* #27: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #28: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #26: @6 = 0.75 */
+  w06 = 7.5000000000000000e-01;
+  /* #27: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #28: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #29: @5 = 0.875 */
-  w05 = 8.7500000000000000e-01;
-  /* #30: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #31: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #29: @6 = 0.875 */
+  w06 = 8.7500000000000000e-01;
+  /* #30: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #31: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #32: {@10, @0} = landing_with_derivative(@4, @1, @6, @8) */
-  arg1[0]=w04;
+  /* #32: {@10, @0} = landing_with_derivative(@5, @1, @7, @2) */
+  arg1[0]=w05;
   arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=w08;
+  arg1[2]=(&w07);
+  arg1[3]=w02;
   res1[0]=w10;
   res1[1]=w00;
   if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
@@ -9335,7 +8659,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* compass_limit_cycle_96:(u0[4],p[6])->(u[4],J[4x4],R[4]) */
-static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f37(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+3, *w0=w+476, *w1=w+480, *w2=w+486, *w3=w+490;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
@@ -9346,15 +8670,15 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w2;
-  if (casadi_f46(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f38(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 4, res[0]);
-  /* #4: {@3, @0} = jacobian_96(@2, @1) */
+  /* #4: {@3, @0} = compass_jacobian_96(@2, @1) */
   arg1[0]=w2;
   arg1[1]=w1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f50(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f41(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 16, res[1]);
   /* #6: output[2][0] = @0 */
@@ -9363,7 +8687,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_96(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f45(arg, res, iw, w, mem);
+  return casadi_f37(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_96_checkout(void) {
@@ -9439,295 +8763,179 @@ CASADI_SYMBOL_EXPORT int compass_limit_cycle_96_work_bytes(casadi_int *sz_arg, c
   return 0;
 }
 
-/* jacobian_72:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f54(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+305, *w04=w+317, w05, w06, w07, *w08=w+333, *w09=w+339;
-  casadi_real *w10=w+363;
-  const casadi_real **arg1=arg+2, *cs;
-  /* #0: @0 = input[0][0] */
-  casadi_copy(arg[0], 4, w00);
-  /* #1: @1 = @0[:3] */
-  for (rr=w01, cs=w00+0; cs!=w00+3; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
-  arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<4; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<12; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[3] */
-  for (rr=(&w06), cs=w00+3; cs!=w00+4; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 72 */
-  w07 = 72.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  casadi_copy(arg[1], 6, w08);
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=w08;
-  res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: @5 = 0.166667 */
-  w05 = 1.6666666666666666e-01;
-  /* #12: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #13: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #14: @5 = 0.333333 */
-  w05 = 3.3333333333333331e-01;
-  /* #15: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #16: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #17: @5 = 0.5 */
-  w05 = 5.0000000000000000e-01;
-  /* #18: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #19: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #20: @5 = 0.666667 */
-  w05 = 6.6666666666666663e-01;
-  /* #21: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #22: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #23: @5 = 0.833333 */
-  w05 = 8.3333333333333337e-01;
-  /* #24: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #25: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #26: {@10, @0} = landing_with_derivative(@4, @1, @6, @8) */
-  arg1[0]=w04;
-  arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=w08;
-  res1[0]=w10;
-  res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
-  /* #27: output[0][0] = @10 */
-  casadi_copy(w10, 16, res[0]);
-  /* #28: output[1][0] = @0 */
-  casadi_copy(w00, 4, res[1]);
-  return 0;
-}
-
-/* residual_144:(u[4],p[6])->(R[4]) */
-static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, w3, w4, w5, *w6=w+129, *w7=w+135;
+/* compass_residual_144:(u[4],p[6])->(R[4]) */
+static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, *w3=w+131, w4, w5, w6, *w7=w+135;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w0);
   /* #1: @1 = @0[:3] */
   for (rr=w1, cs=w0+0; cs!=w0+3; cs+=1) *rr++ = *cs;
-  /* #2: {@2, NULL} = start(@1) */
+  /* #2: @2 = input[1][0] */
+  casadi_copy(arg[1], 6, w2);
+  /* #3: {@3, NULL} = start(@1, @2) */
   arg1[0]=w1;
-  res1[0]=w2;
+  arg1[1]=w2;
+  res1[0]=w3;
   res1[1]=0;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @3 = 0 */
-  w3 = 0.;
-  /* #4: @4 = @0[3] */
-  for (rr=(&w4), cs=w0+3; cs!=w0+4; cs+=1) *rr++ = *cs;
-  /* #5: @5 = 144 */
-  w5 = 144.;
-  /* #6: @5 = (@4/@5) */
-  w5  = (w4/w5);
-  /* #7: @6 = input[1][0] */
-  casadi_copy(arg[1], 6, w6);
-  /* #8: @7 = turns(@5, @6) */
-  arg1[0]=(&w5);
-  arg1[1]=w6;
+  /* #4: @4 = 0 */
+  w4 = 0.;
+  /* #5: @5 = @0[3] */
+  for (rr=(&w5), cs=w0+3; cs!=w0+4; cs+=1) *rr++ = *cs;
+  /* #6: @6 = 144 */
+  w6 = 144.;
+  /* #7: @6 = (@5/@6) */
+  w6  = (w5/w6);
+  /* #8: @7 = turns(@6, @2) */
+  arg1[0]=(&w6);
+  arg1[1]=w2;
   res1[0]=w7;
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #9: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #9: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @3 = 0.0833333 */
-  w3 = 8.3333333333333329e-02;
-  /* #11: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #12: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #10: @4 = 0.0833333 */
+  w4 = 8.3333333333333329e-02;
+  /* #11: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #12: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #13: @3 = 0.166667 */
-  w3 = 1.6666666666666666e-01;
-  /* #14: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #15: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #13: @4 = 0.166667 */
+  w4 = 1.6666666666666666e-01;
+  /* #14: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #15: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #16: @3 = 0.25 */
-  w3 = 2.5000000000000000e-01;
-  /* #17: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #18: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #16: @4 = 0.25 */
+  w4 = 2.5000000000000000e-01;
+  /* #17: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #18: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #19: @3 = 0.333333 */
-  w3 = 3.3333333333333331e-01;
-  /* #20: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #21: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #19: @4 = 0.333333 */
+  w4 = 3.3333333333333331e-01;
+  /* #20: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #21: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #22: @3 = 0.416667 */
-  w3 = 4.1666666666666669e-01;
-  /* #23: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #24: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #22: @4 = 0.416667 */
+  w4 = 4.1666666666666669e-01;
+  /* #23: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #24: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #25: @3 = 0.5 */
-  w3 = 5.0000000000000000e-01;
-  /* #26: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #27: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #25: @4 = 0.5 */
+  w4 = 5.0000000000000000e-01;
+  /* #26: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #27: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #28: @3 = 0.583333 */
-  w3 = 5.8333333333333337e-01;
-  /* #29: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #30: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #28: @4 = 0.583333 */
+  w4 = 5.8333333333333337e-01;
+  /* #29: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #30: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #31: @3 = 0.666667 */
-  w3 = 6.6666666666666663e-01;
-  /* #32: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #33: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #31: @4 = 0.666667 */
+  w4 = 6.6666666666666663e-01;
+  /* #32: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #33: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #34: @3 = 0.75 */
-  w3 = 7.5000000000000000e-01;
-  /* #35: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #36: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #34: @4 = 0.75 */
+  w4 = 7.5000000000000000e-01;
+  /* #35: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #36: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #37: @3 = 0.833333 */
-  w3 = 8.3333333333333337e-01;
-  /* #38: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #39: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #37: @4 = 0.833333 */
+  w4 = 8.3333333333333337e-01;
+  /* #38: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #39: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #40: @3 = 0.916667 */
-  w3 = 9.1666666666666663e-01;
-  /* #41: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #42: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #40: @4 = 0.916667 */
+  w4 = 9.1666666666666663e-01;
+  /* #41: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #42: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #43: @0 = landing(@2, @1, @6) */
-  arg1[0]=w2;
+  /* #43: @0 = landing(@3, @1, @2) */
+  arg1[0]=w3;
   arg1[1]=w1;
-  arg1[2]=w6;
+  arg1[2]=w2;
   res1[0]=w0;
   if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #44: output[0][0] = @0 */
@@ -9736,33 +8944,33 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* coarse_jacobian_144:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f53(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f44(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+382, *w1=w+386, *w2=w+392, *w3=w+408;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w0);
   /* #1: @1 = input[1][0] */
   casadi_copy(arg[1], 6, w1);
-  /* #2: {@2, NULL} = jacobian_72(@0, @1) */
+  /* #2: {@2, NULL} = compass_jacobian_72(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f54(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f36(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 16, res[0]);
-  /* #4: @3 = residual_144(@0, @1) */
+  /* #4: @3 = compass_residual_144(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w3;
-  if (casadi_f55(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f45(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 4, res[1]);
   return 0;
 }
 
 /* newton_144:(u0[4],p[6])->(u[4]) */
-static int casadi_f52(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f43(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 4;
@@ -9788,7 +8996,7 @@ static int casadi_f52(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f53(arg+2, res+1, iw, w+56, 0)) return 1;
+    if (casadi_f44(arg+2, res+1, iw, w+56, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -9796,185 +9004,186 @@ static int casadi_f52(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* jacobian_144:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+/* compass_jacobian_144:(u[4],p[6])->(J[4x4],R[4]) */
+static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+305, *w04=w+317, w05, w06, w07, *w08=w+333, *w09=w+339;
+  casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+307, *w04=w+311, *w05=w+323, w06, w07, w08, *w09=w+339;
   casadi_real *w10=w+363;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w00);
   /* #1: @1 = @0[:3] */
   for (rr=w01, cs=w00+0; cs!=w00+3; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
+  /* #2: @2 = input[1][0] */
+  casadi_copy(arg[1], 6, w02);
+  /* #3: {@3, @4} = start(@1, @2) */
   arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
+  arg1[1]=w02;
+  res1[0]=w03;
+  res1[1]=w04;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<4; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<12; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[3] */
-  for (rr=(&w06), cs=w00+3; cs!=w00+4; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 144 */
-  w07 = 144.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  casadi_copy(arg[1], 6, w08);
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=w08;
+  /* #4: @5 = horzcat(@3, @4) */
+  rr=w05;
+  for (i=0, cs=w03; i<4; ++i) *rr++ = *cs++;
+  for (i=0, cs=w04; i<12; ++i) *rr++ = *cs++;
+  /* #5: @6 = 0 */
+  w06 = 0.;
+  /* #6: @7 = @0[3] */
+  for (rr=(&w07), cs=w00+3; cs!=w00+4; cs+=1) *rr++ = *cs;
+  /* #7: @8 = 144 */
+  w08 = 144.;
+  /* #8: @8 = (@7/@8) */
+  w08  = (w07/w08);
+  /* #9: @9 = turns(@8, @2) */
+  arg1[0]=(&w08);
+  arg1[1]=w02;
   res1[0]=w09;
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: @5 = 0.0833333 */
-  w05 = 8.3333333333333329e-02;
-  /* #12: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #13: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #11: @6 = 0.0833333 */
+  w06 = 8.3333333333333329e-02;
+  /* #12: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #13: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #14: @5 = 0.166667 */
-  w05 = 1.6666666666666666e-01;
-  /* #15: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #16: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #14: @6 = 0.166667 */
+  w06 = 1.6666666666666666e-01;
+  /* #15: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #16: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #17: @5 = 0.25 */
-  w05 = 2.5000000000000000e-01;
-  /* #18: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #19: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #17: @6 = 0.25 */
+  w06 = 2.5000000000000000e-01;
+  /* #18: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #19: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #20: @5 = 0.333333 */
-  w05 = 3.3333333333333331e-01;
-  /* #21: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #22: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #20: @6 = 0.333333 */
+  w06 = 3.3333333333333331e-01;
+  /* #21: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #22: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #23: @5 = 0.416667 */
-  w05 = 4.1666666666666669e-01;
-  /* #24: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #25: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #23: @6 = 0.416667 */
+  w06 = 4.1666666666666669e-01;
+  /* #24: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #25: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #26: @5 = 0.5 */
-  w05 = 5.0000000000000000e-01;
-  /* #27: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #28: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #26: @6 = 0.5 */
+  w06 = 5.0000000000000000e-01;
+  /* #27: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #28: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #29: @5 = 0.583333 */
-  w05 = 5.8333333333333337e-01;
-  /* #30: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #31: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #29: @6 = 0.583333 */
+  w06 = 5.8333333333333337e-01;
+  /* #30: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #31: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #32: @5 = 0.666667 */
-  w05 = 6.6666666666666663e-01;
-  /* #33: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #34: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #32: @6 = 0.666667 */
+  w06 = 6.6666666666666663e-01;
+  /* #33: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #34: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #35: @5 = 0.75 */
-  w05 = 7.5000000000000000e-01;
-  /* #36: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #37: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #35: @6 = 0.75 */
+  w06 = 7.5000000000000000e-01;
+  /* #36: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #37: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #38: @5 = 0.833333 */
-  w05 = 8.3333333333333337e-01;
-  /* #39: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #40: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #38: @6 = 0.833333 */
+  w06 = 8.3333333333333337e-01;
+  /* #39: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #40: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #41: @5 = 0.916667 */
-  w05 = 9.1666666666666663e-01;
-  /* #42: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #43: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #41: @6 = 0.916667 */
+  w06 = 9.1666666666666663e-01;
+  /* #42: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #43: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #44: {@10, @0} = landing_with_derivative(@4, @1, @6, @8) */
-  arg1[0]=w04;
+  /* #44: {@10, @0} = landing_with_derivative(@5, @1, @7, @2) */
+  arg1[0]=w05;
   arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=w08;
+  arg1[2]=(&w07);
+  arg1[3]=w02;
   res1[0]=w10;
   res1[1]=w00;
   if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
@@ -9986,7 +9195,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* compass_limit_cycle_144:(u0[4],p[6])->(u[4],J[4x4],R[4]) */
-static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f42(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+3, *w0=w+476, *w1=w+480, *w2=w+486, *w3=w+490;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
@@ -9997,15 +9206,15 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w2;
-  if (casadi_f52(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f43(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 4, res[0]);
-  /* #4: {@3, @0} = jacobian_144(@2, @1) */
+  /* #4: {@3, @0} = compass_jacobian_144(@2, @1) */
   arg1[0]=w2;
   arg1[1]=w1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f56(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f46(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 16, res[1]);
   /* #6: output[2][0] = @0 */
@@ -10014,7 +9223,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_144(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f51(arg, res, iw, w, mem);
+  return casadi_f42(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_144_checkout(void) {
@@ -10090,367 +9299,227 @@ CASADI_SYMBOL_EXPORT int compass_limit_cycle_144_work_bytes(casadi_int *sz_arg, 
   return 0;
 }
 
-/* jacobian_96:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+305, *w04=w+317, w05, w06, w07, *w08=w+333, *w09=w+339;
-  casadi_real *w10=w+363;
-  const casadi_real **arg1=arg+2, *cs;
-  /* #0: @0 = input[0][0] */
-  casadi_copy(arg[0], 4, w00);
-  /* #1: @1 = @0[:3] */
-  for (rr=w01, cs=w00+0; cs!=w00+3; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
-  arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<4; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<12; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[3] */
-  for (rr=(&w06), cs=w00+3; cs!=w00+4; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 96 */
-  w07 = 96.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  casadi_copy(arg[1], 6, w08);
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=w08;
-  res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: @5 = 0.125 */
-  w05 = 1.2500000000000000e-01;
-  /* #12: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #13: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #14: @5 = 0.25 */
-  w05 = 2.5000000000000000e-01;
-  /* #15: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #16: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #17: @5 = 0.375 */
-  w05 = 3.7500000000000000e-01;
-  /* #18: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #19: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #20: @5 = 0.5 */
-  w05 = 5.0000000000000000e-01;
-  /* #21: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #22: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #23: @5 = 0.625 */
-  w05 = 6.2500000000000000e-01;
-  /* #24: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #25: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #26: @5 = 0.75 */
-  w05 = 7.5000000000000000e-01;
-  /* #27: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #28: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #29: @5 = 0.875 */
-  w05 = 8.7500000000000000e-01;
-  /* #30: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #31: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #32: {@10, @0} = landing_with_derivative(@4, @1, @6, @8) */
-  arg1[0]=w04;
-  arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=w08;
-  res1[0]=w10;
-  res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
-  /* #33: output[0][0] = @10 */
-  casadi_copy(w10, 16, res[0]);
-  /* #34: output[1][0] = @0 */
-  casadi_copy(w00, 4, res[1]);
-  return 0;
-}
-
-/* residual_192:(u[4],p[6])->(R[4]) */
-static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, w3, w4, w5, *w6=w+129, *w7=w+135;
+/* compass_residual_192:(u[4],p[6])->(R[4]) */
+static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, *w3=w+131, w4, w5, w6, *w7=w+135;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w0);
   /* #1: @1 = @0[:3] */
   for (rr=w1, cs=w0+0; cs!=w0+3; cs+=1) *rr++ = *cs;
-  /* #2: {@2, NULL} = start(@1) */
+  /* #2: @2 = input[1][0] */
+  casadi_copy(arg[1], 6, w2);
+  /* #3: {@3, NULL} = start(@1, @2) */
   arg1[0]=w1;
-  res1[0]=w2;
+  arg1[1]=w2;
+  res1[0]=w3;
   res1[1]=0;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @3 = 0 */
-  w3 = 0.;
-  /* #4: @4 = @0[3] */
-  for (rr=(&w4), cs=w0+3; cs!=w0+4; cs+=1) *rr++ = *cs;
-  /* #5: @5 = 192 */
-  w5 = 192.;
-  /* #6: @5 = (@4/@5) */
-  w5  = (w4/w5);
-  /* #7: @6 = input[1][0] */
-  casadi_copy(arg[1], 6, w6);
-  /* #8: @7 = turns(@5, @6) */
-  arg1[0]=(&w5);
-  arg1[1]=w6;
+  /* #4: @4 = 0 */
+  w4 = 0.;
+  /* #5: @5 = @0[3] */
+  for (rr=(&w5), cs=w0+3; cs!=w0+4; cs+=1) *rr++ = *cs;
+  /* #6: @6 = 192 */
+  w6 = 192.;
+  /* #7: @6 = (@5/@6) */
+  w6  = (w5/w6);
+  /* #8: @7 = turns(@6, @2) */
+  arg1[0]=(&w6);
+  arg1[1]=w2;
   res1[0]=w7;
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #9: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #9: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @3 = 0.0625 */
-  w3 = 6.2500000000000000e-02;
-  /* #11: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #12: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #10: @4 = 0.0625 */
+  w4 = 6.2500000000000000e-02;
+  /* #11: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #12: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #13: @3 = 0.125 */
-  w3 = 1.2500000000000000e-01;
-  /* #14: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #15: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #13: @4 = 0.125 */
+  w4 = 1.2500000000000000e-01;
+  /* #14: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #15: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #16: @3 = 0.1875 */
-  w3 = 1.8750000000000000e-01;
-  /* #17: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #18: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #16: @4 = 0.1875 */
+  w4 = 1.8750000000000000e-01;
+  /* #17: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #18: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #19: @3 = 0.25 */
-  w3 = 2.5000000000000000e-01;
-  /* #20: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #21: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #19: @4 = 0.25 */
+  w4 = 2.5000000000000000e-01;
+  /* #20: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #21: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #22: @3 = 0.3125 */
-  w3 = 3.1250000000000000e-01;
-  /* #23: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #24: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #22: @4 = 0.3125 */
+  w4 = 3.1250000000000000e-01;
+  /* #23: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #24: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #25: @3 = 0.375 */
-  w3 = 3.7500000000000000e-01;
-  /* #26: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #27: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #25: @4 = 0.375 */
+  w4 = 3.7500000000000000e-01;
+  /* #26: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #27: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #28: @3 = 0.4375 */
-  w3 = 4.3750000000000000e-01;
-  /* #29: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #30: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #28: @4 = 0.4375 */
+  w4 = 4.3750000000000000e-01;
+  /* #29: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #30: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #31: @3 = 0.5 */
-  w3 = 5.0000000000000000e-01;
-  /* #32: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #33: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #31: @4 = 0.5 */
+  w4 = 5.0000000000000000e-01;
+  /* #32: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #33: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #34: @3 = 0.5625 */
-  w3 = 5.6250000000000000e-01;
-  /* #35: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #36: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #34: @4 = 0.5625 */
+  w4 = 5.6250000000000000e-01;
+  /* #35: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #36: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #37: @3 = 0.625 */
-  w3 = 6.2500000000000000e-01;
-  /* #38: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #39: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #37: @4 = 0.625 */
+  w4 = 6.2500000000000000e-01;
+  /* #38: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #39: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #40: @3 = 0.6875 */
-  w3 = 6.8750000000000000e-01;
-  /* #41: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #42: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #40: @4 = 0.6875 */
+  w4 = 6.8750000000000000e-01;
+  /* #41: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #42: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #43: @3 = 0.75 */
-  w3 = 7.5000000000000000e-01;
-  /* #44: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #45: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #43: @4 = 0.75 */
+  w4 = 7.5000000000000000e-01;
+  /* #44: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #45: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #46: @3 = 0.8125 */
-  w3 = 8.1250000000000000e-01;
-  /* #47: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #48: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #46: @4 = 0.8125 */
+  w4 = 8.1250000000000000e-01;
+  /* #47: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #48: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #49: @3 = 0.875 */
-  w3 = 8.7500000000000000e-01;
-  /* #50: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #51: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #49: @4 = 0.875 */
+  w4 = 8.7500000000000000e-01;
+  /* #50: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #51: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #52: @3 = 0.9375 */
-  w3 = 9.3750000000000000e-01;
-  /* #53: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #54: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #52: @4 = 0.9375 */
+  w4 = 9.3750000000000000e-01;
+  /* #53: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #54: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #55: @0 = landing(@2, @1, @6) */
-  arg1[0]=w2;
+  /* #55: @0 = landing(@3, @1, @2) */
+  arg1[0]=w3;
   arg1[1]=w1;
-  arg1[2]=w6;
+  arg1[2]=w2;
   res1[0]=w0;
   if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #56: output[0][0] = @0 */
@@ -10459,33 +9528,33 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* coarse_jacobian_192:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f59(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f49(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+382, *w1=w+386, *w2=w+392, *w3=w+408;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w0);
   /* #1: @1 = input[1][0] */
   casadi_copy(arg[1], 6, w1);
-  /* #2: {@2, NULL} = jacobian_96(@0, @1) */
+  /* #2: {@2, NULL} = compass_jacobian_96(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f60(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f41(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 16, res[0]);
-  /* #4: @3 = residual_192(@0, @1) */
+  /* #4: @3 = compass_residual_192(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w3;
-  if (casadi_f61(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f50(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 4, res[1]);
   return 0;
 }
 
 /* newton_192:(u0[4],p[6])->(u[4]) */
-static int casadi_f58(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 4;
@@ -10511,7 +9580,7 @@ static int casadi_f58(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f59(arg+2, res+1, iw, w+56, 0)) return 1;
+    if (casadi_f49(arg+2, res+1, iw, w+56, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -10519,233 +9588,234 @@ static int casadi_f58(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* jacobian_192:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+/* compass_jacobian_192:(u[4],p[6])->(J[4x4],R[4]) */
+static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+305, *w04=w+317, w05, w06, w07, *w08=w+333, *w09=w+339;
+  casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+307, *w04=w+311, *w05=w+323, w06, w07, w08, *w09=w+339;
   casadi_real *w10=w+363;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w00);
   /* #1: @1 = @0[:3] */
   for (rr=w01, cs=w00+0; cs!=w00+3; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
+  /* #2: @2 = input[1][0] */
+  casadi_copy(arg[1], 6, w02);
+  /* #3: {@3, @4} = start(@1, @2) */
   arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
+  arg1[1]=w02;
+  res1[0]=w03;
+  res1[1]=w04;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<4; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<12; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[3] */
-  for (rr=(&w06), cs=w00+3; cs!=w00+4; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 192 */
-  w07 = 192.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  casadi_copy(arg[1], 6, w08);
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=w08;
+  /* #4: @5 = horzcat(@3, @4) */
+  rr=w05;
+  for (i=0, cs=w03; i<4; ++i) *rr++ = *cs++;
+  for (i=0, cs=w04; i<12; ++i) *rr++ = *cs++;
+  /* #5: @6 = 0 */
+  w06 = 0.;
+  /* #6: @7 = @0[3] */
+  for (rr=(&w07), cs=w00+3; cs!=w00+4; cs+=1) *rr++ = *cs;
+  /* #7: @8 = 192 */
+  w08 = 192.;
+  /* #8: @8 = (@7/@8) */
+  w08  = (w07/w08);
+  /* #9: @9 = turns(@8, @2) */
+  arg1[0]=(&w08);
+  arg1[1]=w02;
   res1[0]=w09;
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: @5 = 0.0625 */
-  w05 = 6.2500000000000000e-02;
-  /* #12: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #13: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #11: @6 = 0.0625 */
+  w06 = 6.2500000000000000e-02;
+  /* #12: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #13: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #14: @5 = 0.125 */
-  w05 = 1.2500000000000000e-01;
-  /* #15: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #16: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #14: @6 = 0.125 */
+  w06 = 1.2500000000000000e-01;
+  /* #15: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #16: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #17: @5 = 0.1875 */
-  w05 = 1.8750000000000000e-01;
-  /* #18: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #19: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #17: @6 = 0.1875 */
+  w06 = 1.8750000000000000e-01;
+  /* #18: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #19: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #20: @5 = 0.25 */
-  w05 = 2.5000000000000000e-01;
-  /* #21: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #22: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #20: @6 = 0.25 */
+  w06 = 2.5000000000000000e-01;
+  /* #21: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #22: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #23: @5 = 0.3125 */
-  w05 = 3.1250000000000000e-01;
-  /* #24: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #25: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #23: @6 = 0.3125 */
+  w06 = 3.1250000000000000e-01;
+  /* #24: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #25: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #26: @5 = 0.375 */
-  w05 = 3.7500000000000000e-01;
-  /* #27: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #28: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #26: @6 = 0.375 */
+  w06 = 3.7500000000000000e-01;
+  /* #27: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #28: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #29: @5 = 0.4375 */
-  w05 = 4.3750000000000000e-01;
-  /* #30: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #31: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #29: @6 = 0.4375 */
+  w06 = 4.3750000000000000e-01;
+  /* #30: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #31: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #32: @5 = 0.5 */
-  w05 = 5.0000000000000000e-01;
-  /* #33: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #34: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #32: @6 = 0.5 */
+  w06 = 5.0000000000000000e-01;
+  /* #33: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #34: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #35: @5 = 0.5625 */
-  w05 = 5.6250000000000000e-01;
-  /* #36: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #37: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #35: @6 = 0.5625 */
+  w06 = 5.6250000000000000e-01;
+  /* #36: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #37: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #38: @5 = 0.625 */
-  w05 = 6.2500000000000000e-01;
-  /* #39: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #40: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #38: @6 = 0.625 */
+  w06 = 6.2500000000000000e-01;
+  /* #39: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #40: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #41: @5 = 0.6875 */
-  w05 = 6.8750000000000000e-01;
-  /* #42: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #43: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #41: @6 = 0.6875 */
+  w06 = 6.8750000000000000e-01;
+  /* #42: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #43: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #44: @5 = 0.75 */
-  w05 = 7.5000000000000000e-01;
-  /* #45: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #46: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #44: @6 = 0.75 */
+  w06 = 7.5000000000000000e-01;
+  /* #45: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #46: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #47: @5 = 0.8125 */
-  w05 = 8.1250000000000000e-01;
-  /* #48: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #49: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #47: @6 = 0.8125 */
+  w06 = 8.1250000000000000e-01;
+  /* #48: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #49: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #50: @5 = 0.875 */
-  w05 = 8.7500000000000000e-01;
-  /* #51: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #52: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #50: @6 = 0.875 */
+  w06 = 8.7500000000000000e-01;
+  /* #51: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #52: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #53: @5 = 0.9375 */
-  w05 = 9.3750000000000000e-01;
-  /* #54: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #55: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #53: @6 = 0.9375 */
+  w06 = 9.3750000000000000e-01;
+  /* #54: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #55: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #56: {@10, @0} = landing_with_derivative(@4, @1, @6, @8) */
-  arg1[0]=w04;
+  /* #56: {@10, @0} = landing_with_derivative(@5, @1, @7, @2) */
+  arg1[0]=w05;
   arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=w08;
+  arg1[2]=(&w07);
+  arg1[3]=w02;
   res1[0]=w10;
   res1[1]=w00;
   if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
@@ -10757,7 +9827,7 @@ static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* compass_limit_cycle_192:(u0[4],p[6])->(u[4],J[4x4],R[4]) */
-static int casadi_f57(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f47(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+3, *w0=w+476, *w1=w+480, *w2=w+486, *w3=w+490;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
@@ -10768,15 +9838,15 @@ static int casadi_f57(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w2;
-  if (casadi_f58(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f48(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 4, res[0]);
-  /* #4: {@3, @0} = jacobian_192(@2, @1) */
+  /* #4: {@3, @0} = compass_jacobian_192(@2, @1) */
   arg1[0]=w2;
   arg1[1]=w1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f62(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f51(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 16, res[1]);
   /* #6: output[2][0] = @0 */
@@ -10785,7 +9855,7 @@ static int casadi_f57(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_192(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f57(arg, res, iw, w, mem);
+  return casadi_f47(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_192_checkout(void) {
@@ -10861,511 +9931,323 @@ CASADI_SYMBOL_EXPORT int compass_limit_cycle_192_work_bytes(casadi_int *sz_arg, 
   return 0;
 }
 
-/* jacobian_144:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+305, *w04=w+317, w05, w06, w07, *w08=w+333, *w09=w+339;
-  casadi_real *w10=w+363;
-  const casadi_real **arg1=arg+2, *cs;
-  /* #0: @0 = input[0][0] */
-  casadi_copy(arg[0], 4, w00);
-  /* #1: @1 = @0[:3] */
-  for (rr=w01, cs=w00+0; cs!=w00+3; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
-  arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<4; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<12; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[3] */
-  for (rr=(&w06), cs=w00+3; cs!=w00+4; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 144 */
-  w07 = 144.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  casadi_copy(arg[1], 6, w08);
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=w08;
-  res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: @5 = 0.0833333 */
-  w05 = 8.3333333333333329e-02;
-  /* #12: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #13: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #14: @5 = 0.166667 */
-  w05 = 1.6666666666666666e-01;
-  /* #15: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #16: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #17: @5 = 0.25 */
-  w05 = 2.5000000000000000e-01;
-  /* #18: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #19: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #20: @5 = 0.333333 */
-  w05 = 3.3333333333333331e-01;
-  /* #21: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #22: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #23: @5 = 0.416667 */
-  w05 = 4.1666666666666669e-01;
-  /* #24: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #25: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #26: @5 = 0.5 */
-  w05 = 5.0000000000000000e-01;
-  /* #27: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #28: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #29: @5 = 0.583333 */
-  w05 = 5.8333333333333337e-01;
-  /* #30: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #31: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #32: @5 = 0.666667 */
-  w05 = 6.6666666666666663e-01;
-  /* #33: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #34: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #35: @5 = 0.75 */
-  w05 = 7.5000000000000000e-01;
-  /* #36: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #37: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #38: @5 = 0.833333 */
-  w05 = 8.3333333333333337e-01;
-  /* #39: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #40: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #41: @5 = 0.916667 */
-  w05 = 9.1666666666666663e-01;
-  /* #42: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #43: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #44: {@10, @0} = landing_with_derivative(@4, @1, @6, @8) */
-  arg1[0]=w04;
-  arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=w08;
-  res1[0]=w10;
-  res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
-  /* #45: output[0][0] = @10 */
-  casadi_copy(w10, 16, res[0]);
-  /* #46: output[1][0] = @0 */
-  casadi_copy(w00, 4, res[1]);
-  return 0;
-}
-
-/* residual_288:(u[4],p[6])->(R[4]) */
-static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, w3, w4, w5, *w6=w+129, *w7=w+135;
+/* compass_residual_288:(u[4],p[6])->(R[4]) */
+static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, *w3=w+131, w4, w5, w6, *w7=w+135;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w0);
   /* #1: @1 = @0[:3] */
   for (rr=w1, cs=w0+0; cs!=w0+3; cs+=1) *rr++ = *cs;
-  /* #2: {@2, NULL} = start(@1) */
+  /* #2: @2 = input[1][0] */
+  casadi_copy(arg[1], 6, w2);
+  /* #3: {@3, NULL} = start(@1, @2) */
   arg1[0]=w1;
-  res1[0]=w2;
+  arg1[1]=w2;
+  res1[0]=w3;
   res1[1]=0;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @3 = 0 */
-  w3 = 0.;
-  /* #4: @4 = @0[3] */
-  for (rr=(&w4), cs=w0+3; cs!=w0+4; cs+=1) *rr++ = *cs;
-  /* #5: @5 = 288 */
-  w5 = 288.;
-  /* #6: @5 = (@4/@5) */
-  w5  = (w4/w5);
-  /* #7: @6 = input[1][0] */
-  casadi_copy(arg[1], 6, w6);
-  /* #8: @7 = turns(@5, @6) */
-  arg1[0]=(&w5);
-  arg1[1]=w6;
+  /* #4: @4 = 0 */
+  w4 = 0.;
+  /* #5: @5 = @0[3] */
+  for (rr=(&w5), cs=w0+3; cs!=w0+4; cs+=1) *rr++ = *cs;
+  /* #6: @6 = 288 */
+  w6 = 288.;
+  /* #7: @6 = (@5/@6) */
+  w6  = (w5/w6);
+  /* #8: @7 = turns(@6, @2) */
+  arg1[0]=(&w6);
+  arg1[1]=w2;
   res1[0]=w7;
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #9: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #9: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @3 = 0.0416667 */
-  w3 = 4.1666666666666664e-02;
-  /* #11: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #12: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #10: @4 = 0.0416667 */
+  w4 = 4.1666666666666664e-02;
+  /* #11: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #12: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #13: @3 = 0.0833333 */
-  w3 = 8.3333333333333329e-02;
-  /* #14: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #15: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #13: @4 = 0.0833333 */
+  w4 = 8.3333333333333329e-02;
+  /* #14: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #15: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #16: @3 = 0.125 */
-  w3 = 1.2500000000000000e-01;
-  /* #17: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #18: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #16: @4 = 0.125 */
+  w4 = 1.2500000000000000e-01;
+  /* #17: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #18: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #19: @3 = 0.166667 */
-  w3 = 1.6666666666666666e-01;
-  /* #20: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #21: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #19: @4 = 0.166667 */
+  w4 = 1.6666666666666666e-01;
+  /* #20: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #21: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #22: @3 = 0.208333 */
-  w3 = 2.0833333333333334e-01;
-  /* #23: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #24: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #22: @4 = 0.208333 */
+  w4 = 2.0833333333333334e-01;
+  /* #23: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #24: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #25: @3 = 0.25 */
-  w3 = 2.5000000000000000e-01;
-  /* #26: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #27: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #25: @4 = 0.25 */
+  w4 = 2.5000000000000000e-01;
+  /* #26: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #27: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #28: @3 = 0.291667 */
-  w3 = 2.9166666666666669e-01;
-  /* #29: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #30: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #28: @4 = 0.291667 */
+  w4 = 2.9166666666666669e-01;
+  /* #29: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #30: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #31: @3 = 0.333333 */
-  w3 = 3.3333333333333331e-01;
-  /* #32: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #33: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #31: @4 = 0.333333 */
+  w4 = 3.3333333333333331e-01;
+  /* #32: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #33: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #34: @3 = 0.375 */
-  w3 = 3.7500000000000000e-01;
-  /* #35: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #36: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #34: @4 = 0.375 */
+  w4 = 3.7500000000000000e-01;
+  /* #35: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #36: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #37: @3 = 0.416667 */
-  w3 = 4.1666666666666669e-01;
-  /* #38: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #39: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #37: @4 = 0.416667 */
+  w4 = 4.1666666666666669e-01;
+  /* #38: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #39: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #40: @3 = 0.458333 */
-  w3 = 4.5833333333333331e-01;
-  /* #41: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #42: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #40: @4 = 0.458333 */
+  w4 = 4.5833333333333331e-01;
+  /* #41: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #42: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #43: @3 = 0.5 */
-  w3 = 5.0000000000000000e-01;
-  /* #44: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #45: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #43: @4 = 0.5 */
+  w4 = 5.0000000000000000e-01;
+  /* #44: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #45: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #46: @3 = 0.541667 */
-  w3 = 5.4166666666666663e-01;
-  /* #47: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #48: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #46: @4 = 0.541667 */
+  w4 = 5.4166666666666663e-01;
+  /* #47: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #48: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #49: @3 = 0.583333 */
-  w3 = 5.8333333333333337e-01;
-  /* #50: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #51: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #49: @4 = 0.583333 */
+  w4 = 5.8333333333333337e-01;
+  /* #50: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #51: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #52: @3 = 0.625 */
-  w3 = 6.2500000000000000e-01;
-  /* #53: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #54: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #52: @4 = 0.625 */
+  w4 = 6.2500000000000000e-01;
+  /* #53: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #54: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #55: @3 = 0.666667 */
-  w3 = 6.6666666666666663e-01;
-  /* #56: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #57: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #55: @4 = 0.666667 */
+  w4 = 6.6666666666666663e-01;
+  /* #56: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #57: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #58: @3 = 0.708333 */
-  w3 = 7.0833333333333337e-01;
-  /* #59: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #60: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #58: @4 = 0.708333 */
+  w4 = 7.0833333333333337e-01;
+  /* #59: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #60: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #61: @3 = 0.75 */
-  w3 = 7.5000000000000000e-01;
-  /* #62: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #63: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #61: @4 = 0.75 */
+  w4 = 7.5000000000000000e-01;
+  /* #62: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #63: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #64: @3 = 0.791667 */
-  w3 = 7.9166666666666663e-01;
-  /* #65: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #66: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #64: @4 = 0.791667 */
+  w4 = 7.9166666666666663e-01;
+  /* #65: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #66: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #67: @3 = 0.833333 */
-  w3 = 8.3333333333333337e-01;
-  /* #68: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #69: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #67: @4 = 0.833333 */
+  w4 = 8.3333333333333337e-01;
+  /* #68: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #69: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #70: @3 = 0.875 */
-  w3 = 8.7500000000000000e-01;
-  /* #71: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #72: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #70: @4 = 0.875 */
+  w4 = 8.7500000000000000e-01;
+  /* #71: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #72: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #73: @3 = 0.916667 */
-  w3 = 9.1666666666666663e-01;
-  /* #74: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #75: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #73: @4 = 0.916667 */
+  w4 = 9.1666666666666663e-01;
+  /* #74: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #75: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #76: @3 = 0.958333 */
-  w3 = 9.5833333333333337e-01;
-  /* #77: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #78: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #76: @4 = 0.958333 */
+  w4 = 9.5833333333333337e-01;
+  /* #77: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #78: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #79: @0 = landing(@2, @1, @6) */
-  arg1[0]=w2;
+  /* #79: @0 = landing(@3, @1, @2) */
+  arg1[0]=w3;
   arg1[1]=w1;
-  arg1[2]=w6;
+  arg1[2]=w2;
   res1[0]=w0;
   if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #80: output[0][0] = @0 */
@@ -11374,33 +10256,33 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* coarse_jacobian_288:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f65(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f54(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+382, *w1=w+386, *w2=w+392, *w3=w+408;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w0);
   /* #1: @1 = input[1][0] */
   casadi_copy(arg[1], 6, w1);
-  /* #2: {@2, NULL} = jacobian_144(@0, @1) */
+  /* #2: {@2, NULL} = compass_jacobian_144(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f66(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f46(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 16, res[0]);
-  /* #4: @3 = residual_288(@0, @1) */
+  /* #4: @3 = compass_residual_288(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w3;
-  if (casadi_f67(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f55(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 4, res[1]);
   return 0;
 }
 
 /* newton_288:(u0[4],p[6])->(u[4]) */
-static int casadi_f64(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f53(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 4;
@@ -11426,7 +10308,7 @@ static int casadi_f64(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f65(arg+2, res+1, iw, w+56, 0)) return 1;
+    if (casadi_f54(arg+2, res+1, iw, w+56, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -11434,329 +10316,330 @@ static int casadi_f64(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* jacobian_288:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+/* compass_jacobian_288:(u[4],p[6])->(J[4x4],R[4]) */
+static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+305, *w04=w+317, w05, w06, w07, *w08=w+333, *w09=w+339;
+  casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+307, *w04=w+311, *w05=w+323, w06, w07, w08, *w09=w+339;
   casadi_real *w10=w+363;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w00);
   /* #1: @1 = @0[:3] */
   for (rr=w01, cs=w00+0; cs!=w00+3; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
+  /* #2: @2 = input[1][0] */
+  casadi_copy(arg[1], 6, w02);
+  /* #3: {@3, @4} = start(@1, @2) */
   arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
+  arg1[1]=w02;
+  res1[0]=w03;
+  res1[1]=w04;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<4; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<12; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[3] */
-  for (rr=(&w06), cs=w00+3; cs!=w00+4; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 288 */
-  w07 = 288.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  casadi_copy(arg[1], 6, w08);
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=w08;
+  /* #4: @5 = horzcat(@3, @4) */
+  rr=w05;
+  for (i=0, cs=w03; i<4; ++i) *rr++ = *cs++;
+  for (i=0, cs=w04; i<12; ++i) *rr++ = *cs++;
+  /* #5: @6 = 0 */
+  w06 = 0.;
+  /* #6: @7 = @0[3] */
+  for (rr=(&w07), cs=w00+3; cs!=w00+4; cs+=1) *rr++ = *cs;
+  /* #7: @8 = 288 */
+  w08 = 288.;
+  /* #8: @8 = (@7/@8) */
+  w08  = (w07/w08);
+  /* #9: @9 = turns(@8, @2) */
+  arg1[0]=(&w08);
+  arg1[1]=w02;
   res1[0]=w09;
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: @5 = 0.0416667 */
-  w05 = 4.1666666666666664e-02;
-  /* #12: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #13: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #11: @6 = 0.0416667 */
+  w06 = 4.1666666666666664e-02;
+  /* #12: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #13: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #14: @5 = 0.0833333 */
-  w05 = 8.3333333333333329e-02;
-  /* #15: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #16: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #14: @6 = 0.0833333 */
+  w06 = 8.3333333333333329e-02;
+  /* #15: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #16: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #17: @5 = 0.125 */
-  w05 = 1.2500000000000000e-01;
-  /* #18: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #19: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #17: @6 = 0.125 */
+  w06 = 1.2500000000000000e-01;
+  /* #18: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #19: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #20: @5 = 0.166667 */
-  w05 = 1.6666666666666666e-01;
-  /* #21: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #22: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #20: @6 = 0.166667 */
+  w06 = 1.6666666666666666e-01;
+  /* #21: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #22: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #23: @5 = 0.208333 */
-  w05 = 2.0833333333333334e-01;
-  /* #24: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #25: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #23: @6 = 0.208333 */
+  w06 = 2.0833333333333334e-01;
+  /* #24: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #25: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #26: @5 = 0.25 */
-  w05 = 2.5000000000000000e-01;
-  /* #27: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #28: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #26: @6 = 0.25 */
+  w06 = 2.5000000000000000e-01;
+  /* #27: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #28: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #29: @5 = 0.291667 */
-  w05 = 2.9166666666666669e-01;
-  /* #30: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #31: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #29: @6 = 0.291667 */
+  w06 = 2.9166666666666669e-01;
+  /* #30: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #31: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #32: @5 = 0.333333 */
-  w05 = 3.3333333333333331e-01;
-  /* #33: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #34: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #32: @6 = 0.333333 */
+  w06 = 3.3333333333333331e-01;
+  /* #33: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #34: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #35: @5 = 0.375 */
-  w05 = 3.7500000000000000e-01;
-  /* #36: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #37: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #35: @6 = 0.375 */
+  w06 = 3.7500000000000000e-01;
+  /* #36: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #37: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #38: @5 = 0.416667 */
-  w05 = 4.1666666666666669e-01;
-  /* #39: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #40: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #38: @6 = 0.416667 */
+  w06 = 4.1666666666666669e-01;
+  /* #39: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #40: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #41: @5 = 0.458333 */
-  w05 = 4.5833333333333331e-01;
-  /* #42: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #43: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #41: @6 = 0.458333 */
+  w06 = 4.5833333333333331e-01;
+  /* #42: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #43: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #44: @5 = 0.5 */
-  w05 = 5.0000000000000000e-01;
-  /* #45: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #46: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #44: @6 = 0.5 */
+  w06 = 5.0000000000000000e-01;
+  /* #45: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #46: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #47: @5 = 0.541667 */
-  w05 = 5.4166666666666663e-01;
-  /* #48: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #49: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #47: @6 = 0.541667 */
+  w06 = 5.4166666666666663e-01;
+  /* #48: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #49: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #50: @5 = 0.583333 */
-  w05 = 5.8333333333333337e-01;
-  /* #51: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #52: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #50: @6 = 0.583333 */
+  w06 = 5.8333333333333337e-01;
+  /* #51: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #52: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #53: @5 = 0.625 */
-  w05 = 6.2500000000000000e-01;
-  /* #54: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #55: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #53: @6 = 0.625 */
+  w06 = 6.2500000000000000e-01;
+  /* #54: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #55: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #56: @5 = 0.666667 */
-  w05 = 6.6666666666666663e-01;
-  /* #57: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #58: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #56: @6 = 0.666667 */
+  w06 = 6.6666666666666663e-01;
+  /* #57: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #58: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #59: @5 = 0.708333 */
-  w05 = 7.0833333333333337e-01;
-  /* #60: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #61: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #59: @6 = 0.708333 */
+  w06 = 7.0833333333333337e-01;
+  /* #60: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #61: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #62: @5 = 0.75 */
-  w05 = 7.5000000000000000e-01;
-  /* #63: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #64: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #62: @6 = 0.75 */
+  w06 = 7.5000000000000000e-01;
+  /* #63: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #64: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #65: @5 = 0.791667 */
-  w05 = 7.9166666666666663e-01;
-  /* #66: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #67: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #65: @6 = 0.791667 */
+  w06 = 7.9166666666666663e-01;
+  /* #66: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #67: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #68: @5 = 0.833333 */
-  w05 = 8.3333333333333337e-01;
-  /* #69: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #70: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #68: @6 = 0.833333 */
+  w06 = 8.3333333333333337e-01;
+  /* #69: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #70: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #71: @5 = 0.875 */
-  w05 = 8.7500000000000000e-01;
-  /* #72: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #73: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #71: @6 = 0.875 */
+  w06 = 8.7500000000000000e-01;
+  /* #72: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #73: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #74: @5 = 0.916667 */
-  w05 = 9.1666666666666663e-01;
-  /* #75: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #76: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #74: @6 = 0.916667 */
+  w06 = 9.1666666666666663e-01;
+  /* #75: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #76: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #77: @5 = 0.958333 */
-  w05 = 9.5833333333333337e-01;
-  /* #78: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #79: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #77: @6 = 0.958333 */
+  w06 = 9.5833333333333337e-01;
+  /* #78: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #79: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #80: {@10, @0} = landing_with_derivative(@4, @1, @6, @8) */
-  arg1[0]=w04;
+  /* #80: {@10, @0} = landing_with_derivative(@5, @1, @7, @2) */
+  arg1[0]=w05;
   arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=w08;
+  arg1[2]=(&w07);
+  arg1[3]=w02;
   res1[0]=w10;
   res1[1]=w00;
   if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
@@ -11768,7 +10651,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* compass_limit_cycle_288:(u0[4],p[6])->(u[4],J[4x4],R[4]) */
-static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f52(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+3, *w0=w+476, *w1=w+480, *w2=w+486, *w3=w+490;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
@@ -11779,15 +10662,15 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w2;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f53(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 4, res[0]);
-  /* #4: {@3, @0} = jacobian_288(@2, @1) */
+  /* #4: {@3, @0} = compass_jacobian_288(@2, @1) */
   arg1[0]=w2;
   arg1[1]=w1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f68(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f56(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 16, res[1]);
   /* #6: output[2][0] = @0 */
@@ -11796,7 +10679,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_288(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f63(arg, res, iw, w, mem);
+  return casadi_f52(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_288_checkout(void) {
@@ -11872,655 +10755,419 @@ CASADI_SYMBOL_EXPORT int compass_limit_cycle_288_work_bytes(casadi_int *sz_arg, 
   return 0;
 }
 
-/* jacobian_192:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+305, *w04=w+317, w05, w06, w07, *w08=w+333, *w09=w+339;
-  casadi_real *w10=w+363;
-  const casadi_real **arg1=arg+2, *cs;
-  /* #0: @0 = input[0][0] */
-  casadi_copy(arg[0], 4, w00);
-  /* #1: @1 = @0[:3] */
-  for (rr=w01, cs=w00+0; cs!=w00+3; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
-  arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<4; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<12; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[3] */
-  for (rr=(&w06), cs=w00+3; cs!=w00+4; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 192 */
-  w07 = 192.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  casadi_copy(arg[1], 6, w08);
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=w08;
-  res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: @5 = 0.0625 */
-  w05 = 6.2500000000000000e-02;
-  /* #12: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #13: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #14: @5 = 0.125 */
-  w05 = 1.2500000000000000e-01;
-  /* #15: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #16: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #17: @5 = 0.1875 */
-  w05 = 1.8750000000000000e-01;
-  /* #18: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #19: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #20: @5 = 0.25 */
-  w05 = 2.5000000000000000e-01;
-  /* #21: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #22: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #23: @5 = 0.3125 */
-  w05 = 3.1250000000000000e-01;
-  /* #24: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #25: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #26: @5 = 0.375 */
-  w05 = 3.7500000000000000e-01;
-  /* #27: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #28: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #29: @5 = 0.4375 */
-  w05 = 4.3750000000000000e-01;
-  /* #30: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #31: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #32: @5 = 0.5 */
-  w05 = 5.0000000000000000e-01;
-  /* #33: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #34: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #35: @5 = 0.5625 */
-  w05 = 5.6250000000000000e-01;
-  /* #36: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #37: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #38: @5 = 0.625 */
-  w05 = 6.2500000000000000e-01;
-  /* #39: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #40: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #41: @5 = 0.6875 */
-  w05 = 6.8750000000000000e-01;
-  /* #42: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #43: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #44: @5 = 0.75 */
-  w05 = 7.5000000000000000e-01;
-  /* #45: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #46: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #47: @5 = 0.8125 */
-  w05 = 8.1250000000000000e-01;
-  /* #48: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #49: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #50: @5 = 0.875 */
-  w05 = 8.7500000000000000e-01;
-  /* #51: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #52: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #53: @5 = 0.9375 */
-  w05 = 9.3750000000000000e-01;
-  /* #54: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #55: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #56: {@10, @0} = landing_with_derivative(@4, @1, @6, @8) */
-  arg1[0]=w04;
-  arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=w08;
-  res1[0]=w10;
-  res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
-  /* #57: output[0][0] = @10 */
-  casadi_copy(w10, 16, res[0]);
-  /* #58: output[1][0] = @0 */
-  casadi_copy(w00, 4, res[1]);
-  return 0;
-}
-
-/* residual_384:(u[4],p[6])->(R[4]) */
-static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, w3, w4, w5, *w6=w+129, *w7=w+135;
+/* compass_residual_384:(u[4],p[6])->(R[4]) */
+static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, *w3=w+131, w4, w5, w6, *w7=w+135;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w0);
   /* #1: @1 = @0[:3] */
   for (rr=w1, cs=w0+0; cs!=w0+3; cs+=1) *rr++ = *cs;
-  /* #2: {@2, NULL} = start(@1) */
+  /* #2: @2 = input[1][0] */
+  casadi_copy(arg[1], 6, w2);
+  /* #3: {@3, NULL} = start(@1, @2) */
   arg1[0]=w1;
-  res1[0]=w2;
+  arg1[1]=w2;
+  res1[0]=w3;
   res1[1]=0;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @3 = 0 */
-  w3 = 0.;
-  /* #4: @4 = @0[3] */
-  for (rr=(&w4), cs=w0+3; cs!=w0+4; cs+=1) *rr++ = *cs;
-  /* #5: @5 = 384 */
-  w5 = 384.;
-  /* #6: @5 = (@4/@5) */
-  w5  = (w4/w5);
-  /* #7: @6 = input[1][0] */
-  casadi_copy(arg[1], 6, w6);
-  /* #8: @7 = turns(@5, @6) */
-  arg1[0]=(&w5);
-  arg1[1]=w6;
+  /* #4: @4 = 0 */
+  w4 = 0.;
+  /* #5: @5 = @0[3] */
+  for (rr=(&w5), cs=w0+3; cs!=w0+4; cs+=1) *rr++ = *cs;
+  /* #6: @6 = 384 */
+  w6 = 384.;
+  /* #7: @6 = (@5/@6) */
+  w6  = (w5/w6);
+  /* #8: @7 = turns(@6, @2) */
+  arg1[0]=(&w6);
+  arg1[1]=w2;
   res1[0]=w7;
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #9: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #9: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @3 = 0.03125 */
-  w3 = 3.1250000000000000e-02;
-  /* #11: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #12: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #10: @4 = 0.03125 */
+  w4 = 3.1250000000000000e-02;
+  /* #11: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #12: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #13: @3 = 0.0625 */
-  w3 = 6.2500000000000000e-02;
-  /* #14: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #15: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #13: @4 = 0.0625 */
+  w4 = 6.2500000000000000e-02;
+  /* #14: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #15: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #16: @3 = 0.09375 */
-  w3 = 9.3750000000000000e-02;
-  /* #17: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #18: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #16: @4 = 0.09375 */
+  w4 = 9.3750000000000000e-02;
+  /* #17: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #18: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #19: @3 = 0.125 */
-  w3 = 1.2500000000000000e-01;
-  /* #20: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #21: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #19: @4 = 0.125 */
+  w4 = 1.2500000000000000e-01;
+  /* #20: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #21: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #22: @3 = 0.15625 */
-  w3 = 1.5625000000000000e-01;
-  /* #23: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #24: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #22: @4 = 0.15625 */
+  w4 = 1.5625000000000000e-01;
+  /* #23: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #24: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #25: @3 = 0.1875 */
-  w3 = 1.8750000000000000e-01;
-  /* #26: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #27: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #25: @4 = 0.1875 */
+  w4 = 1.8750000000000000e-01;
+  /* #26: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #27: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #28: @3 = 0.21875 */
-  w3 = 2.1875000000000000e-01;
-  /* #29: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #30: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #28: @4 = 0.21875 */
+  w4 = 2.1875000000000000e-01;
+  /* #29: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #30: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #31: @3 = 0.25 */
-  w3 = 2.5000000000000000e-01;
-  /* #32: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #33: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #31: @4 = 0.25 */
+  w4 = 2.5000000000000000e-01;
+  /* #32: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #33: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #34: @3 = 0.28125 */
-  w3 = 2.8125000000000000e-01;
-  /* #35: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #36: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #34: @4 = 0.28125 */
+  w4 = 2.8125000000000000e-01;
+  /* #35: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #36: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #37: @3 = 0.3125 */
-  w3 = 3.1250000000000000e-01;
-  /* #38: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #39: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #37: @4 = 0.3125 */
+  w4 = 3.1250000000000000e-01;
+  /* #38: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #39: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #40: @3 = 0.34375 */
-  w3 = 3.4375000000000000e-01;
-  /* #41: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #42: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #40: @4 = 0.34375 */
+  w4 = 3.4375000000000000e-01;
+  /* #41: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #42: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #43: @3 = 0.375 */
-  w3 = 3.7500000000000000e-01;
-  /* #44: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #45: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #43: @4 = 0.375 */
+  w4 = 3.7500000000000000e-01;
+  /* #44: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #45: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #46: @3 = 0.40625 */
-  w3 = 4.0625000000000000e-01;
-  /* #47: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #48: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #46: @4 = 0.40625 */
+  w4 = 4.0625000000000000e-01;
+  /* #47: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #48: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #49: @3 = 0.4375 */
-  w3 = 4.3750000000000000e-01;
-  /* #50: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #51: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #49: @4 = 0.4375 */
+  w4 = 4.3750000000000000e-01;
+  /* #50: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #51: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #52: @3 = 0.46875 */
-  w3 = 4.6875000000000000e-01;
-  /* #53: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #54: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #52: @4 = 0.46875 */
+  w4 = 4.6875000000000000e-01;
+  /* #53: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #54: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #55: @3 = 0.5 */
-  w3 = 5.0000000000000000e-01;
-  /* #56: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #57: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #55: @4 = 0.5 */
+  w4 = 5.0000000000000000e-01;
+  /* #56: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #57: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #58: @3 = 0.53125 */
-  w3 = 5.3125000000000000e-01;
-  /* #59: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #60: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #58: @4 = 0.53125 */
+  w4 = 5.3125000000000000e-01;
+  /* #59: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #60: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #61: @3 = 0.5625 */
-  w3 = 5.6250000000000000e-01;
-  /* #62: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #63: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #61: @4 = 0.5625 */
+  w4 = 5.6250000000000000e-01;
+  /* #62: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #63: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #64: @3 = 0.59375 */
-  w3 = 5.9375000000000000e-01;
-  /* #65: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #66: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #64: @4 = 0.59375 */
+  w4 = 5.9375000000000000e-01;
+  /* #65: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #66: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #67: @3 = 0.625 */
-  w3 = 6.2500000000000000e-01;
-  /* #68: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #69: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #67: @4 = 0.625 */
+  w4 = 6.2500000000000000e-01;
+  /* #68: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #69: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #70: @3 = 0.65625 */
-  w3 = 6.5625000000000000e-01;
-  /* #71: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #72: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #70: @4 = 0.65625 */
+  w4 = 6.5625000000000000e-01;
+  /* #71: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #72: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #73: @3 = 0.6875 */
-  w3 = 6.8750000000000000e-01;
-  /* #74: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #75: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #73: @4 = 0.6875 */
+  w4 = 6.8750000000000000e-01;
+  /* #74: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #75: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #76: @3 = 0.71875 */
-  w3 = 7.1875000000000000e-01;
-  /* #77: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #78: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #76: @4 = 0.71875 */
+  w4 = 7.1875000000000000e-01;
+  /* #77: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #78: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #79: @3 = 0.75 */
-  w3 = 7.5000000000000000e-01;
-  /* #80: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #81: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #79: @4 = 0.75 */
+  w4 = 7.5000000000000000e-01;
+  /* #80: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #81: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #82: @3 = 0.78125 */
-  w3 = 7.8125000000000000e-01;
-  /* #83: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #84: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #82: @4 = 0.78125 */
+  w4 = 7.8125000000000000e-01;
+  /* #83: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #84: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #85: @3 = 0.8125 */
-  w3 = 8.1250000000000000e-01;
-  /* #86: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #87: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #85: @4 = 0.8125 */
+  w4 = 8.1250000000000000e-01;
+  /* #86: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #87: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #88: @3 = 0.84375 */
-  w3 = 8.4375000000000000e-01;
-  /* #89: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #90: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #88: @4 = 0.84375 */
+  w4 = 8.4375000000000000e-01;
+  /* #89: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #90: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #91: @3 = 0.875 */
-  w3 = 8.7500000000000000e-01;
-  /* #92: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #93: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #91: @4 = 0.875 */
+  w4 = 8.7500000000000000e-01;
+  /* #92: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #93: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #94: @3 = 0.90625 */
-  w3 = 9.0625000000000000e-01;
-  /* #95: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #96: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #94: @4 = 0.90625 */
+  w4 = 9.0625000000000000e-01;
+  /* #95: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #96: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #97: @3 = 0.9375 */
-  w3 = 9.3750000000000000e-01;
-  /* #98: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #99: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #97: @4 = 0.9375 */
+  w4 = 9.3750000000000000e-01;
+  /* #98: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #99: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #100: @3 = 0.96875 */
-  w3 = 9.6875000000000000e-01;
-  /* #101: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #102: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #100: @4 = 0.96875 */
+  w4 = 9.6875000000000000e-01;
+  /* #101: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #102: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=w6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=w2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #103: @0 = landing(@2, @1, @6) */
-  arg1[0]=w2;
+  /* #103: @0 = landing(@3, @1, @2) */
+  arg1[0]=w3;
   arg1[1]=w1;
-  arg1[2]=w6;
+  arg1[2]=w2;
   res1[0]=w0;
   if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #104: output[0][0] = @0 */
@@ -12529,33 +11176,33 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* coarse_jacobian_384:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f59(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+382, *w1=w+386, *w2=w+392, *w3=w+408;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w0);
   /* #1: @1 = input[1][0] */
   casadi_copy(arg[1], 6, w1);
-  /* #2: {@2, NULL} = jacobian_192(@0, @1) */
+  /* #2: {@2, NULL} = compass_jacobian_192(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f72(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f51(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 16, res[0]);
-  /* #4: @3 = residual_384(@0, @1) */
+  /* #4: @3 = compass_residual_384(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w3;
-  if (casadi_f73(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f60(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 4, res[1]);
   return 0;
 }
 
 /* newton_384:(u0[4],p[6])->(u[4]) */
-static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f58(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 4;
@@ -12581,7 +11228,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f71(arg+2, res+1, iw, w+56, 0)) return 1;
+    if (casadi_f59(arg+2, res+1, iw, w+56, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -12589,425 +11236,426 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* jacobian_384:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f74(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+/* compass_jacobian_384:(u[4],p[6])->(J[4x4],R[4]) */
+static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+305, *w04=w+317, w05, w06, w07, *w08=w+333, *w09=w+339;
+  casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+307, *w04=w+311, *w05=w+323, w06, w07, w08, *w09=w+339;
   casadi_real *w10=w+363;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w00);
   /* #1: @1 = @0[:3] */
   for (rr=w01, cs=w00+0; cs!=w00+3; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
+  /* #2: @2 = input[1][0] */
+  casadi_copy(arg[1], 6, w02);
+  /* #3: {@3, @4} = start(@1, @2) */
   arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
+  arg1[1]=w02;
+  res1[0]=w03;
+  res1[1]=w04;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<4; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<12; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[3] */
-  for (rr=(&w06), cs=w00+3; cs!=w00+4; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 384 */
-  w07 = 384.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  casadi_copy(arg[1], 6, w08);
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=w08;
+  /* #4: @5 = horzcat(@3, @4) */
+  rr=w05;
+  for (i=0, cs=w03; i<4; ++i) *rr++ = *cs++;
+  for (i=0, cs=w04; i<12; ++i) *rr++ = *cs++;
+  /* #5: @6 = 0 */
+  w06 = 0.;
+  /* #6: @7 = @0[3] */
+  for (rr=(&w07), cs=w00+3; cs!=w00+4; cs+=1) *rr++ = *cs;
+  /* #7: @8 = 384 */
+  w08 = 384.;
+  /* #8: @8 = (@7/@8) */
+  w08  = (w07/w08);
+  /* #9: @9 = turns(@8, @2) */
+  arg1[0]=(&w08);
+  arg1[1]=w02;
   res1[0]=w09;
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: @5 = 0.03125 */
-  w05 = 3.1250000000000000e-02;
-  /* #12: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #13: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #11: @6 = 0.03125 */
+  w06 = 3.1250000000000000e-02;
+  /* #12: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #13: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #14: @5 = 0.0625 */
-  w05 = 6.2500000000000000e-02;
-  /* #15: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #16: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #14: @6 = 0.0625 */
+  w06 = 6.2500000000000000e-02;
+  /* #15: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #16: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #17: @5 = 0.09375 */
-  w05 = 9.3750000000000000e-02;
-  /* #18: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #19: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #17: @6 = 0.09375 */
+  w06 = 9.3750000000000000e-02;
+  /* #18: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #19: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #20: @5 = 0.125 */
-  w05 = 1.2500000000000000e-01;
-  /* #21: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #22: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #20: @6 = 0.125 */
+  w06 = 1.2500000000000000e-01;
+  /* #21: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #22: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #23: @5 = 0.15625 */
-  w05 = 1.5625000000000000e-01;
-  /* #24: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #25: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #23: @6 = 0.15625 */
+  w06 = 1.5625000000000000e-01;
+  /* #24: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #25: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #26: @5 = 0.1875 */
-  w05 = 1.8750000000000000e-01;
-  /* #27: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #28: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #26: @6 = 0.1875 */
+  w06 = 1.8750000000000000e-01;
+  /* #27: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #28: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #29: @5 = 0.21875 */
-  w05 = 2.1875000000000000e-01;
-  /* #30: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #31: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #29: @6 = 0.21875 */
+  w06 = 2.1875000000000000e-01;
+  /* #30: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #31: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #32: @5 = 0.25 */
-  w05 = 2.5000000000000000e-01;
-  /* #33: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #34: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #32: @6 = 0.25 */
+  w06 = 2.5000000000000000e-01;
+  /* #33: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #34: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #35: @5 = 0.28125 */
-  w05 = 2.8125000000000000e-01;
-  /* #36: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #37: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #35: @6 = 0.28125 */
+  w06 = 2.8125000000000000e-01;
+  /* #36: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #37: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #38: @5 = 0.3125 */
-  w05 = 3.1250000000000000e-01;
-  /* #39: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #40: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #38: @6 = 0.3125 */
+  w06 = 3.1250000000000000e-01;
+  /* #39: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #40: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #41: @5 = 0.34375 */
-  w05 = 3.4375000000000000e-01;
-  /* #42: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #43: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #41: @6 = 0.34375 */
+  w06 = 3.4375000000000000e-01;
+  /* #42: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #43: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #44: @5 = 0.375 */
-  w05 = 3.7500000000000000e-01;
-  /* #45: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #46: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #44: @6 = 0.375 */
+  w06 = 3.7500000000000000e-01;
+  /* #45: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #46: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #47: @5 = 0.40625 */
-  w05 = 4.0625000000000000e-01;
-  /* #48: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #49: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #47: @6 = 0.40625 */
+  w06 = 4.0625000000000000e-01;
+  /* #48: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #49: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #50: @5 = 0.4375 */
-  w05 = 4.3750000000000000e-01;
-  /* #51: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #52: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #50: @6 = 0.4375 */
+  w06 = 4.3750000000000000e-01;
+  /* #51: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #52: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #53: @5 = 0.46875 */
-  w05 = 4.6875000000000000e-01;
-  /* #54: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #55: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #53: @6 = 0.46875 */
+  w06 = 4.6875000000000000e-01;
+  /* #54: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #55: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #56: @5 = 0.5 */
-  w05 = 5.0000000000000000e-01;
-  /* #57: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #58: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #56: @6 = 0.5 */
+  w06 = 5.0000000000000000e-01;
+  /* #57: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #58: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #59: @5 = 0.53125 */
-  w05 = 5.3125000000000000e-01;
-  /* #60: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #61: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #59: @6 = 0.53125 */
+  w06 = 5.3125000000000000e-01;
+  /* #60: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #61: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #62: @5 = 0.5625 */
-  w05 = 5.6250000000000000e-01;
-  /* #63: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #64: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #62: @6 = 0.5625 */
+  w06 = 5.6250000000000000e-01;
+  /* #63: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #64: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #65: @5 = 0.59375 */
-  w05 = 5.9375000000000000e-01;
-  /* #66: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #67: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #65: @6 = 0.59375 */
+  w06 = 5.9375000000000000e-01;
+  /* #66: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #67: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #68: @5 = 0.625 */
-  w05 = 6.2500000000000000e-01;
-  /* #69: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #70: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #68: @6 = 0.625 */
+  w06 = 6.2500000000000000e-01;
+  /* #69: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #70: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #71: @5 = 0.65625 */
-  w05 = 6.5625000000000000e-01;
-  /* #72: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #73: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #71: @6 = 0.65625 */
+  w06 = 6.5625000000000000e-01;
+  /* #72: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #73: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #74: @5 = 0.6875 */
-  w05 = 6.8750000000000000e-01;
-  /* #75: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #76: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #74: @6 = 0.6875 */
+  w06 = 6.8750000000000000e-01;
+  /* #75: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #76: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #77: @5 = 0.71875 */
-  w05 = 7.1875000000000000e-01;
-  /* #78: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #79: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #77: @6 = 0.71875 */
+  w06 = 7.1875000000000000e-01;
+  /* #78: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #79: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #80: @5 = 0.75 */
-  w05 = 7.5000000000000000e-01;
-  /* #81: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #82: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #80: @6 = 0.75 */
+  w06 = 7.5000000000000000e-01;
+  /* #81: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #82: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #83: @5 = 0.78125 */
-  w05 = 7.8125000000000000e-01;
-  /* #84: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #85: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #83: @6 = 0.78125 */
+  w06 = 7.8125000000000000e-01;
+  /* #84: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #85: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #86: @5 = 0.8125 */
-  w05 = 8.1250000000000000e-01;
-  /* #87: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #88: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #86: @6 = 0.8125 */
+  w06 = 8.1250000000000000e-01;
+  /* #87: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #88: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #89: @5 = 0.84375 */
-  w05 = 8.4375000000000000e-01;
-  /* #90: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #91: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #89: @6 = 0.84375 */
+  w06 = 8.4375000000000000e-01;
+  /* #90: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #91: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #92: @5 = 0.875 */
-  w05 = 8.7500000000000000e-01;
-  /* #93: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #94: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #92: @6 = 0.875 */
+  w06 = 8.7500000000000000e-01;
+  /* #93: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #94: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #95: @5 = 0.90625 */
-  w05 = 9.0625000000000000e-01;
-  /* #96: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #97: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #95: @6 = 0.90625 */
+  w06 = 9.0625000000000000e-01;
+  /* #96: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #97: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #98: @5 = 0.9375 */
-  w05 = 9.3750000000000000e-01;
-  /* #99: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #100: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #98: @6 = 0.9375 */
+  w06 = 9.3750000000000000e-01;
+  /* #99: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #100: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #101: @5 = 0.96875 */
-  w05 = 9.6875000000000000e-01;
-  /* #102: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #103: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #101: @6 = 0.96875 */
+  w06 = 9.6875000000000000e-01;
+  /* #102: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #103: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=w08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=w02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #104: {@10, @0} = landing_with_derivative(@4, @1, @6, @8) */
-  arg1[0]=w04;
+  /* #104: {@10, @0} = landing_with_derivative(@5, @1, @7, @2) */
+  arg1[0]=w05;
   arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=w08;
+  arg1[2]=(&w07);
+  arg1[3]=w02;
   res1[0]=w10;
   res1[1]=w00;
   if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
@@ -13019,7 +11667,7 @@ static int casadi_f74(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* compass_limit_cycle_384:(u0[4],p[6])->(u[4],J[4x4],R[4]) */
-static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f57(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+3, *w0=w+476, *w1=w+480, *w2=w+486, *w3=w+490;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
@@ -13030,15 +11678,15 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w2;
-  if (casadi_f70(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f58(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 4, res[0]);
-  /* #4: {@3, @0} = jacobian_384(@2, @1) */
+  /* #4: {@3, @0} = compass_jacobian_384(@2, @1) */
   arg1[0]=w2;
   arg1[1]=w1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f74(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f61(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 16, res[1]);
   /* #6: output[2][0] = @0 */
@@ -13047,7 +11695,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_384(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f69(arg, res, iw, w, mem);
+  return casadi_f57(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_384_checkout(void) {
@@ -13123,8 +11771,1488 @@ CASADI_SYMBOL_EXPORT int compass_limit_cycle_384_work_bytes(casadi_int *sz_arg, 
   return 0;
 }
 
+CASADI_SYMBOL_EXPORT int compass_residual_12(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f9(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_12_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void compass_residual_12_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_residual_12_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_residual_12_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_residual_12_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_residual_12_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real compass_residual_12_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_residual_12_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_residual_12_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_residual_12_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_residual_12_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_12_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 3;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 159;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_12_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 3*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 159*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_24(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f16(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_24_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void compass_residual_24_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_residual_24_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_residual_24_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_residual_24_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_residual_24_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real compass_residual_24_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_residual_24_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_residual_24_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_residual_24_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_residual_24_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_24_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 3;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 159;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_24_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 3*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 159*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_36(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f27(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_36_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void compass_residual_36_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_residual_36_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_residual_36_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_residual_36_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_residual_36_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real compass_residual_36_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_residual_36_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_residual_36_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_residual_36_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_residual_36_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_36_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 3;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 159;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_36_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 3*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 159*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f20(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_48_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void compass_residual_48_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_residual_48_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_residual_48_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_residual_48_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_residual_48_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real compass_residual_48_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_residual_48_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_residual_48_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_residual_48_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_residual_48_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_48_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 3;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 159;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_48_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 3*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 159*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_72(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f35(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_72_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void compass_residual_72_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_residual_72_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_residual_72_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_residual_72_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_residual_72_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real compass_residual_72_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_residual_72_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_residual_72_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_residual_72_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_residual_72_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_72_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 3;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 159;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_72_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 3*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 159*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_96(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f40(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_96_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void compass_residual_96_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_residual_96_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_residual_96_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_residual_96_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_residual_96_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real compass_residual_96_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_residual_96_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_residual_96_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_residual_96_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_residual_96_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_96_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 3;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 159;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_96_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 3*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 159*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_144(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f45(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_144_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void compass_residual_144_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_residual_144_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_residual_144_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_residual_144_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_residual_144_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real compass_residual_144_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_residual_144_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_residual_144_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_residual_144_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_residual_144_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_144_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 3;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 159;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_144_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 3*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 159*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_192(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f50(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_192_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void compass_residual_192_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_residual_192_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_residual_192_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_residual_192_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_residual_192_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real compass_residual_192_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_residual_192_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_residual_192_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_residual_192_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_residual_192_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_192_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 3;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 159;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_192_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 3*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 159*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_288(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f55(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_288_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void compass_residual_288_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_residual_288_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_residual_288_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_residual_288_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_residual_288_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real compass_residual_288_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_residual_288_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_residual_288_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_residual_288_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_residual_288_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_288_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 3;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 159;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_288_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 3*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 159*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_384(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f60(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_384_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void compass_residual_384_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_residual_384_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_residual_384_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_residual_384_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_residual_384_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real compass_residual_384_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_residual_384_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_residual_384_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_residual_384_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_residual_384_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_384_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 3;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 159;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_residual_384_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 3*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 159*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_12(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f2(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_12_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void compass_jacobian_12_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_jacobian_12_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_jacobian_12_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_jacobian_12_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_jacobian_12_n_out(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_real compass_jacobian_12_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_jacobian_12_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_jacobian_12_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "J";
+    case 1: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_jacobian_12_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_jacobian_12_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s6;
+    case 1: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_12_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 4;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 379;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_12_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 4*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 379*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_24(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f15(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_24_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void compass_jacobian_24_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_jacobian_24_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_jacobian_24_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_jacobian_24_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_jacobian_24_n_out(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_real compass_jacobian_24_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_jacobian_24_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_jacobian_24_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "J";
+    case 1: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_jacobian_24_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_jacobian_24_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s6;
+    case 1: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_24_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 4;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 379;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_24_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 4*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 379*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_36(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f28(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_36_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void compass_jacobian_36_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_jacobian_36_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_jacobian_36_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_jacobian_36_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_jacobian_36_n_out(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_real compass_jacobian_36_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_jacobian_36_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_jacobian_36_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "J";
+    case 1: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_jacobian_36_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_jacobian_36_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s6;
+    case 1: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_36_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 4;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 379;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_36_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 4*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 379*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f19(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_48_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void compass_jacobian_48_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_jacobian_48_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_jacobian_48_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_jacobian_48_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_jacobian_48_n_out(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_real compass_jacobian_48_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_jacobian_48_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_jacobian_48_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "J";
+    case 1: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_jacobian_48_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_jacobian_48_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s6;
+    case 1: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_48_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 4;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 379;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_48_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 4*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 379*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_72(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f36(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_72_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void compass_jacobian_72_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_jacobian_72_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_jacobian_72_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_jacobian_72_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_jacobian_72_n_out(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_real compass_jacobian_72_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_jacobian_72_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_jacobian_72_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "J";
+    case 1: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_jacobian_72_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_jacobian_72_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s6;
+    case 1: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_72_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 4;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 379;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_72_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 4*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 379*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_96(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f41(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_96_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void compass_jacobian_96_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_jacobian_96_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_jacobian_96_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_jacobian_96_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_jacobian_96_n_out(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_real compass_jacobian_96_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_jacobian_96_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_jacobian_96_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "J";
+    case 1: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_jacobian_96_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_jacobian_96_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s6;
+    case 1: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_96_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 4;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 379;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_96_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 4*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 379*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_144(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f46(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_144_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void compass_jacobian_144_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_jacobian_144_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_jacobian_144_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_jacobian_144_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_jacobian_144_n_out(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_real compass_jacobian_144_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_jacobian_144_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_jacobian_144_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "J";
+    case 1: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_jacobian_144_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_jacobian_144_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s6;
+    case 1: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_144_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 4;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 379;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_144_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 4*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 379*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_192(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f51(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_192_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void compass_jacobian_192_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_jacobian_192_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_jacobian_192_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_jacobian_192_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_jacobian_192_n_out(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_real compass_jacobian_192_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_jacobian_192_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_jacobian_192_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "J";
+    case 1: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_jacobian_192_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_jacobian_192_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s6;
+    case 1: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_192_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 4;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 379;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_192_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 4*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 379*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_288(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f56(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_288_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void compass_jacobian_288_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_jacobian_288_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_jacobian_288_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_jacobian_288_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_jacobian_288_n_out(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_real compass_jacobian_288_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_jacobian_288_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_jacobian_288_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "J";
+    case 1: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_jacobian_288_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_jacobian_288_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s6;
+    case 1: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_288_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 4;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 379;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_288_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 4*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 379*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_384(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f61(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_384_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void compass_jacobian_384_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_jacobian_384_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_jacobian_384_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_jacobian_384_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_jacobian_384_n_out(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_real compass_jacobian_384_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_jacobian_384_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_jacobian_384_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "J";
+    case 1: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_jacobian_384_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_jacobian_384_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s6;
+    case 1: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_384_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 4;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 379;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_jacobian_384_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 4*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 379*sizeof(casadi_real);
+  return 0;
+}
+
 /* working_step:(y[5],phase[2],turns[2x12],h,p[6])->(y_end[5]) */
-static int casadi_f77(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f64(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
@@ -14378,327 +14506,328 @@ static int casadi_f77(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* observe:(t,y[4],p[6])->(g[8],dg[8]) */
-static int casadi_f78(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f65(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
   casadi_real a36, a37, a38, a39, a40, a41, a42, a43, a44, a45, a46, a47;
-  casadi_real a48, a49, a50, a51, a52, a53, a54, a55, a56, a57;
-  a00=arg[2]? arg[2][3] : 0;
-  a01=arg[1]? arg[1][3] : 0;
-  a02=arg[2]? arg[2][5] : 0;
-  a03=arg[2]? arg[2][0] : 0;
-  a04=(a02*a03);
-  a05=arg[0]? arg[0][0] : 0;
-  a05=(a03*a05);
-  a06=sin(a05);
-  a07=(a04*a06);
-  a07=(a01+a07);
-  a07=(a00*a07);
-  a08=arg[2]? arg[2][2] : 0;
-  a09=arg[2]? arg[2][4] : 0;
-  a05=cos(a05);
-  a10=1.;
-  a11=(a05+a10);
-  a11=(a02*a11);
-  a09=(a09-a11);
-  a11=arg[1]? arg[1][1] : 0;
-  a09=(a09+a11);
-  a09=(a08*a09);
-  a07=(a07+a09);
-  a09=(a07*a01);
-  a09=(-a09);
-  if (res[0]!=0) res[0][0]=a09;
-  a09=arg[2]? arg[2][1] : 0;
-  a12=arg[1]? arg[1][0] : 0;
-  a13=(a12-a11);
-  a14=sin(a13);
-  a15=sin(a12);
-  a16=(a14-a15);
-  a16=(a09*a16);
-  a16=(a16-a15);
-  a17=(2.*a09);
-  a18=(a17+a10);
-  a19=(a16/a18);
-  a20=cos(a12);
-  a13=cos(a13);
-  a21=(a20-a13);
-  a22=(a09*a21);
-  a22=(a22+a20);
-  a22=(a22/a18);
-  a23=(a09*a01);
-  a24=sin(a11);
-  a25=(a23*a24);
-  a26=arg[1]? arg[1][2] : 0;
-  a27=(2.*a26);
-  a28=(a01-a27);
-  a29=(a25*a28);
-  a30=(a29-a16);
-  a31=cos(a11);
-  a32=(a10-a31);
-  a32=(a17*a32);
-  a32=(a32+a10);
-  a33=(a30/a32);
-  a34=(a31-a10);
-  a34=(a09*a34);
-  a35=(a34/a32);
-  a36=casadi_sq(a26);
-  a37=(a36*a24);
-  a37=(a37+a14);
-  a37=(a09*a37);
-  a37=(a37-a07);
-  a38=(a35*a30);
-  a38=(a37-a38);
-  a39=(a34*a35);
-  a39=(a09-a39);
+  casadi_real a48, a49, a50, a51, a52, a53, a54, a55, a56, a57, a58, a59;
+  casadi_real a60, a61, a62, a63, a64;
+  a00=arg[2]? arg[2][1] : 0;
+  a01=arg[1]? arg[1][0] : 0;
+  a02=arg[1]? arg[1][1] : 0;
+  a03=(a01-a02);
+  a04=sin(a03);
+  a05=sin(a01);
+  a06=(a04-a05);
+  a06=(a00*a06);
+  a06=(a06-a05);
+  a07=(2.*a00);
+  a08=1.;
+  a09=(a07+a08);
+  a10=(a06/a09);
+  a11=cos(a01);
+  a03=cos(a03);
+  a12=(a11-a03);
+  a13=(a00*a12);
+  a13=(a13+a11);
+  a13=(a13/a09);
+  a14=arg[1]? arg[1][3] : 0;
+  a15=(a00*a14);
+  a16=sin(a02);
+  a17=(a15*a16);
+  a18=arg[1]? arg[1][2] : 0;
+  a19=(2.*a18);
+  a20=(a14-a19);
+  a21=(a17*a20);
+  a22=(a21-a06);
+  a23=cos(a02);
+  a24=(a08-a23);
+  a24=(a07*a24);
+  a24=(a24+a08);
+  a25=(a22/a24);
+  a26=(a23-a08);
+  a26=(a00*a26);
+  a27=(a26/a24);
+  a28=casadi_sq(a18);
+  a29=(a28*a16);
+  a29=(a29+a04);
+  a29=(a00*a29);
+  a30=arg[2]? arg[2][3] : 0;
+  a31=arg[2]? arg[2][5] : 0;
+  a32=arg[2]? arg[2][0] : 0;
+  a33=(a31*a32);
+  a34=arg[0]? arg[0][0] : 0;
+  a34=(a32*a34);
+  a35=sin(a34);
+  a36=(a33*a35);
+  a36=(a14+a36);
+  a36=(a30*a36);
+  a37=arg[2]? arg[2][2] : 0;
+  a38=arg[2]? arg[2][4] : 0;
+  a34=cos(a34);
+  a39=(a34+a08);
+  a39=(a31*a39);
+  a38=(a38-a39);
+  a38=(a38+a02);
+  a38=(a37*a38);
+  a36=(a36+a38);
+  a29=(a29-a36);
+  a38=(a27*a22);
+  a38=(a29-a38);
+  a39=(a26*a27);
+  a39=(a00-a39);
   a38=(a38/a39);
-  a40=(a35*a38);
-  a40=(a33-a40);
-  a41=(a13-a20);
-  a42=(a09*a41);
-  a42=(a42-a20);
+  a40=(a27*a38);
+  a40=(a25-a40);
+  a41=(a03-a11);
+  a42=(a00*a41);
+  a42=(a42-a11);
   a43=(a40*a42);
-  a44=(a38*a09);
-  a45=(a44*a13);
+  a44=(a38*a00);
+  a45=(a44*a03);
   a43=(a43-a45);
-  a45=(a23*a14);
-  a46=(a26-a01);
+  a45=(a15*a04);
+  a46=(a18-a14);
   a47=(a45*a46);
   a43=(a43+a47);
-  a47=(a15-a14);
-  a48=(a26*a47);
-  a49=(a01*a14);
+  a47=(a05-a04);
+  a48=(a18*a47);
+  a49=(a14*a04);
   a48=(a48+a49);
-  a48=(a09*a48);
-  a49=(a26*a15);
+  a48=(a00*a48);
+  a49=(a18*a05);
   a48=(a48+a49);
-  a49=(a26*a48);
+  a49=(a18*a48);
   a43=(a43+a49);
-  a49=(a22*a43);
-  a50=(a40*a16);
-  a51=(a44*a14);
+  a49=(a13*a43);
+  a50=(a40*a06);
+  a51=(a44*a04);
   a50=(a50-a51);
-  a51=(a09*a13);
-  a52=(a51*a01);
-  a53=(a01-a26);
+  a51=(a00*a03);
+  a52=(a51*a14);
+  a53=(a14-a18);
   a54=(a52*a53);
   a50=(a50+a54);
-  a54=(a26*a41);
-  a55=(a13*a01);
+  a54=(a18*a41);
+  a55=(a03*a14);
   a54=(a54-a55);
-  a54=(a09*a54);
-  a55=(a20*a26);
+  a54=(a00*a54);
+  a55=(a11*a18);
   a54=(a54-a55);
-  a56=(a26*a54);
+  a56=(a18*a54);
   a57=(a50+a56);
-  a57=(a57+a18);
+  a57=(a57+a09);
   a49=(a49/a57);
-  a19=(a19-a49);
-  a19=(-a19);
-  if (res[0]!=0) res[0][1]=a19;
-  a50=(a50+a17);
+  a10=(a10-a49);
+  a10=(-a10);
+  if (res[0]!=0) res[0][0]=a10;
+  a50=(a50+a07);
   a50=(a50+a56);
-  a50=(a50+a10);
-  if (res[0]!=0) res[0][2]=a50;
-  a10=(a43/a50);
-  if (res[0]!=0) res[0][3]=a10;
-  if (res[0]!=0) res[0][4]=a21;
-  a21=(a09*a47);
-  a29=(a29+a21);
-  a29=(a29+a15);
-  a21=(a29/a32);
-  a56=(a35*a29);
-  a37=(a37-a56);
-  a37=(a37/a39);
-  a56=(a35*a37);
-  a56=(a21-a56);
-  if (res[0]!=0) res[0][5]=a56;
-  a12=(2.*a12);
-  a11=(a11-a12);
-  if (res[0]!=0) res[0][6]=a11;
-  a11=0.;
-  if (res[0]!=0) res[0][7]=a11;
-  a05=(a05*a03);
-  a04=(a04*a05);
-  a04=(a37+a04);
-  a00=(a00*a04);
-  a06=(a06*a03);
-  a02=(a02*a06);
-  a02=(a02+a01);
-  a08=(a08*a02);
-  a00=(a00+a08);
-  a08=(a01*a00);
-  a07=(a07*a37);
-  a08=(a08+a07);
-  a08=(-a08);
-  if (res[1]!=0) res[1][0]=a08;
-  a08=(a13*a46);
-  a07=(a08-a55);
-  a07=(a09*a07);
-  a07=(a07-a55);
-  a02=(a07/a18);
-  a06=(a14*a46);
-  a03=(a15*a26);
-  a04=(a06-a03);
-  a05=(a09*a04);
-  a05=(a05-a03);
-  a05=(a05/a18);
-  a43=(a43*a05);
-  a05=(a09*a37);
-  a18=(a24*a05);
-  a31=(a31*a01);
-  a12=(a23*a31);
-  a18=(a18+a12);
-  a18=(a28*a18);
-  a12=(2.*a56);
-  a12=(a37-a12);
-  a25=(a25*a12);
-  a18=(a18+a25);
-  a25=(a18-a07);
-  a12=(a25/a32);
-  a33=(a33/a32);
-  a19=(a24*a01);
-  a17=(a17*a19);
-  a33=(a33*a17);
-  a12=(a12-a33);
-  a27=(a27*a56);
-  a24=(a24*a27);
-  a36=(a36*a31);
-  a24=(a24+a36);
-  a24=(a24+a08);
-  a24=(a09*a24);
-  a24=(a24-a00);
-  a25=(a35*a25);
-  a19=(a09*a19);
-  a00=(a19/a32);
-  a36=(a35/a32);
-  a36=(a36*a17);
-  a00=(a00+a36);
-  a30=(a30*a00);
-  a25=(a25-a30);
-  a25=(a24-a25);
-  a25=(a25/a39);
-  a30=(a38/a39);
-  a19=(a35*a19);
-  a34=(a34*a00);
-  a19=(a19+a34);
-  a30=(a30*a19);
-  a25=(a25-a30);
-  a30=(a35*a25);
-  a38=(a38*a00);
-  a30=(a30-a38);
-  a12=(a12-a30);
-  a42=(a42*a12);
-  a30=(a03-a06);
-  a38=(a09*a30);
-  a38=(a38+a03);
+  a50=(a50+a08);
+  if (res[0]!=0) res[0][1]=a50;
+  a08=(a43/a50);
+  if (res[0]!=0) res[0][2]=a08;
+  if (res[0]!=0) res[0][3]=a12;
+  a12=(a00*a47);
+  a21=(a21+a12);
+  a21=(a21+a05);
+  a12=(a21/a24);
+  a56=(a27*a21);
+  a29=(a29-a56);
+  a29=(a29/a39);
+  a56=(a27*a29);
+  a56=(a12-a56);
+  if (res[0]!=0) res[0][4]=a56;
+  a01=(2.*a01);
+  a02=(a02-a01);
+  if (res[0]!=0) res[0][5]=a02;
+  a02=0.;
+  if (res[0]!=0) res[0][6]=a02;
+  a01=(a36*a14);
+  a01=(-a01);
+  if (res[0]!=0) res[0][7]=a01;
+  a01=(a03*a46);
+  a10=(a01-a55);
+  a10=(a00*a10);
+  a10=(a10-a55);
+  a58=(a10/a09);
+  a59=(a04*a46);
+  a60=(a05*a18);
+  a61=(a59-a60);
+  a62=(a00*a61);
+  a62=(a62-a60);
+  a62=(a62/a09);
+  a43=(a43*a62);
+  a62=(a00*a29);
+  a09=(a16*a62);
+  a23=(a23*a14);
+  a63=(a15*a23);
+  a09=(a09+a63);
+  a09=(a20*a09);
+  a63=(2.*a56);
+  a63=(a29-a63);
+  a17=(a17*a63);
+  a09=(a09+a17);
+  a17=(a09-a10);
+  a63=(a17/a24);
+  a25=(a25/a24);
+  a64=(a16*a14);
+  a07=(a07*a64);
+  a25=(a25*a07);
+  a63=(a63-a25);
+  a19=(a19*a56);
+  a16=(a16*a19);
+  a28=(a28*a23);
+  a16=(a16+a28);
+  a16=(a16+a01);
+  a16=(a00*a16);
+  a34=(a34*a32);
+  a33=(a33*a34);
+  a33=(a29+a33);
+  a30=(a30*a33);
+  a35=(a35*a32);
+  a31=(a31*a35);
+  a31=(a31+a14);
+  a37=(a37*a31);
+  a30=(a30+a37);
+  a16=(a16-a30);
+  a17=(a27*a17);
+  a64=(a00*a64);
+  a37=(a64/a24);
+  a31=(a27/a24);
+  a31=(a31*a07);
+  a37=(a37+a31);
+  a22=(a22*a37);
+  a17=(a17-a22);
+  a17=(a16-a17);
+  a17=(a17/a39);
+  a22=(a38/a39);
+  a64=(a27*a64);
+  a26=(a26*a37);
+  a64=(a64+a26);
+  a22=(a22*a64);
+  a17=(a17-a22);
+  a22=(a27*a17);
+  a38=(a38*a37);
+  a22=(a22-a38);
+  a63=(a63-a22);
+  a42=(a42*a63);
+  a22=(a60-a59);
+  a38=(a00*a22);
+  a38=(a38+a60);
   a38=(a40*a38);
   a42=(a42+a38);
-  a25=(a09*a25);
-  a38=(a13*a25);
-  a34=(a44*a06);
-  a38=(a38-a34);
+  a17=(a00*a17);
+  a38=(a03*a17);
+  a26=(a44*a59);
+  a38=(a38-a26);
   a42=(a42-a38);
-  a05=(a14*a05);
-  a23=(a23*a08);
-  a05=(a05+a23);
-  a46=(a46*a05);
-  a05=(a56-a37);
-  a45=(a45*a05);
+  a62=(a04*a62);
+  a15=(a15*a01);
+  a62=(a62+a15);
+  a46=(a46*a62);
+  a62=(a56-a29);
+  a45=(a45*a62);
   a46=(a46+a45);
   a42=(a42+a46);
   a48=(a48*a56);
   a47=(a47*a56);
-  a46=(a55-a08);
-  a45=(a26*a46);
+  a46=(a55-a01);
+  a45=(a18*a46);
   a47=(a47+a45);
-  a45=(a14*a37);
-  a05=(a01*a08);
-  a45=(a45+a05);
+  a45=(a04*a29);
+  a62=(a14*a01);
+  a45=(a45+a62);
   a47=(a47+a45);
-  a47=(a09*a47);
-  a15=(a15*a56);
-  a45=(a26*a55);
-  a15=(a15+a45);
-  a47=(a47+a15);
-  a47=(a26*a47);
+  a47=(a00*a47);
+  a05=(a05*a56);
+  a45=(a18*a55);
+  a05=(a05+a45);
+  a47=(a47+a05);
+  a47=(a18*a47);
   a48=(a48+a47);
   a42=(a42+a48);
-  a22=(a22*a42);
-  a43=(a43+a22);
+  a13=(a13*a42);
+  a43=(a43+a13);
   a43=(a43/a57);
   a49=(a49/a57);
-  a16=(a16*a12);
-  a40=(a40*a07);
-  a16=(a16+a40);
-  a14=(a14*a25);
-  a44=(a44*a08);
-  a14=(a14+a44);
-  a16=(a16-a14);
-  a51=(a51*a37);
-  a14=(a09*a06);
-  a14=(a01*a14);
-  a51=(a51-a14);
+  a06=(a06*a63);
+  a40=(a40*a10);
+  a06=(a06+a40);
+  a04=(a04*a17);
+  a44=(a44*a01);
+  a04=(a04+a44);
+  a06=(a06-a04);
+  a51=(a51*a29);
+  a04=(a00*a59);
+  a04=(a14*a04);
+  a51=(a51-a04);
   a53=(a53*a51);
-  a51=(a37-a56);
+  a51=(a29-a56);
   a52=(a52*a51);
   a53=(a53+a52);
-  a16=(a16+a53);
+  a06=(a06+a53);
   a54=(a54*a56);
   a41=(a41*a56);
-  a30=(a26*a30);
-  a41=(a41+a30);
-  a13=(a13*a37);
-  a01=(a01*a06);
-  a13=(a13-a01);
-  a41=(a41-a13);
-  a41=(a09*a41);
-  a20=(a20*a56);
-  a03=(a26*a03);
-  a20=(a20-a03);
-  a41=(a41-a20);
-  a26=(a26*a41);
-  a54=(a54+a26);
-  a16=(a16+a54);
-  a49=(a49*a16);
+  a22=(a18*a22);
+  a41=(a41+a22);
+  a03=(a03*a29);
+  a59=(a14*a59);
+  a03=(a03-a59);
+  a41=(a41-a03);
+  a41=(a00*a41);
+  a11=(a11*a56);
+  a60=(a18*a60);
+  a11=(a11-a60);
+  a41=(a41-a11);
+  a18=(a18*a41);
+  a54=(a54+a18);
+  a06=(a06+a54);
+  a49=(a49*a06);
   a43=(a43-a49);
-  a02=(a02-a43);
-  a02=(-a02);
-  if (res[1]!=0) res[1][1]=a02;
-  if (res[1]!=0) res[1][2]=a16;
+  a58=(a58-a43);
+  a58=(-a58);
+  if (res[1]!=0) res[1][0]=a58;
+  if (res[1]!=0) res[1][1]=a06;
   a42=(a42/a50);
-  a10=(a10/a50);
-  a10=(a10*a16);
-  a42=(a42-a10);
-  if (res[1]!=0) res[1][3]=a42;
-  if (res[1]!=0) res[1][4]=a04;
-  a09=(a09*a46);
-  a18=(a18+a09);
-  a18=(a18+a55);
-  a55=(a18/a32);
-  a21=(a21/a32);
-  a21=(a21*a17);
-  a55=(a55-a21);
-  a18=(a35*a18);
-  a29=(a29*a00);
-  a18=(a18-a29);
-  a24=(a24-a18);
-  a24=(a24/a39);
-  a39=(a37/a39);
-  a39=(a39*a19);
-  a24=(a24-a39);
-  a35=(a35*a24);
-  a37=(a37*a00);
-  a35=(a35-a37);
-  a55=(a55-a35);
-  if (res[1]!=0) res[1][5]=a55;
-  if (res[1]!=0) res[1][6]=a28;
-  if (res[1]!=0) res[1][7]=a11;
+  a08=(a08/a50);
+  a08=(a08*a06);
+  a42=(a42-a08);
+  if (res[1]!=0) res[1][2]=a42;
+  if (res[1]!=0) res[1][3]=a61;
+  a00=(a00*a46);
+  a09=(a09+a00);
+  a09=(a09+a55);
+  a55=(a09/a24);
+  a12=(a12/a24);
+  a12=(a12*a07);
+  a55=(a55-a12);
+  a09=(a27*a09);
+  a21=(a21*a37);
+  a09=(a09-a21);
+  a16=(a16-a09);
+  a16=(a16/a39);
+  a39=(a29/a39);
+  a39=(a39*a64);
+  a16=(a16-a39);
+  a27=(a27*a16);
+  a37=(a29*a37);
+  a27=(a27-a37);
+  a55=(a55-a27);
+  if (res[1]!=0) res[1][4]=a55;
+  if (res[1]!=0) res[1][5]=a20;
+  if (res[1]!=0) res[1][6]=a02;
+  a14=(a14*a30);
+  a36=(a36*a29);
+  a14=(a14+a36);
+  a14=(-a14);
+  if (res[1]!=0) res[1][7]=a14;
   return 0;
 }
 
 /* working_steps:(t,turns[2x12],w[5],h,p[6])->(w_end[5],nodes[5x12],g[8x12],dg[8x12]) */
-static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+4, *rr, *w00=w+81, w01, *w02=w+86, *w03=w+92, w05, *w06=w+94, w07, *w08=w+99, *w09=w+104, *w10=w+109;
   casadi_real *w11=w+114, *w12=w+119, *w13=w+124, *w14=w+129, *w15=w+134, *w16=w+139, *w17=w+144, *w18=w+149, *w19=w+154, *w20=w+158, *w21=w+166, *w22=w+174;
   casadi_real *w23=w+182, *w24=w+190, *w25=w+198, *w26=w+206, *w27=w+214, *w28=w+222, *w29=w+230, *w30=w+238, *w31=w+246, *w32=w+254;
@@ -14725,7 +14854,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=w02;
   res1[0]=w06;
-  if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #7: @7 = (@1+@5) */
   w07  = (w01+w05);
   /* #8: @3 = phase(@7, @2) */
@@ -14740,7 +14869,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=w02;
   res1[0]=w08;
-  if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #10: @7 = (2.*@5) */
   w07 = (2.* w05 );
   /* #11: @7 = (@1+@7) */
@@ -14757,7 +14886,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=w02;
   res1[0]=w09;
-  if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #14: @7 = 3 */
   w07 = 3.;
   /* #15: @7 = (@7*@5) */
@@ -14776,7 +14905,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #19: @7 = 4 */
   w07 = 4.;
   /* #20: @7 = (@7*@5) */
@@ -14795,7 +14924,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=w02;
   res1[0]=w11;
-  if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #24: @7 = 5 */
   w07 = 5.;
   /* #25: @7 = (@7*@5) */
@@ -14814,7 +14943,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=w02;
   res1[0]=w12;
-  if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #29: @7 = 6 */
   w07 = 6.;
   /* #30: @7 = (@7*@5) */
@@ -14833,7 +14962,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=w02;
   res1[0]=w13;
-  if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #34: @7 = 7 */
   w07 = 7.;
   /* #35: @7 = (@7*@5) */
@@ -14852,7 +14981,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=w02;
   res1[0]=w14;
-  if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #39: @7 = 8 */
   w07 = 8.;
   /* #40: @7 = (@7*@5) */
@@ -14871,7 +15000,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=w02;
   res1[0]=w15;
-  if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #44: @7 = 9 */
   w07 = 9.;
   /* #45: @7 = (@7*@5) */
@@ -14890,7 +15019,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=w02;
   res1[0]=w16;
-  if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #49: @7 = 10 */
   w07 = 10.;
   /* #50: @7 = (@7*@5) */
@@ -14909,7 +15038,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=w02;
   res1[0]=w17;
-  if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #54: @7 = 11 */
   w07 = 11.;
   /* #55: @7 = (@7*@5) */
@@ -14928,7 +15057,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=w02;
   res1[0]=w18;
-  if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #59: output[0][0] = @18 */
   casadi_copy(w18, 5, res[0]);
   /* #60: output[1][0] = @0 */
@@ -14963,7 +15092,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w02;
   res1[0]=w20;
   res1[1]=w21;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #74: output[2][0] = @20 */
   casadi_copy(w20, 8, res[2]);
   /* #75: @7 = (@1+@5) */
@@ -14976,7 +15105,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w02;
   res1[0]=w20;
   res1[1]=w22;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #78: output[2][1] = @20 */
   if (res[2]) casadi_copy(w20, 8, res[2]+8);
   /* #79: @7 = (2.*@5) */
@@ -14991,7 +15120,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w02;
   res1[0]=w20;
   res1[1]=w23;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #83: output[2][2] = @20 */
   if (res[2]) casadi_copy(w20, 8, res[2]+16);
   /* #84: @7 = 3 */
@@ -15008,7 +15137,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w02;
   res1[0]=w20;
   res1[1]=w24;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #89: output[2][3] = @20 */
   if (res[2]) casadi_copy(w20, 8, res[2]+24);
   /* #90: @7 = 4 */
@@ -15025,7 +15154,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w02;
   res1[0]=w20;
   res1[1]=w25;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #95: output[2][4] = @20 */
   if (res[2]) casadi_copy(w20, 8, res[2]+32);
   /* #96: @7 = 5 */
@@ -15042,7 +15171,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w02;
   res1[0]=w20;
   res1[1]=w26;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #101: output[2][5] = @20 */
   if (res[2]) casadi_copy(w20, 8, res[2]+40);
   /* #102: @7 = 6 */
@@ -15059,7 +15188,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w02;
   res1[0]=w20;
   res1[1]=w27;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #107: output[2][6] = @20 */
   if (res[2]) casadi_copy(w20, 8, res[2]+48);
   /* #108: @7 = 7 */
@@ -15076,7 +15205,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w02;
   res1[0]=w20;
   res1[1]=w28;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #113: output[2][7] = @20 */
   if (res[2]) casadi_copy(w20, 8, res[2]+56);
   /* #114: @7 = 8 */
@@ -15093,7 +15222,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w02;
   res1[0]=w20;
   res1[1]=w29;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #119: output[2][8] = @20 */
   if (res[2]) casadi_copy(w20, 8, res[2]+64);
   /* #120: @7 = 9 */
@@ -15110,7 +15239,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w02;
   res1[0]=w20;
   res1[1]=w30;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #125: output[2][9] = @20 */
   if (res[2]) casadi_copy(w20, 8, res[2]+72);
   /* #126: @7 = 10 */
@@ -15127,7 +15256,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w02;
   res1[0]=w20;
   res1[1]=w31;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #131: output[2][10] = @20 */
   if (res[2]) casadi_copy(w20, 8, res[2]+80);
   /* #132: @7 = 11 */
@@ -15144,7 +15273,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w02;
   res1[0]=w20;
   res1[1]=w32;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #137: output[2][11] = @20 */
   if (res[2]) casadi_copy(w20, 8, res[2]+88);
   /* #138: output[3][0] = @21 */
@@ -15175,7 +15304,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* compass_trace_48:(u[4],p[6])->(w[5x49],g[8x49],dg[8x49],R[4]) */
-static int casadi_f75(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w00, *w01=w+289, w02, w03, *w04=w+293, *w05=w+299, *w06=w+323, w07, *w08=w+326, *w09=w+331;
   casadi_real *w10=w+336, *w11=w+396, *w12=w+492, *w13=w+588, *w14=w+684, *w15=w+780, *w16=w+876, *w17=w+972, *w18=w+1068, *w19=w+1164, *w20=w+1172, *w21=w+1180;
@@ -15199,8 +15328,9 @@ static int casadi_f75(const casadi_real** arg, casadi_real** res, casadi_int* iw
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:3] */
   for (rr=w06, cs=w01+0; cs!=w01+3; cs+=1) *rr++ = *cs;
-  /* #8: {@1, NULL} = start(@6) */
+  /* #8: {@1, NULL} = start(@6, @4) */
   arg1[0]=w06;
+  arg1[1]=w04;
   res1[0]=w01;
   res1[1]=0;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
@@ -15220,7 +15350,7 @@ static int casadi_f75(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w11;
   res1[3]=w12;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w10, 60, res[0]);
   /* #13: @0 = 0.25 */
@@ -15237,7 +15367,7 @@ static int casadi_f75(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w13;
   res1[3]=w14;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+60);
   /* #17: @0 = 0.5 */
@@ -15254,7 +15384,7 @@ static int casadi_f75(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w15;
   res1[3]=w16;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+120);
   /* #21: @0 = 0.75 */
@@ -15271,7 +15401,7 @@ static int casadi_f75(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w17;
   res1[3]=w18;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+180);
   /* #25: output[0][4] = @8 */
@@ -15292,7 +15422,7 @@ static int casadi_f75(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w04;
   res1[0]=w19;
   res1[1]=w20;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[1][4] = @19 */
   if (res[1]) casadi_copy(w19, 8, res[1]+384);
   /* #33: output[2][0] = @12 */
@@ -15319,7 +15449,7 @@ static int casadi_f75(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f75(arg, res, iw, w, mem);
+  return casadi_f62(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_48_checkout(void) {
@@ -15398,7 +15528,7 @@ CASADI_SYMBOL_EXPORT int compass_trace_48_work_bytes(casadi_int *sz_arg, casadi_
 }
 
 /* compass_trace_72:(u[4],p[6])->(w[5x73],g[8x73],dg[8x73],R[4]) */
-static int casadi_f79(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w00, *w01=w+289, w02, w03, *w04=w+293, *w05=w+299, *w06=w+323, w07, *w08=w+326, *w09=w+331;
   casadi_real *w10=w+336, *w11=w+396, *w12=w+492, *w13=w+588, *w14=w+684, *w15=w+780, *w16=w+876, *w17=w+972, *w18=w+1068, *w19=w+1164, *w20=w+1260, *w21=w+1356;
@@ -15423,8 +15553,9 @@ static int casadi_f79(const casadi_real** arg, casadi_real** res, casadi_int* iw
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:3] */
   for (rr=w06, cs=w01+0; cs!=w01+3; cs+=1) *rr++ = *cs;
-  /* #8: {@1, NULL} = start(@6) */
+  /* #8: {@1, NULL} = start(@6, @4) */
   arg1[0]=w06;
+  arg1[1]=w04;
   res1[0]=w01;
   res1[1]=0;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
@@ -15444,7 +15575,7 @@ static int casadi_f79(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w11;
   res1[3]=w12;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w10, 60, res[0]);
   /* #13: @0 = 0.166667 */
@@ -15461,7 +15592,7 @@ static int casadi_f79(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w13;
   res1[3]=w14;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+60);
   /* #17: @0 = 0.333333 */
@@ -15478,7 +15609,7 @@ static int casadi_f79(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w15;
   res1[3]=w16;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+120);
   /* #21: @0 = 0.5 */
@@ -15495,7 +15626,7 @@ static int casadi_f79(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w17;
   res1[3]=w18;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+180);
   /* #25: @0 = 0.666667 */
@@ -15512,7 +15643,7 @@ static int casadi_f79(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w19;
   res1[3]=w20;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+240);
   /* #29: @0 = 0.833333 */
@@ -15529,7 +15660,7 @@ static int casadi_f79(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w21;
   res1[3]=w22;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+300);
   /* #33: output[0][6] = @8 */
@@ -15554,7 +15685,7 @@ static int casadi_f79(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w04;
   res1[0]=w23;
   res1[1]=w24;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #42: output[1][6] = @23 */
   if (res[1]) casadi_copy(w23, 8, res[1]+576);
   /* #43: output[2][0] = @12 */
@@ -15585,7 +15716,7 @@ static int casadi_f79(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_72(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f79(arg, res, iw, w, mem);
+  return casadi_f66(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_72_checkout(void) {
@@ -15664,7 +15795,7 @@ CASADI_SYMBOL_EXPORT int compass_trace_72_work_bytes(casadi_int *sz_arg, casadi_
 }
 
 /* compass_trace_96:(u[4],p[6])->(w[5x97],g[8x97],dg[8x97],R[4]) */
-static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w00, *w01=w+289, w02, w03, *w04=w+293, *w05=w+299, *w06=w+323, w07, *w08=w+326, *w09=w+331;
   casadi_real *w10=w+336, *w11=w+396, *w12=w+492, *w13=w+588, *w14=w+684, *w15=w+780, *w16=w+876, *w17=w+972, *w18=w+1068, *w19=w+1164, *w20=w+1260, *w21=w+1356;
@@ -15689,8 +15820,9 @@ static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:3] */
   for (rr=w06, cs=w01+0; cs!=w01+3; cs+=1) *rr++ = *cs;
-  /* #8: {@1, NULL} = start(@6) */
+  /* #8: {@1, NULL} = start(@6, @4) */
   arg1[0]=w06;
+  arg1[1]=w04;
   res1[0]=w01;
   res1[1]=0;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
@@ -15710,7 +15842,7 @@ static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w11;
   res1[3]=w12;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w10, 60, res[0]);
   /* #13: @0 = 0.125 */
@@ -15727,7 +15859,7 @@ static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w13;
   res1[3]=w14;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+60);
   /* #17: @0 = 0.25 */
@@ -15744,7 +15876,7 @@ static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w15;
   res1[3]=w16;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+120);
   /* #21: @0 = 0.375 */
@@ -15761,7 +15893,7 @@ static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w17;
   res1[3]=w18;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+180);
   /* #25: @0 = 0.5 */
@@ -15778,7 +15910,7 @@ static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w19;
   res1[3]=w20;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+240);
   /* #29: @0 = 0.625 */
@@ -15795,7 +15927,7 @@ static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w21;
   res1[3]=w22;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+300);
   /* #33: @0 = 0.75 */
@@ -15812,7 +15944,7 @@ static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w23;
   res1[3]=w24;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[0][6] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+360);
   /* #37: @0 = 0.875 */
@@ -15829,7 +15961,7 @@ static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w25;
   res1[3]=w26;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[0][7] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+420);
   /* #41: output[0][8] = @8 */
@@ -15858,7 +15990,7 @@ static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w04;
   res1[0]=w27;
   res1[1]=w28;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[1][8] = @27 */
   if (res[1]) casadi_copy(w27, 8, res[1]+768);
   /* #53: output[2][0] = @12 */
@@ -15893,7 +16025,7 @@ static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_96(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f80(arg, res, iw, w, mem);
+  return casadi_f67(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_96_checkout(void) {
@@ -15972,7 +16104,7 @@ CASADI_SYMBOL_EXPORT int compass_trace_96_work_bytes(casadi_int *sz_arg, casadi_
 }
 
 /* compass_trace_144:(u[4],p[6])->(w[5x145],g[8x145],dg[8x145],R[4]) */
-static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w00, *w01=w+289, w02, w03, *w04=w+293, *w05=w+299, *w06=w+323, w07, *w08=w+326, *w09=w+331;
   casadi_real *w10=w+336, *w11=w+396, *w12=w+492, *w13=w+588, *w14=w+684, *w15=w+780, *w16=w+876, *w17=w+972, *w18=w+1068, *w19=w+1164, *w20=w+1260, *w21=w+1356;
@@ -15998,8 +16130,9 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:3] */
   for (rr=w06, cs=w01+0; cs!=w01+3; cs+=1) *rr++ = *cs;
-  /* #8: {@1, NULL} = start(@6) */
+  /* #8: {@1, NULL} = start(@6, @4) */
   arg1[0]=w06;
+  arg1[1]=w04;
   res1[0]=w01;
   res1[1]=0;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
@@ -16019,7 +16152,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w11;
   res1[3]=w12;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w10, 60, res[0]);
   /* #13: @0 = 0.0833333 */
@@ -16036,7 +16169,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w13;
   res1[3]=w14;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+60);
   /* #17: @0 = 0.166667 */
@@ -16053,7 +16186,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w15;
   res1[3]=w16;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+120);
   /* #21: @0 = 0.25 */
@@ -16070,7 +16203,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w17;
   res1[3]=w18;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+180);
   /* #25: @0 = 0.333333 */
@@ -16087,7 +16220,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w19;
   res1[3]=w20;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+240);
   /* #29: @0 = 0.416667 */
@@ -16104,7 +16237,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w21;
   res1[3]=w22;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+300);
   /* #33: @0 = 0.5 */
@@ -16121,7 +16254,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w23;
   res1[3]=w24;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[0][6] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+360);
   /* #37: @0 = 0.583333 */
@@ -16138,7 +16271,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w25;
   res1[3]=w26;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[0][7] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+420);
   /* #41: @0 = 0.666667 */
@@ -16155,7 +16288,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w27;
   res1[3]=w28;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #44: output[0][8] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+480);
   /* #45: @0 = 0.75 */
@@ -16172,7 +16305,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w29;
   res1[3]=w30;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #48: output[0][9] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+540);
   /* #49: @0 = 0.833333 */
@@ -16189,7 +16322,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w31;
   res1[3]=w32;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[0][10] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+600);
   /* #53: @0 = 0.916667 */
@@ -16206,7 +16339,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w33;
   res1[3]=w34;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #56: output[0][11] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+660);
   /* #57: output[0][12] = @8 */
@@ -16243,7 +16376,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w04;
   res1[0]=w35;
   res1[1]=w36;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #72: output[1][12] = @35 */
   if (res[1]) casadi_copy(w35, 8, res[1]+1152);
   /* #73: output[2][0] = @12 */
@@ -16286,7 +16419,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_144(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f81(arg, res, iw, w, mem);
+  return casadi_f68(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_144_checkout(void) {
@@ -16365,7 +16498,7 @@ CASADI_SYMBOL_EXPORT int compass_trace_144_work_bytes(casadi_int *sz_arg, casadi
 }
 
 /* compass_trace_192:(u[4],p[6])->(w[5x193],g[8x193],dg[8x193],R[4]) */
-static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w00, *w01=w+289, w02, w03, *w04=w+293, *w05=w+299, *w06=w+323, w07, *w08=w+326, *w09=w+331;
   casadi_real *w10=w+336, *w11=w+396, *w12=w+492, *w13=w+588, *w14=w+684, *w15=w+780, *w16=w+876, *w17=w+972, *w18=w+1068, *w19=w+1164, *w20=w+1260, *w21=w+1356;
@@ -16391,8 +16524,9 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:3] */
   for (rr=w06, cs=w01+0; cs!=w01+3; cs+=1) *rr++ = *cs;
-  /* #8: {@1, NULL} = start(@6) */
+  /* #8: {@1, NULL} = start(@6, @4) */
   arg1[0]=w06;
+  arg1[1]=w04;
   res1[0]=w01;
   res1[1]=0;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
@@ -16412,7 +16546,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w11;
   res1[3]=w12;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w10, 60, res[0]);
   /* #13: @0 = 0.0625 */
@@ -16429,7 +16563,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w13;
   res1[3]=w14;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+60);
   /* #17: @0 = 0.125 */
@@ -16446,7 +16580,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w15;
   res1[3]=w16;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+120);
   /* #21: @0 = 0.1875 */
@@ -16463,7 +16597,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w17;
   res1[3]=w18;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+180);
   /* #25: @0 = 0.25 */
@@ -16480,7 +16614,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w19;
   res1[3]=w20;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+240);
   /* #29: @0 = 0.3125 */
@@ -16497,7 +16631,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w21;
   res1[3]=w22;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+300);
   /* #33: @0 = 0.375 */
@@ -16514,7 +16648,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w23;
   res1[3]=w24;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[0][6] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+360);
   /* #37: @0 = 0.4375 */
@@ -16531,7 +16665,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w25;
   res1[3]=w26;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[0][7] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+420);
   /* #41: @0 = 0.5 */
@@ -16548,7 +16682,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w27;
   res1[3]=w28;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #44: output[0][8] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+480);
   /* #45: @0 = 0.5625 */
@@ -16565,7 +16699,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w29;
   res1[3]=w30;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #48: output[0][9] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+540);
   /* #49: @0 = 0.625 */
@@ -16582,7 +16716,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w31;
   res1[3]=w32;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[0][10] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+600);
   /* #53: @0 = 0.6875 */
@@ -16599,7 +16733,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w33;
   res1[3]=w34;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #56: output[0][11] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+660);
   /* #57: @0 = 0.75 */
@@ -16616,7 +16750,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w35;
   res1[3]=w36;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #60: output[0][12] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+720);
   /* #61: @0 = 0.8125 */
@@ -16633,7 +16767,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w37;
   res1[3]=w38;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #64: output[0][13] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+780);
   /* #65: @0 = 0.875 */
@@ -16650,7 +16784,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w39;
   res1[3]=w40;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #68: output[0][14] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+840);
   /* #69: @0 = 0.9375 */
@@ -16667,7 +16801,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w41;
   res1[3]=w42;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #72: output[0][15] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+900);
   /* #73: output[0][16] = @8 */
@@ -16712,7 +16846,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w04;
   res1[0]=w43;
   res1[1]=w44;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #92: output[1][16] = @43 */
   if (res[1]) casadi_copy(w43, 8, res[1]+1536);
   /* #93: output[2][0] = @12 */
@@ -16763,7 +16897,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_192(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f82(arg, res, iw, w, mem);
+  return casadi_f69(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_192_checkout(void) {
@@ -16842,7 +16976,7 @@ CASADI_SYMBOL_EXPORT int compass_trace_192_work_bytes(casadi_int *sz_arg, casadi
 }
 
 /* compass_trace_288:(u[4],p[6])->(w[5x289],g[8x289],dg[8x289],R[4]) */
-static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w00, *w01=w+289, w02, w03, *w04=w+293, *w05=w+299, *w06=w+323, w07, *w08=w+326, *w09=w+331;
   casadi_real *w10=w+336, *w11=w+396, *w12=w+492, *w13=w+588, *w14=w+684, *w15=w+780, *w16=w+876, *w17=w+972, *w18=w+1068, *w19=w+1164, *w20=w+1260, *w21=w+1356;
@@ -16870,8 +17004,9 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:3] */
   for (rr=w06, cs=w01+0; cs!=w01+3; cs+=1) *rr++ = *cs;
-  /* #8: {@1, NULL} = start(@6) */
+  /* #8: {@1, NULL} = start(@6, @4) */
   arg1[0]=w06;
+  arg1[1]=w04;
   res1[0]=w01;
   res1[1]=0;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
@@ -16891,7 +17026,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w11;
   res1[3]=w12;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w10, 60, res[0]);
   /* #13: @0 = 0.0416667 */
@@ -16908,7 +17043,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w13;
   res1[3]=w14;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+60);
   /* #17: @0 = 0.0833333 */
@@ -16925,7 +17060,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w15;
   res1[3]=w16;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+120);
   /* #21: @0 = 0.125 */
@@ -16942,7 +17077,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w17;
   res1[3]=w18;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+180);
   /* #25: @0 = 0.166667 */
@@ -16959,7 +17094,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w19;
   res1[3]=w20;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+240);
   /* #29: @0 = 0.208333 */
@@ -16976,7 +17111,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w21;
   res1[3]=w22;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+300);
   /* #33: @0 = 0.25 */
@@ -16993,7 +17128,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w23;
   res1[3]=w24;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[0][6] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+360);
   /* #37: @0 = 0.291667 */
@@ -17010,7 +17145,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w25;
   res1[3]=w26;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[0][7] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+420);
   /* #41: @0 = 0.333333 */
@@ -17027,7 +17162,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w27;
   res1[3]=w28;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #44: output[0][8] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+480);
   /* #45: @0 = 0.375 */
@@ -17044,7 +17179,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w29;
   res1[3]=w30;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #48: output[0][9] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+540);
   /* #49: @0 = 0.416667 */
@@ -17061,7 +17196,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w31;
   res1[3]=w32;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[0][10] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+600);
   /* #53: @0 = 0.458333 */
@@ -17078,7 +17213,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w33;
   res1[3]=w34;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #56: output[0][11] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+660);
   /* #57: @0 = 0.5 */
@@ -17095,7 +17230,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w35;
   res1[3]=w36;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #60: output[0][12] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+720);
   /* #61: @0 = 0.541667 */
@@ -17112,7 +17247,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w37;
   res1[3]=w38;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #64: output[0][13] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+780);
   /* #65: @0 = 0.583333 */
@@ -17129,7 +17264,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w39;
   res1[3]=w40;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #68: output[0][14] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+840);
   /* #69: @0 = 0.625 */
@@ -17146,7 +17281,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w41;
   res1[3]=w42;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #72: output[0][15] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+900);
   /* #73: @0 = 0.666667 */
@@ -17163,7 +17298,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w43;
   res1[3]=w44;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #76: output[0][16] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+960);
   /* #77: @0 = 0.708333 */
@@ -17180,7 +17315,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w45;
   res1[3]=w46;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #80: output[0][17] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1020);
   /* #81: @0 = 0.75 */
@@ -17197,7 +17332,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w47;
   res1[3]=w48;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #84: output[0][18] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1080);
   /* #85: @0 = 0.791667 */
@@ -17214,7 +17349,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w49;
   res1[3]=w50;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #88: output[0][19] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1140);
   /* #89: @0 = 0.833333 */
@@ -17231,7 +17366,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w51;
   res1[3]=w52;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #92: output[0][20] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1200);
   /* #93: @0 = 0.875 */
@@ -17248,7 +17383,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w53;
   res1[3]=w54;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #96: output[0][21] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1260);
   /* #97: @0 = 0.916667 */
@@ -17265,7 +17400,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w55;
   res1[3]=w56;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #100: output[0][22] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1320);
   /* #101: @0 = 0.958333 */
@@ -17282,7 +17417,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w57;
   res1[3]=w58;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #104: output[0][23] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1380);
   /* #105: output[0][24] = @8 */
@@ -17343,7 +17478,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w04;
   res1[0]=w59;
   res1[1]=w60;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #132: output[1][24] = @59 */
   if (res[1]) casadi_copy(w59, 8, res[1]+2304);
   /* #133: output[2][0] = @12 */
@@ -17410,7 +17545,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_288(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f83(arg, res, iw, w, mem);
+  return casadi_f70(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_288_checkout(void) {
@@ -17489,7 +17624,7 @@ CASADI_SYMBOL_EXPORT int compass_trace_288_work_bytes(casadi_int *sz_arg, casadi
 }
 
 /* compass_trace_384:(u[4],p[6])->(w[5x385],g[8x385],dg[8x385],R[4]) */
-static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w00, *w01=w+289, w02, w03, *w04=w+293, *w05=w+299, *w06=w+323, w07, *w08=w+326, *w09=w+331;
   casadi_real *w10=w+336, *w11=w+396, *w12=w+492, *w13=w+588, *w14=w+684, *w15=w+780, *w16=w+876, *w17=w+972, *w18=w+1068, *w19=w+1164, *w20=w+1260, *w21=w+1356;
@@ -17518,8 +17653,9 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:3] */
   for (rr=w06, cs=w01+0; cs!=w01+3; cs+=1) *rr++ = *cs;
-  /* #8: {@1, NULL} = start(@6) */
+  /* #8: {@1, NULL} = start(@6, @4) */
   arg1[0]=w06;
+  arg1[1]=w04;
   res1[0]=w01;
   res1[1]=0;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
@@ -17539,7 +17675,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w11;
   res1[3]=w12;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w10, 60, res[0]);
   /* #13: @0 = 0.03125 */
@@ -17556,7 +17692,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w13;
   res1[3]=w14;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+60);
   /* #17: @0 = 0.0625 */
@@ -17573,7 +17709,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w15;
   res1[3]=w16;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+120);
   /* #21: @0 = 0.09375 */
@@ -17590,7 +17726,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w17;
   res1[3]=w18;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+180);
   /* #25: @0 = 0.125 */
@@ -17607,7 +17743,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w19;
   res1[3]=w20;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+240);
   /* #29: @0 = 0.15625 */
@@ -17624,7 +17760,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w21;
   res1[3]=w22;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+300);
   /* #33: @0 = 0.1875 */
@@ -17641,7 +17777,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w23;
   res1[3]=w24;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[0][6] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+360);
   /* #37: @0 = 0.21875 */
@@ -17658,7 +17794,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w25;
   res1[3]=w26;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[0][7] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+420);
   /* #41: @0 = 0.25 */
@@ -17675,7 +17811,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w27;
   res1[3]=w28;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #44: output[0][8] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+480);
   /* #45: @0 = 0.28125 */
@@ -17692,7 +17828,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w29;
   res1[3]=w30;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #48: output[0][9] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+540);
   /* #49: @0 = 0.3125 */
@@ -17709,7 +17845,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w31;
   res1[3]=w32;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[0][10] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+600);
   /* #53: @0 = 0.34375 */
@@ -17726,7 +17862,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w33;
   res1[3]=w34;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #56: output[0][11] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+660);
   /* #57: @0 = 0.375 */
@@ -17743,7 +17879,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w35;
   res1[3]=w36;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #60: output[0][12] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+720);
   /* #61: @0 = 0.40625 */
@@ -17760,7 +17896,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w37;
   res1[3]=w38;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #64: output[0][13] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+780);
   /* #65: @0 = 0.4375 */
@@ -17777,7 +17913,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w39;
   res1[3]=w40;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #68: output[0][14] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+840);
   /* #69: @0 = 0.46875 */
@@ -17794,7 +17930,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w41;
   res1[3]=w42;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #72: output[0][15] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+900);
   /* #73: @0 = 0.5 */
@@ -17811,7 +17947,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w43;
   res1[3]=w44;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #76: output[0][16] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+960);
   /* #77: @0 = 0.53125 */
@@ -17828,7 +17964,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w45;
   res1[3]=w46;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #80: output[0][17] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1020);
   /* #81: @0 = 0.5625 */
@@ -17845,7 +17981,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w47;
   res1[3]=w48;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #84: output[0][18] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1080);
   /* #85: @0 = 0.59375 */
@@ -17862,7 +17998,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w49;
   res1[3]=w50;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #88: output[0][19] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1140);
   /* #89: @0 = 0.625 */
@@ -17879,7 +18015,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w51;
   res1[3]=w52;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #92: output[0][20] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1200);
   /* #93: @0 = 0.65625 */
@@ -17896,7 +18032,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w53;
   res1[3]=w54;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #96: output[0][21] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1260);
   /* #97: @0 = 0.6875 */
@@ -17913,7 +18049,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w55;
   res1[3]=w56;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #100: output[0][22] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1320);
   /* #101: @0 = 0.71875 */
@@ -17930,7 +18066,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w57;
   res1[3]=w58;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #104: output[0][23] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1380);
   /* #105: @0 = 0.75 */
@@ -17947,7 +18083,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w59;
   res1[3]=w60;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #108: output[0][24] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1440);
   /* #109: @0 = 0.78125 */
@@ -17964,7 +18100,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w61;
   res1[3]=w62;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #112: output[0][25] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1500);
   /* #113: @0 = 0.8125 */
@@ -17981,7 +18117,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w63;
   res1[3]=w64;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #116: output[0][26] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1560);
   /* #117: @0 = 0.84375 */
@@ -17998,7 +18134,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w65;
   res1[3]=w66;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #120: output[0][27] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1620);
   /* #121: @0 = 0.875 */
@@ -18015,7 +18151,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w67;
   res1[3]=w68;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #124: output[0][28] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1680);
   /* #125: @0 = 0.90625 */
@@ -18032,7 +18168,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w69;
   res1[3]=w70;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #128: output[0][29] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1740);
   /* #129: @0 = 0.9375 */
@@ -18049,7 +18185,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w71;
   res1[3]=w72;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #132: output[0][30] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1800);
   /* #133: @0 = 0.96875 */
@@ -18066,7 +18202,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w73;
   res1[3]=w74;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #136: output[0][31] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1860);
   /* #137: output[0][32] = @8 */
@@ -18143,7 +18279,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w04;
   res1[0]=w75;
   res1[1]=w76;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #172: output[1][32] = @75 */
   if (res[1]) casadi_copy(w75, 8, res[1]+3072);
   /* #173: output[2][0] = @12 */
@@ -18226,7 +18362,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_384(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f84(arg, res, iw, w, mem);
+  return casadi_f71(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_384_checkout(void) {
@@ -18305,7 +18441,7 @@ CASADI_SYMBOL_EXPORT int compass_trace_384_work_bytes(casadi_int *sz_arg, casadi
 }
 
 /* compass_trace_576:(u[4],p[6])->(w[5x577],g[8x577],dg[8x577],R[4]) */
-static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w000, *w001=w+289, w002, w003, *w004=w+293, *w005=w+299, *w006=w+323, w007, *w008=w+326, *w009=w+331;
   casadi_real *w010=w+336, *w011=w+396, *w012=w+492, *w013=w+588, *w014=w+684, *w015=w+780, *w016=w+876, *w017=w+972, *w018=w+1068, *w019=w+1164, *w020=w+1260, *w021=w+1356;
@@ -18337,8 +18473,9 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:3] */
   for (rr=w006, cs=w001+0; cs!=w001+3; cs+=1) *rr++ = *cs;
-  /* #8: {@1, NULL} = start(@6) */
+  /* #8: {@1, NULL} = start(@6, @4) */
   arg1[0]=w006;
+  arg1[1]=w004;
   res1[0]=w001;
   res1[1]=0;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
@@ -18358,7 +18495,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w011;
   res1[3]=w012;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w010, 60, res[0]);
   /* #13: @0 = 0.0208333 */
@@ -18375,7 +18512,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w013;
   res1[3]=w014;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+60);
   /* #17: @0 = 0.0416667 */
@@ -18392,7 +18529,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w015;
   res1[3]=w016;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+120);
   /* #21: @0 = 0.0625 */
@@ -18409,7 +18546,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w017;
   res1[3]=w018;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+180);
   /* #25: @0 = 0.0833333 */
@@ -18426,7 +18563,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w019;
   res1[3]=w020;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+240);
   /* #29: @0 = 0.104167 */
@@ -18443,7 +18580,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w021;
   res1[3]=w022;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+300);
   /* #33: @0 = 0.125 */
@@ -18460,7 +18597,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w023;
   res1[3]=w024;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[0][6] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+360);
   /* #37: @0 = 0.145833 */
@@ -18477,7 +18614,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w025;
   res1[3]=w026;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[0][7] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+420);
   /* #41: @0 = 0.166667 */
@@ -18494,7 +18631,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w027;
   res1[3]=w028;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #44: output[0][8] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+480);
   /* #45: @0 = 0.1875 */
@@ -18511,7 +18648,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w029;
   res1[3]=w030;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #48: output[0][9] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+540);
   /* #49: @0 = 0.208333 */
@@ -18528,7 +18665,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w031;
   res1[3]=w032;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[0][10] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+600);
   /* #53: @0 = 0.229167 */
@@ -18545,7 +18682,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w033;
   res1[3]=w034;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #56: output[0][11] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+660);
   /* #57: @0 = 0.25 */
@@ -18562,7 +18699,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w035;
   res1[3]=w036;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #60: output[0][12] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+720);
   /* #61: @0 = 0.270833 */
@@ -18579,7 +18716,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w037;
   res1[3]=w038;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #64: output[0][13] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+780);
   /* #65: @0 = 0.291667 */
@@ -18596,7 +18733,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w039;
   res1[3]=w040;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #68: output[0][14] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+840);
   /* #69: @0 = 0.3125 */
@@ -18613,7 +18750,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w041;
   res1[3]=w042;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #72: output[0][15] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+900);
   /* #73: @0 = 0.333333 */
@@ -18630,7 +18767,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w043;
   res1[3]=w044;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #76: output[0][16] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+960);
   /* #77: @0 = 0.354167 */
@@ -18647,7 +18784,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w045;
   res1[3]=w046;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #80: output[0][17] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1020);
   /* #81: @0 = 0.375 */
@@ -18664,7 +18801,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w047;
   res1[3]=w048;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #84: output[0][18] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1080);
   /* #85: @0 = 0.395833 */
@@ -18681,7 +18818,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w049;
   res1[3]=w050;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #88: output[0][19] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1140);
   /* #89: @0 = 0.416667 */
@@ -18698,7 +18835,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w051;
   res1[3]=w052;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #92: output[0][20] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1200);
   /* #93: @0 = 0.4375 */
@@ -18715,7 +18852,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w053;
   res1[3]=w054;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #96: output[0][21] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1260);
   /* #97: @0 = 0.458333 */
@@ -18732,7 +18869,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w055;
   res1[3]=w056;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #100: output[0][22] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1320);
   /* #101: @0 = 0.479167 */
@@ -18749,7 +18886,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w057;
   res1[3]=w058;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #104: output[0][23] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1380);
   /* #105: @0 = 0.5 */
@@ -18766,7 +18903,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w059;
   res1[3]=w060;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #108: output[0][24] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1440);
   /* #109: @0 = 0.520833 */
@@ -18783,7 +18920,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w061;
   res1[3]=w062;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #112: output[0][25] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1500);
   /* #113: @0 = 0.541667 */
@@ -18800,7 +18937,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w063;
   res1[3]=w064;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #116: output[0][26] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1560);
   /* #117: @0 = 0.5625 */
@@ -18817,7 +18954,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w065;
   res1[3]=w066;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #120: output[0][27] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1620);
   /* #121: @0 = 0.583333 */
@@ -18834,7 +18971,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w067;
   res1[3]=w068;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #124: output[0][28] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1680);
   /* #125: @0 = 0.604167 */
@@ -18851,7 +18988,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w069;
   res1[3]=w070;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #128: output[0][29] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1740);
   /* #129: @0 = 0.625 */
@@ -18868,7 +19005,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w071;
   res1[3]=w072;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #132: output[0][30] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1800);
   /* #133: @0 = 0.645833 */
@@ -18885,7 +19022,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w073;
   res1[3]=w074;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #136: output[0][31] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1860);
   /* #137: @0 = 0.666667 */
@@ -18902,7 +19039,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w075;
   res1[3]=w076;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #140: output[0][32] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1920);
   /* #141: @0 = 0.6875 */
@@ -18919,7 +19056,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w077;
   res1[3]=w078;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #144: output[0][33] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1980);
   /* #145: @0 = 0.708333 */
@@ -18936,7 +19073,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w079;
   res1[3]=w080;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #148: output[0][34] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2040);
   /* #149: @0 = 0.729167 */
@@ -18953,7 +19090,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w081;
   res1[3]=w082;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #152: output[0][35] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2100);
   /* #153: @0 = 0.75 */
@@ -18970,7 +19107,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w083;
   res1[3]=w084;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #156: output[0][36] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2160);
   /* #157: @0 = 0.770833 */
@@ -18987,7 +19124,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w085;
   res1[3]=w086;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #160: output[0][37] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2220);
   /* #161: @0 = 0.791667 */
@@ -19004,7 +19141,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w087;
   res1[3]=w088;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #164: output[0][38] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2280);
   /* #165: @0 = 0.8125 */
@@ -19021,7 +19158,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w089;
   res1[3]=w090;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #168: output[0][39] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2340);
   /* #169: @0 = 0.833333 */
@@ -19038,7 +19175,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w091;
   res1[3]=w092;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #172: output[0][40] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2400);
   /* #173: @0 = 0.854167 */
@@ -19055,7 +19192,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w093;
   res1[3]=w094;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #176: output[0][41] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2460);
   /* #177: @0 = 0.875 */
@@ -19072,7 +19209,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w095;
   res1[3]=w096;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #180: output[0][42] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2520);
   /* #181: @0 = 0.895833 */
@@ -19089,7 +19226,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w097;
   res1[3]=w098;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #184: output[0][43] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2580);
   /* #185: @0 = 0.916667 */
@@ -19106,7 +19243,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w099;
   res1[3]=w100;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #188: output[0][44] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2640);
   /* #189: @0 = 0.9375 */
@@ -19123,7 +19260,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w101;
   res1[3]=w102;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #192: output[0][45] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2700);
   /* #193: @0 = 0.958333 */
@@ -19140,7 +19277,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w103;
   res1[3]=w104;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #196: output[0][46] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2760);
   /* #197: @0 = 0.979167 */
@@ -19157,7 +19294,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w105;
   res1[3]=w106;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #200: output[0][47] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2820);
   /* #201: output[0][48] = @8 */
@@ -19266,7 +19403,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w004;
   res1[0]=w107;
   res1[1]=w108;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #252: output[1][48] = @107 */
   if (res[1]) casadi_copy(w107, 8, res[1]+4608);
   /* #253: output[2][0] = @12 */
@@ -19381,7 +19518,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_576(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f85(arg, res, iw, w, mem);
+  return casadi_f72(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_576_checkout(void) {
@@ -19460,7 +19597,7 @@ CASADI_SYMBOL_EXPORT int compass_trace_576_work_bytes(casadi_int *sz_arg, casadi
 }
 
 /* compass_trace_768:(u[4],p[6])->(w[5x769],g[8x769],dg[8x769],R[4]) */
-static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w000, *w001=w+289, w002, w003, *w004=w+293, *w005=w+299, *w006=w+323, w007, *w008=w+326, *w009=w+331;
   casadi_real *w010=w+336, *w011=w+396, *w012=w+492, *w013=w+588, *w014=w+684, *w015=w+780, *w016=w+876, *w017=w+972, *w018=w+1068, *w019=w+1164, *w020=w+1260, *w021=w+1356;
@@ -19494,8 +19631,9 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:3] */
   for (rr=w006, cs=w001+0; cs!=w001+3; cs+=1) *rr++ = *cs;
-  /* #8: {@1, NULL} = start(@6) */
+  /* #8: {@1, NULL} = start(@6, @4) */
   arg1[0]=w006;
+  arg1[1]=w004;
   res1[0]=w001;
   res1[1]=0;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
@@ -19515,7 +19653,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w011;
   res1[3]=w012;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w010, 60, res[0]);
   /* #13: @0 = 0.015625 */
@@ -19532,7 +19670,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w013;
   res1[3]=w014;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+60);
   /* #17: @0 = 0.03125 */
@@ -19549,7 +19687,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w015;
   res1[3]=w016;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+120);
   /* #21: @0 = 0.046875 */
@@ -19566,7 +19704,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w017;
   res1[3]=w018;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+180);
   /* #25: @0 = 0.0625 */
@@ -19583,7 +19721,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w019;
   res1[3]=w020;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+240);
   /* #29: @0 = 0.078125 */
@@ -19600,7 +19738,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w021;
   res1[3]=w022;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+300);
   /* #33: @0 = 0.09375 */
@@ -19617,7 +19755,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w023;
   res1[3]=w024;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[0][6] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+360);
   /* #37: @0 = 0.109375 */
@@ -19634,7 +19772,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w025;
   res1[3]=w026;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[0][7] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+420);
   /* #41: @0 = 0.125 */
@@ -19651,7 +19789,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w027;
   res1[3]=w028;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #44: output[0][8] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+480);
   /* #45: @0 = 0.140625 */
@@ -19668,7 +19806,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w029;
   res1[3]=w030;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #48: output[0][9] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+540);
   /* #49: @0 = 0.15625 */
@@ -19685,7 +19823,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w031;
   res1[3]=w032;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[0][10] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+600);
   /* #53: @0 = 0.171875 */
@@ -19702,7 +19840,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w033;
   res1[3]=w034;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #56: output[0][11] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+660);
   /* #57: @0 = 0.1875 */
@@ -19719,7 +19857,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w035;
   res1[3]=w036;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #60: output[0][12] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+720);
   /* #61: @0 = 0.203125 */
@@ -19736,7 +19874,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w037;
   res1[3]=w038;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #64: output[0][13] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+780);
   /* #65: @0 = 0.21875 */
@@ -19753,7 +19891,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w039;
   res1[3]=w040;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #68: output[0][14] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+840);
   /* #69: @0 = 0.234375 */
@@ -19770,7 +19908,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w041;
   res1[3]=w042;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #72: output[0][15] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+900);
   /* #73: @0 = 0.25 */
@@ -19787,7 +19925,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w043;
   res1[3]=w044;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #76: output[0][16] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+960);
   /* #77: @0 = 0.265625 */
@@ -19804,7 +19942,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w045;
   res1[3]=w046;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #80: output[0][17] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1020);
   /* #81: @0 = 0.28125 */
@@ -19821,7 +19959,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w047;
   res1[3]=w048;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #84: output[0][18] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1080);
   /* #85: @0 = 0.296875 */
@@ -19838,7 +19976,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w049;
   res1[3]=w050;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #88: output[0][19] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1140);
   /* #89: @0 = 0.3125 */
@@ -19855,7 +19993,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w051;
   res1[3]=w052;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #92: output[0][20] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1200);
   /* #93: @0 = 0.328125 */
@@ -19872,7 +20010,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w053;
   res1[3]=w054;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #96: output[0][21] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1260);
   /* #97: @0 = 0.34375 */
@@ -19889,7 +20027,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w055;
   res1[3]=w056;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #100: output[0][22] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1320);
   /* #101: @0 = 0.359375 */
@@ -19906,7 +20044,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w057;
   res1[3]=w058;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #104: output[0][23] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1380);
   /* #105: @0 = 0.375 */
@@ -19923,7 +20061,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w059;
   res1[3]=w060;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #108: output[0][24] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1440);
   /* #109: @0 = 0.390625 */
@@ -19940,7 +20078,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w061;
   res1[3]=w062;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #112: output[0][25] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1500);
   /* #113: @0 = 0.40625 */
@@ -19957,7 +20095,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w063;
   res1[3]=w064;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #116: output[0][26] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1560);
   /* #117: @0 = 0.421875 */
@@ -19974,7 +20112,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w065;
   res1[3]=w066;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #120: output[0][27] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1620);
   /* #121: @0 = 0.4375 */
@@ -19991,7 +20129,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w067;
   res1[3]=w068;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #124: output[0][28] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1680);
   /* #125: @0 = 0.453125 */
@@ -20008,7 +20146,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w069;
   res1[3]=w070;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #128: output[0][29] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1740);
   /* #129: @0 = 0.46875 */
@@ -20025,7 +20163,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w071;
   res1[3]=w072;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #132: output[0][30] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1800);
   /* #133: @0 = 0.484375 */
@@ -20042,7 +20180,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w073;
   res1[3]=w074;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #136: output[0][31] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1860);
   /* #137: @0 = 0.5 */
@@ -20059,7 +20197,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w075;
   res1[3]=w076;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #140: output[0][32] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1920);
   /* #141: @0 = 0.515625 */
@@ -20076,7 +20214,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w077;
   res1[3]=w078;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #144: output[0][33] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1980);
   /* #145: @0 = 0.53125 */
@@ -20093,7 +20231,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w079;
   res1[3]=w080;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #148: output[0][34] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2040);
   /* #149: @0 = 0.546875 */
@@ -20110,7 +20248,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w081;
   res1[3]=w082;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #152: output[0][35] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2100);
   /* #153: @0 = 0.5625 */
@@ -20127,7 +20265,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w083;
   res1[3]=w084;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #156: output[0][36] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2160);
   /* #157: @0 = 0.578125 */
@@ -20144,7 +20282,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w085;
   res1[3]=w086;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #160: output[0][37] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2220);
   /* #161: @0 = 0.59375 */
@@ -20161,7 +20299,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w087;
   res1[3]=w088;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #164: output[0][38] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2280);
   /* #165: @0 = 0.609375 */
@@ -20178,7 +20316,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w089;
   res1[3]=w090;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #168: output[0][39] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2340);
   /* #169: @0 = 0.625 */
@@ -20195,7 +20333,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w091;
   res1[3]=w092;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #172: output[0][40] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2400);
   /* #173: @0 = 0.640625 */
@@ -20212,7 +20350,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w093;
   res1[3]=w094;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #176: output[0][41] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2460);
   /* #177: @0 = 0.65625 */
@@ -20229,7 +20367,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w095;
   res1[3]=w096;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #180: output[0][42] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2520);
   /* #181: @0 = 0.671875 */
@@ -20246,7 +20384,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w097;
   res1[3]=w098;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #184: output[0][43] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2580);
   /* #185: @0 = 0.6875 */
@@ -20263,7 +20401,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w099;
   res1[3]=w100;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #188: output[0][44] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2640);
   /* #189: @0 = 0.703125 */
@@ -20280,7 +20418,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w101;
   res1[3]=w102;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #192: output[0][45] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2700);
   /* #193: @0 = 0.71875 */
@@ -20297,7 +20435,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w103;
   res1[3]=w104;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #196: output[0][46] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2760);
   /* #197: @0 = 0.734375 */
@@ -20314,7 +20452,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w105;
   res1[3]=w106;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #200: output[0][47] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2820);
   /* #201: @0 = 0.75 */
@@ -20331,7 +20469,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w107;
   res1[3]=w108;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #204: output[0][48] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2880);
   /* #205: @0 = 0.765625 */
@@ -20348,7 +20486,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w109;
   res1[3]=w110;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #208: output[0][49] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2940);
   /* #209: @0 = 0.78125 */
@@ -20365,7 +20503,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w111;
   res1[3]=w112;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #212: output[0][50] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+3000);
   /* #213: @0 = 0.796875 */
@@ -20382,7 +20520,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w113;
   res1[3]=w114;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #216: output[0][51] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+3060);
   /* #217: @0 = 0.8125 */
@@ -20399,7 +20537,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w115;
   res1[3]=w116;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #220: output[0][52] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+3120);
   /* #221: @0 = 0.828125 */
@@ -20416,7 +20554,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w117;
   res1[3]=w118;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #224: output[0][53] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+3180);
   /* #225: @0 = 0.84375 */
@@ -20433,7 +20571,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w119;
   res1[3]=w120;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #228: output[0][54] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+3240);
   /* #229: @0 = 0.859375 */
@@ -20450,7 +20588,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w121;
   res1[3]=w122;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #232: output[0][55] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+3300);
   /* #233: @0 = 0.875 */
@@ -20467,7 +20605,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w123;
   res1[3]=w124;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #236: output[0][56] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+3360);
   /* #237: @0 = 0.890625 */
@@ -20484,7 +20622,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w125;
   res1[3]=w126;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #240: output[0][57] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+3420);
   /* #241: @0 = 0.90625 */
@@ -20501,7 +20639,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w127;
   res1[3]=w128;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #244: output[0][58] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+3480);
   /* #245: @0 = 0.921875 */
@@ -20518,7 +20656,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w129;
   res1[3]=w130;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #248: output[0][59] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+3540);
   /* #249: @0 = 0.9375 */
@@ -20535,7 +20673,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w131;
   res1[3]=w132;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #252: output[0][60] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+3600);
   /* #253: @0 = 0.953125 */
@@ -20552,7 +20690,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w133;
   res1[3]=w134;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #256: output[0][61] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+3660);
   /* #257: @0 = 0.96875 */
@@ -20569,7 +20707,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w135;
   res1[3]=w136;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #260: output[0][62] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+3720);
   /* #261: @0 = 0.984375 */
@@ -20586,7 +20724,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w137;
   res1[3]=w138;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #264: output[0][63] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+3780);
   /* #265: output[0][64] = @8 */
@@ -20727,7 +20865,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w004;
   res1[0]=w139;
   res1[1]=w140;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #332: output[1][64] = @139 */
   if (res[1]) casadi_copy(w139, 8, res[1]+6144);
   /* #333: output[2][0] = @12 */
@@ -20874,7 +21012,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_768(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f86(arg, res, iw, w, mem);
+  return casadi_f73(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_768_checkout(void) {
@@ -20953,7 +21091,7 @@ CASADI_SYMBOL_EXPORT int compass_trace_768_work_bytes(casadi_int *sz_arg, casadi
 }
 
 /* compass_advance:(t,w[5],h,p[6])->(w_end[5],g[8],dg[8]) */
-static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f74(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+3, *rr, *w0=w+81, w1, *w2=w+86, *w3=w+92, w4, *w5=w+94, *w6=w+118, *w7=w+123, *w8=w+127, *w9=w+135;
   const casadi_real **arg1=arg+4, *cs;
   /* #0: @0 = input[1][0] */
@@ -20981,7 +21119,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w4);
   arg1[4]=w2;
   res1[0]=w6;
-  if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #7: output[0][0] = @6 */
   casadi_copy(w6, 5, res[0]);
   /* #8: @1 = (@1+@4) */
@@ -20994,7 +21132,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w2;
   res1[0]=w8;
   res1[1]=w9;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #11: output[1][0] = @8 */
   casadi_copy(w8, 8, res[1]);
   /* #12: output[2][0] = @9 */
@@ -21003,7 +21141,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int compass_advance(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f87(arg, res, iw, w, mem);
+  return casadi_f74(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_advance_checkout(void) {
@@ -21096,10 +21234,10 @@ CASADI_SYMBOL_EXPORT int compass_map(compass_kernel kernel, const casadi_int* wo
     casadi_int n_in, const double* const* in, const casadi_int* in_size,
     casadi_int n_out, double* const* out, const casadi_int* out_size, int* failed)
 {
-    const double** arg = malloc((size_t) work_size[0] * sizeof(double*));
-    double** res = malloc((size_t) work_size[1] * sizeof(double*));
-    casadi_int* iw = malloc((size_t) (work_size[2] + 1) * sizeof(casadi_int));
-    double* w = malloc((size_t) (work_size[3] + 1) * sizeof(double));
+    const double** arg = (const double**) malloc((size_t) work_size[0] * sizeof(double*));
+    double** res = (double**) malloc((size_t) work_size[1] * sizeof(double*));
+    casadi_int* iw = (casadi_int*) malloc((size_t) (work_size[2] + 1) * sizeof(casadi_int));
+    double* w = (double*) malloc((size_t) (work_size[3] + 1) * sizeof(double));
     const int ready = arg && res && iw && w;
     casadi_int i, j;
     if (ready) {

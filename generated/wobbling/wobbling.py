@@ -52,7 +52,7 @@ def bias_forces(xp, q, v, p):
 
 
 def controller_torque(xp, t, q, v, p):
-    """Torque of the oscillator-driven hip.
+    """Torque of the controller.
 
     Source: Kamimura & Sano 2023, eqs. (3) and (4).
     15 operations.
@@ -67,7 +67,7 @@ def controller_torque(xp, t, q, v, p):
     c_omega_t = xp.cos(omega*t)
     s_omega_t = xp.sin(omega*t)
     return {
-        "u": -Kd*(dtheta2 + gamma*omega*s_omega_t) - Kp*(S - gamma*(c_omega_t + 1) + theta2),
+        "u": [-Kd*(dtheta2 + gamma*omega*s_omega_t) - Kp*(S - gamma*(c_omega_t + 1) + theta2)],
     }
 
 
@@ -275,7 +275,7 @@ def impact_map(xp, q, v, p):
     """State just after touchdown from the state just before.
 
     Source: plastic impact: Me (v+ - v-) = J^T Lambda, J v+ = 0, projected on the velocities with J v = 0.
-    59 operations.
+    53 operations.
     """
     theta1 = q[0]
     theta2 = q[1]
@@ -287,20 +287,17 @@ def impact_map(xp, q, v, p):
     c_theta2 = xp.cos(theta2)
     A_11 = 2*beta*(1 - c_theta2) + 1
     t1 = 1/A_11
-    A_12 = beta*(c_theta2 - 1) - 1
+    A_12 = beta*(c_theta2 - 1)
     A_L21 = A_12*t1
     c_theta1_minus_theta2 = xp.cos(theta1 - theta2)
     A_13 = -alpha*c_theta1_minus_theta2
     A_L31 = A_13*t1
-    A_22 = beta + 1
-    A_D2 = A_22 - A_11*A_L21*A_L21
+    A_D2 = beta - A_11*A_L21*A_L21
     t2 = 1/A_D2
-    A_23 = alpha*c_theta1_minus_theta2
-    A_L32 = t2*(A_23 - A_11*A_L21*A_L31)
+    A_L32 = -A_11*A_L21*A_L31*t2
     A_D3 = alpha - A_11*A_L31*A_L31 - A_D2*A_L32*A_L32
-    momentum_2 = alpha*c_theta1_minus_theta2*dx - c_theta2*dtheta1
-    momentum_1 = -momentum_2
-    after_f2 = momentum_2 - A_L21*momentum_1
+    momentum_1 = c_theta2*dtheta1 - alpha*c_theta1_minus_theta2*dx
+    after_f2 = -A_L21*momentum_1
     c_theta1 = xp.cos(theta1)
     momentum_3 = alpha*(dx - c_theta1*dtheta1)
     after_f3 = momentum_3 - A_L31*momentum_1 - A_L32*after_f2
@@ -309,7 +306,7 @@ def impact_map(xp, q, v, p):
     after_1 = momentum_1*t1 - A_L21*after_2 - A_L31*after_3
     return {
         "q_plus": [theta1 - theta2, -theta2, x],
-        "v_plus": [after_1 - after_2, -after_2, after_3],
+        "v_plus": [after_1, after_2, after_3],
     }
 
 
@@ -318,7 +315,7 @@ def impact_map_dq(xp, q, v, p):
 
     Source: plastic impact: Me (v+ - v-) = J^T Lambda, J v+ = 0, projected on the velocities with J v = 0,
     differentiated.
-    126 operations.
+    109 operations.
     """
     theta1 = q[0]
     theta2 = q[1]
@@ -329,21 +326,18 @@ def impact_map_dq(xp, q, v, p):
     c_theta2 = xp.cos(theta2)
     A_11 = 2*beta*(1 - c_theta2) + 1
     t1 = 1/A_11
-    A_22 = beta + 1
-    A_12 = beta*(c_theta2 - 1) - 1
+    A_12 = beta*(c_theta2 - 1)
     A_L21 = A_12*t1
-    A_D2 = A_22 - A_11*A_L21*A_L21
+    A_D2 = beta - A_11*A_L21*A_L21
     t2 = 1/A_D2
     c_theta1_minus_theta2 = xp.cos(theta1 - theta2)
     A_13 = -alpha*c_theta1_minus_theta2
     A_L31 = A_13*t1
-    A_23 = alpha*c_theta1_minus_theta2
-    A_L32 = t2*(A_23 - A_11*A_L21*A_L31)
+    A_L32 = -A_11*A_L21*A_L31*t2
     A_D3 = alpha - A_11*A_L31*A_L31 - A_D2*A_L32*A_L32
     t3 = 1/A_D3
-    momentum_2 = alpha*c_theta1_minus_theta2*dx - c_theta2*dtheta1
-    momentum_1 = -momentum_2
-    after_f2 = momentum_2 - A_L21*momentum_1
+    momentum_1 = c_theta2*dtheta1 - alpha*c_theta1_minus_theta2*dx
+    after_f2 = -A_L21*momentum_1
     c_theta1 = xp.cos(theta1)
     momentum_3 = alpha*(dx - c_theta1*dtheta1)
     after_f3 = momentum_3 - A_L31*momentum_1 - A_L32*after_f2
@@ -353,24 +347,23 @@ def impact_map_dq(xp, q, v, p):
     after_2 = after_f2*t2 - A_L32*after_3
     after_1 = momentum_1*t1 - A_L21*after_2 - A_L31*after_3
     s_theta1 = xp.sin(theta1)
-    r1_3 = alpha*(after_2*s_theta1_minus_theta2 - after_1*s_theta1_minus_theta2 + dtheta1*s_theta1)
-    r1_2 = alpha*s_theta1_minus_theta2*(after_3 - dx)
-    d1_f2 = r1_2 - A_L21*r1_1
+    r1_3 = alpha*(dtheta1*s_theta1 - after_1*s_theta1_minus_theta2)
+    d1_f2 = -A_L21*r1_1
     d1_f3 = r1_3 - A_L31*r1_1 - A_L32*d1_f2
     d1_3 = d1_f3*t3
     d1_2 = d1_f2*t2 - A_L32*d1_3
     d1_1 = r1_1*t1 - A_L21*d1_2 - A_L31*d1_3
     s_theta2 = xp.sin(theta2)
     r2_1 = after_2*beta*s_theta2 - 2*after_1*beta*s_theta2 + alpha*s_theta1_minus_theta2*(after_3 - dx) - dtheta1*s_theta2
-    r2_3 = alpha*s_theta1_minus_theta2*(after_1 - after_2)
-    r2_2 = after_1*beta*s_theta2 + dtheta1*s_theta2 + r1_1
+    r2_3 = after_1*alpha*s_theta1_minus_theta2
+    r2_2 = after_1*beta*s_theta2
     d2_f2 = r2_2 - A_L21*r2_1
     d2_f3 = r2_3 - A_L31*r2_1 - A_L32*d2_f2
     d2_3 = d2_f3*t3
     d2_2 = d2_f2*t2 - A_L32*d2_3
     d2_1 = r2_1*t1 - A_L21*d2_2 - A_L31*d2_3
     return {
-        "v_plus_dq": [[d1_1 - d1_2, d2_1 - d2_2, 0], [-d1_2, -d2_2, 0], [d1_3, d2_3, 0]],
+        "v_plus_dq": [[d1_1, d2_1, 0], [d1_2, d2_2, 0], [d1_3, d2_3, 0]],
     }
 
 
@@ -379,7 +372,7 @@ def impact_map_dv(xp, q, p):
 
     Source: plastic impact: Me (v+ - v-) = J^T Lambda, J v+ = 0, projected on the velocities with J v = 0,
     differentiated.
-    71 operations.
+    62 operations.
     """
     theta1 = q[0]
     theta2 = q[1]
@@ -388,36 +381,32 @@ def impact_map_dv(xp, q, p):
     c_theta2 = xp.cos(theta2)
     A_11 = 2*beta*(1 - c_theta2) + 1
     t1 = 1/A_11
-    A_22 = beta + 1
-    A_12 = beta*(c_theta2 - 1) - 1
+    A_12 = beta*(c_theta2 - 1)
     A_L21 = A_12*t1
-    A_D2 = A_22 - A_11*A_L21*A_L21
+    A_D2 = beta - A_11*A_L21*A_L21
     t2 = 1/A_D2
     c_theta1_minus_theta2 = xp.cos(theta1 - theta2)
     A_13 = -alpha*c_theta1_minus_theta2
     A_L31 = A_13*t1
-    A_23 = alpha*c_theta1_minus_theta2
-    A_L32 = t2*(A_23 - A_11*A_L21*A_L31)
+    A_L32 = -A_11*A_L21*A_L31*t2
     A_D3 = alpha - A_11*A_L31*A_L31 - A_D2*A_L32*A_L32
     t3 = 1/A_D3
     r1_1 = c_theta2
     c_theta1 = xp.cos(theta1)
     r1_3 = -alpha*c_theta1
-    r1_2 = -c_theta2
-    d1_f2 = r1_2 - A_L21*r1_1
+    d1_f2 = -A_L21*r1_1
     d1_f3 = r1_3 - A_L31*r1_1 - A_L32*d1_f2
     d1_3 = d1_f3*t3
     d1_2 = d1_f2*t2 - A_L32*d1_3
     d1_1 = r1_1*t1 - A_L21*d1_2 - A_L31*d1_3
     r3_1 = A_13
-    r3_2 = alpha*c_theta1_minus_theta2
-    d3_f2 = r3_2 - A_L21*r3_1
+    d3_f2 = -A_L21*r3_1
     d3_f3 = alpha - A_L31*r3_1 - A_L32*d3_f2
     d3_3 = d3_f3*t3
     d3_2 = d3_f2*t2 - A_L32*d3_3
     d3_1 = r3_1*t1 - A_L21*d3_2 - A_L31*d3_3
     return {
-        "v_plus_dv": [[d1_1 - d1_2, 0, d3_1 - d3_2], [-d1_2, 0, -d3_2], [d1_3, 0, d3_3]],
+        "v_plus_dv": [[d1_1, 0, d3_1], [d1_2, 0, d3_2], [d1_3, 0, d3_3]],
     }
 
 
@@ -425,7 +414,7 @@ def impact_impulse(xp, q, v, p):
     """Impulse of the ground at touchdown.
 
     Source: plastic impact: Me (v+ - v-) = J^T Lambda, J v+ = 0, projected on the velocities with J v = 0.
-    91 operations.
+    88 operations.
     """
     theta1 = q[0]
     theta2 = q[1]
@@ -436,33 +425,29 @@ def impact_impulse(xp, q, v, p):
     beta = p[3]
     c_theta2 = xp.cos(theta2)
     A_11 = 2*beta*(1 - c_theta2) + 1
-    A_22 = beta + 1
     t1 = 1/A_11
-    A_12 = beta*(c_theta2 - 1) - 1
+    A_12 = beta*(c_theta2 - 1)
     A_L21 = A_12*t1
-    A_D2 = A_22 - A_11*A_L21*A_L21
-    t2 = 1/A_D2
     c_theta1_minus_theta2 = xp.cos(theta1 - theta2)
-    A_23 = alpha*c_theta1_minus_theta2
     A_13 = -alpha*c_theta1_minus_theta2
     A_L31 = A_13*t1
-    A_L32 = t2*(A_23 - A_11*A_L21*A_L31)
+    A_D2 = beta - A_11*A_L21*A_L21
+    t2 = 1/A_D2
+    A_L32 = -A_11*A_L21*A_L31*t2
     A_D3 = alpha - A_11*A_L31*A_L31 - A_D2*A_L32*A_L32
-    momentum_2 = alpha*c_theta1_minus_theta2*dx - c_theta2*dtheta1
-    momentum_1 = -momentum_2
-    after_f2 = momentum_2 - A_L21*momentum_1
+    momentum_1 = c_theta2*dtheta1 - alpha*c_theta1_minus_theta2*dx
+    after_f2 = -A_L21*momentum_1
     c_theta1 = xp.cos(theta1)
     momentum_3 = alpha*(dx - c_theta1*dtheta1)
     after_f3 = momentum_3 - A_L31*momentum_1 - A_L32*after_f2
     after_3 = after_f3/A_D3
     after_2 = after_f2*t2 - A_L32*after_3
-    t3 = beta*(after_2 - dtheta2)
-    t4 = 2*beta + 1
     after_1 = momentum_1*t1 - A_L21*after_2 - A_L31*after_3
     s_theta1 = xp.sin(theta1)
     s_theta1_minus_theta2 = xp.sin(theta1 - theta2)
+    t3 = dtheta1*s_theta1 - after_1*s_theta1_minus_theta2
     return {
-        "Lambda": [alpha*(after_3 - dx) - c_theta1_minus_theta2*t3 + t4*(after_1*(c_theta1 - c_theta1_minus_theta2) + after_2*c_theta1_minus_theta2) + (after_1 - dtheta1)*(beta*(c_theta1_minus_theta2 - c_theta1) - c_theta1), t4*(after_1*(s_theta1 - s_theta1_minus_theta2) + after_2*s_theta1_minus_theta2) - s_theta1_minus_theta2*t3 + (after_1 - dtheta1)*(beta*(s_theta1_minus_theta2 - s_theta1) - s_theta1)],
+        "Lambda": [alpha*(after_3 - dx) + beta*c_theta1_minus_theta2*(after_2 + dtheta2) + (2*beta + 1)*(after_1*(c_theta1 - c_theta1_minus_theta2) - after_2*c_theta1) + (beta*(c_theta1_minus_theta2 - c_theta1) - c_theta1)*(after_1 - after_2 - dtheta1), beta*(after_1*s_theta1 - after_2*s_theta1 - dtheta1*s_theta1_minus_theta2 + dtheta2*s_theta1_minus_theta2 + t3) + t3],
     }
 
 
@@ -487,9 +472,9 @@ def kinetic_energy(xp, q, v, p):
 
 
 def potential_energy(xp, q, p):
-    """Potential energy of gravity and springs.
+    """Potential energy.
 
-    Source: sum of m g y, and k x^2/2.
+    Source: sum over gravity, spring.
     10 operations.
     """
     theta1 = q[0]
@@ -505,14 +490,17 @@ def potential_energy(xp, q, p):
 
 
 def total_mass(xp, p):
-    """Mass of the whole walker.
+    """Mass and weight of the whole walker.
 
-    Source: sum of the point masses.
+    Source: sum over the bodies.
     2 operations.
     """
     beta = p[3]
+    t1 = 2*beta + 1
     return {
-        "mass": 2*beta + 1,
+        "mass": t1,
+        "weight": t1,
+        "pull": 0,
     }
 
 
@@ -679,7 +667,7 @@ def swing_foot(xp, q, v):
 def drawing(xp, q, p):
     """What the walker is drawn by.
 
-    Source: geometry; masses: hip, wobbling mass, stance foot, swing foot.
+    Source: geometry; bodies: hip, wobbling mass, stance foot, swing foot.
     16 operations.
     """
     theta1 = q[0]
@@ -700,9 +688,9 @@ def drawing(xp, q, p):
 
 
 def spring_mode(xp, p):
-    """Frequency of the spring mode.
+    """Natural frequency whose whole oscillations name the solution groups.
 
-    Source: sqrt(k / (alpha (1 - alpha))).
+    Source: sqrt(k/(alpha*(1 - alpha))).
     5 operations.
     """
     k = p[0]
@@ -726,4 +714,33 @@ def section_state(xp, z):
     return {
         "q": [theta1, 2*theta1, x],
         "v": [dtheta1, dtheta2, dx],
+    }
+
+
+def before_touchdown(xp, q):
+    """Coordinates just before touchdown from those just after.
+
+    Source: the legs' names swapped back.
+    2 operations.
+    """
+    theta1 = q[0]
+    theta2 = q[1]
+    x = q[2]
+    return {
+        "q_minus": [theta1 - theta2, -theta2, x],
+    }
+
+
+def step_length(xp, q):
+    """Length of the step from the coordinates just after touchdown.
+
+    Source: geometry of the legs.
+    4 operations.
+    """
+    theta1 = q[0]
+    theta2 = q[1]
+    s_theta1 = xp.sin(theta1)
+    s_theta1_minus_theta2 = xp.sin(theta1 - theta2)
+    return {
+        "length": s_theta1 - s_theta1_minus_theta2,
     }

@@ -1,5 +1,5 @@
 /* Compass walker with a horizontally wobbling mass: kernels of the solver
- * Printed by CasADi 3.8.2 from equations aeaf98fc09a030b5.
+ * Printed by CasADi 3.8.2 from equations efc09395b16be2af.
  * Do not edit: run `make derive`.
  * SPDX-License-Identifier: BSD-3-Clause
  */
@@ -100,20 +100,7 @@
 #define casadi_f72 CASADI_PREFIX(f72)
 #define casadi_f73 CASADI_PREFIX(f73)
 #define casadi_f74 CASADI_PREFIX(f74)
-#define casadi_f75 CASADI_PREFIX(f75)
-#define casadi_f76 CASADI_PREFIX(f76)
-#define casadi_f77 CASADI_PREFIX(f77)
-#define casadi_f78 CASADI_PREFIX(f78)
-#define casadi_f79 CASADI_PREFIX(f79)
 #define casadi_f8 CASADI_PREFIX(f8)
-#define casadi_f80 CASADI_PREFIX(f80)
-#define casadi_f81 CASADI_PREFIX(f81)
-#define casadi_f82 CASADI_PREFIX(f82)
-#define casadi_f83 CASADI_PREFIX(f83)
-#define casadi_f84 CASADI_PREFIX(f84)
-#define casadi_f85 CASADI_PREFIX(f85)
-#define casadi_f86 CASADI_PREFIX(f86)
-#define casadi_f87 CASADI_PREFIX(f87)
 #define casadi_f9 CASADI_PREFIX(f9)
 #define casadi_fabs CASADI_PREFIX(fabs)
 #define casadi_fmax CASADI_PREFIX(fmax)
@@ -486,7 +473,7 @@ static const casadi_int casadi_s26[3] = {7, 1, 1};
 static const casadi_real casadi_zeros[36] = 
   {0.};
 
-/* start:(z[5])->(y[6],dy_dz[6x5]) */
+/* start:(z[5],p[8])->(y[6],dy_dz[6x5]) */
 static int casadi_f3(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1;
   a0=arg[0]? arg[0][0] : 0;
@@ -9266,550 +9253,539 @@ static int casadi_f8(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
-  casadi_real a36, a37, a38, a39, a40, a41, a42, a43;
+  casadi_real a36, a37, a38, a39, a40, a41, a42, a43, a44;
   a00=arg[0]? arg[0][6] : 0;
   a01=arg[0]? arg[0][7] : 0;
   a02=(a00-a01);
   a03=1.;
   a02=(a02-a03);
   if (res[0]!=0) res[0][0]=a02;
-  a02=arg[3]? arg[3][1] : 0;
-  a04=arg[0]? arg[0][0] : 0;
-  a05=arg[0]? arg[0][1] : 0;
-  a06=(a04-a05);
-  a07=cos(a06);
-  a07=(a02*a07);
-  a08=arg[3]? arg[3][3] : 0;
-  a09=(2.*a08);
-  a10=cos(a05);
-  a11=(a03-a10);
-  a11=(a09*a11);
-  a11=(a11+a03);
-  a12=(a07/a11);
-  a13=arg[0]? arg[0][3] : 0;
-  a14=sin(a04);
-  a15=(a13*a14);
-  a15=(a02*a15);
-  a16=arg[0]? arg[0][5] : 0;
-  a17=(a07*a16);
-  a18=(a10*a13);
-  a17=(a17-a18);
-  a18=sin(a06);
-  a19=(a02*a18);
-  a20=(a19/a11);
-  a21=(a17*a20);
-  a22=(a16*a19);
-  a23=(a12*a22);
-  a21=(a21+a23);
-  a15=(a15+a21);
-  a21=(a10-a03);
-  a21=(a08*a21);
-  a23=(a21-a03);
-  a24=(a23/a11);
-  a25=(a24*a17);
-  a25=(a17+a25);
-  a26=(a23*a20);
-  a26=(a19+a26);
-  a27=(a08+a03);
-  a28=(a23*a24);
-  a27=(a27-a28);
-  a28=(a26/a27);
-  a29=(a25*a28);
-  a30=(a23*a12);
-  a30=(a07+a30);
-  a31=(a30/a27);
-  a32=(a24*a22);
-  a32=(a22+a32);
-  a33=(a31*a32);
-  a29=(a29+a33);
-  a15=(a15+a29);
-  a29=(a07*a12);
-  a29=(a02-a29);
-  a33=(a30*a31);
-  a29=(a29-a33);
-  a15=(a15/a29);
-  a33=cos(a04);
-  a34=(a33*a13);
-  a34=(a16-a34);
-  a34=(a02*a34);
-  a35=(a12*a17);
-  a34=(a34-a35);
-  a35=(a31*a25);
-  a34=(a34-a35);
-  a34=(a34/a29);
-  a35=(a34/a29);
-  a36=(a12*a19);
-  a37=(a07*a20);
-  a37=(a36+a37);
-  a26=(a31*a26);
-  a38=(a30*a28);
-  a26=(a26+a38);
-  a37=(a37+a26);
-  a37=(a35*a37);
-  a15=(a15-a37);
-  a37=(a12*a15);
-  a26=(a34*a20);
-  a37=(a37-a26);
-  a26=(a22/a11);
-  a32=(a32/a27);
-  a38=(a31*a15);
-  a28=(a34*a28);
-  a38=(a38-a28);
-  a32=(a32+a38);
-  a38=(a24*a32);
-  a26=(a26+a38);
-  a37=(a37+a26);
-  a37=(a37+a32);
-  a26=(a37*a00);
-  a38=(a12/a11);
-  a28=sin(a05);
-  a09=(a09*a28);
-  a38=(a38*a09);
-  a20=(a20-a38);
-  a38=(a34*a20);
-  a39=(a07*a20);
-  a36=(a36+a39);
-  a39=(a23*a20);
-  a40=(a08*a28);
-  a41=(a12*a40);
-  a39=(a39-a41);
-  a19=(a19+a39);
-  a39=(a31*a19);
-  a19=(a19/a27);
-  a41=(a31/a27);
-  a42=(a24*a40);
-  a40=(a40/a11);
-  a43=(a24/a11);
-  a43=(a43*a09);
-  a40=(a40+a43);
-  a23=(a23*a40);
-  a42=(a42+a23);
-  a41=(a41*a42);
-  a19=(a19-a41);
-  a30=(a30*a19);
-  a39=(a39+a30);
-  a36=(a36+a39);
-  a35=(a35*a36);
-  a20=(a17*a20);
-  a36=(a13*a28);
-  a22=(a22+a36);
-  a36=(a12*a22);
+  a02=arg[0]? arg[0][5] : 0;
+  a04=arg[3]? arg[3][1] : 0;
+  a05=arg[0]? arg[0][0] : 0;
+  a06=arg[0]? arg[0][1] : 0;
+  a07=(a05-a06);
+  a08=sin(a07);
+  a09=(a04*a08);
+  a10=(a02*a09);
+  a11=arg[3]? arg[3][3] : 0;
+  a12=(2.*a11);
+  a13=cos(a06);
+  a14=(a03-a13);
+  a14=(a12*a14);
+  a14=(a14+a03);
+  a15=(a10/a14);
+  a16=(a13-a03);
+  a16=(a11*a16);
+  a17=(a16/a14);
+  a18=(a17*a10);
+  a19=(a16*a17);
+  a19=(a11-a19);
+  a20=(a18/a19);
+  a21=cos(a07);
+  a21=(a04*a21);
+  a22=(a21/a14);
+  a23=(a16*a22);
+  a24=(a23/a19);
+  a25=arg[0]? arg[0][3] : 0;
+  a26=sin(a05);
+  a27=(a25*a26);
+  a27=(a04*a27);
+  a28=(a22*a10);
+  a29=(a13*a25);
+  a30=(a21*a02);
+  a29=(a29-a30);
+  a30=(a09/a14);
+  a31=(a29*a30);
+  a28=(a28-a31);
+  a27=(a27+a28);
+  a18=(a24*a18);
+  a28=(a17*a29);
+  a31=(a16*a30);
+  a32=(a31/a19);
+  a33=(a28*a32);
+  a18=(a18-a33);
+  a27=(a27+a18);
+  a18=(a21*a22);
+  a18=(a04-a18);
+  a33=(a23*a24);
+  a18=(a18-a33);
+  a27=(a27/a18);
+  a33=cos(a05);
+  a34=(a33*a25);
+  a34=(a02-a34);
+  a34=(a04*a34);
+  a35=(a22*a29);
+  a34=(a34+a35);
+  a35=(a24*a28);
+  a34=(a34+a35);
+  a34=(a34/a18);
+  a35=(a34/a18);
+  a09=(a22*a09);
+  a36=(a21*a30);
+  a36=(a09+a36);
+  a31=(a24*a31);
+  a37=(a23*a32);
+  a31=(a31+a37);
+  a36=(a36+a31);
+  a36=(a35*a36);
+  a27=(a27-a36);
+  a36=(a24*a27);
+  a32=(a34*a32);
+  a36=(a36-a32);
   a20=(a20+a36);
-  a36=(a25*a19);
-  a39=(a24*a22);
-  a30=(a17*a40);
-  a39=(a39-a30);
-  a39=(a22+a39);
-  a30=(a31*a39);
-  a36=(a36+a30);
-  a20=(a20+a36);
-  a20=(a20/a29);
-  a35=(a35-a20);
-  a20=(a12*a35);
-  a38=(a38+a20);
-  a22=(a22/a11);
-  a17=(a17/a11);
-  a20=(a17/a11);
-  a20=(a20*a09);
-  a22=(a22-a20);
-  a39=(a39/a27);
-  a25=(a25/a27);
-  a20=(a25/a27);
-  a20=(a20*a42);
-  a39=(a39-a20);
-  a19=(a34*a19);
-  a20=(a31*a35);
-  a19=(a19+a20);
-  a39=(a39-a19);
-  a19=(a24*a39);
-  a20=(a31*a34);
-  a25=(a25-a20);
-  a40=(a25*a40);
-  a19=(a19-a40);
-  a22=(a22+a19);
-  a38=(a38-a22);
+  a36=(a17*a20);
+  a15=(a15+a36);
+  a36=(a22*a27);
+  a32=(a34*a30);
+  a36=(a36-a32);
+  a15=(a15+a36);
+  a36=(a15*a00);
+  a32=(a22/a14);
+  a31=sin(a06);
+  a12=(a12*a31);
+  a32=(a32*a12);
+  a30=(a30-a32);
+  a32=(a16*a30);
+  a37=(a11*a31);
+  a38=(a22*a37);
+  a32=(a32-a38);
+  a38=(a32/a19);
+  a39=(a24/a19);
+  a40=(a17*a37);
+  a37=(a37/a14);
+  a41=(a17/a14);
+  a41=(a41*a12);
+  a37=(a37+a41);
+  a41=(a16*a37);
+  a40=(a40+a41);
+  a39=(a39*a40);
   a38=(a38-a39);
-  a22=(a38*a01);
-  a26=(a26+a22);
-  a22=(a12*a10);
-  a33=(a02*a33);
-  a22=(a22-a33);
-  a19=(a24*a10);
-  a19=(a10+a19);
-  a40=(a31*a19);
-  a22=(a22+a40);
-  a22=(a22/a29);
-  a40=(a12*a22);
-  a10=(a10/a11);
-  a19=(a19/a27);
-  a20=(a31*a22);
-  a19=(a19+a20);
-  a20=(a24*a19);
-  a10=(a10+a20);
-  a40=(a40+a10);
-  a40=(a40+a19);
-  a10=arg[0]? arg[0][9] : 0;
-  a20=(a40*a10);
-  a26=(a26+a20);
-  a20=(a12*a07);
-  a20=(a02-a20);
-  a42=(a24*a07);
-  a07=(a07+a42);
-  a42=(a31*a07);
-  a20=(a20-a42);
-  a20=(a20/a29);
-  a29=(a12*a20);
-  a07=(a07/a27);
-  a31=(a31*a20);
-  a07=(a07-a31);
-  a31=(a24*a07);
-  a31=(a12+a31);
-  a29=(a29-a31);
-  a29=(a29-a07);
-  a31=arg[0]? arg[0][11] : 0;
-  a27=(a29*a31);
-  a26=(a26+a27);
-  if (res[0]!=0) res[0][1]=a26;
-  a26=(a32*a00);
-  a27=(a39*a01);
-  a26=(a26-a27);
-  a27=(a19*a10);
-  a26=(a26+a27);
-  a27=(a07*a31);
-  a26=(a26-a27);
-  if (res[0]!=0) res[0][2]=a26;
-  a26=arg[0]? arg[0][8] : 0;
-  if (res[0]!=0) res[0][3]=a26;
-  a26=(a15*a00);
-  a27=(a35*a01);
-  a26=(a26+a27);
-  a10=(a22*a10);
-  a26=(a26+a10);
-  a31=(a20*a31);
-  a26=(a26+a31);
-  if (res[0]!=0) res[0][4]=a26;
-  a26=-2.;
-  a00=(a26*a00);
+  a39=(a34*a38);
+  a41=(a29*a30);
+  a42=(a25*a31);
+  a42=(a42+a10);
+  a10=(a22*a42);
+  a41=(a41-a10);
+  a10=(a28*a38);
+  a43=(a29*a37);
+  a44=(a17*a42);
+  a43=(a43+a44);
+  a44=(a24*a43);
+  a10=(a10-a44);
+  a41=(a41+a10);
+  a41=(a41/a18);
+  a10=(a21*a30);
+  a09=(a09+a10);
+  a32=(a24*a32);
+  a23=(a23*a38);
+  a32=(a32+a23);
+  a09=(a09+a32);
+  a35=(a35*a09);
+  a41=(a41+a35);
+  a35=(a24*a41);
+  a39=(a39+a35);
+  a43=(a43/a19);
+  a28=(a28/a19);
+  a35=(a28/a19);
+  a35=(a35*a40);
+  a43=(a43+a35);
+  a39=(a39-a43);
+  a43=(a17*a39);
+  a35=(a24*a34);
+  a28=(a28+a35);
+  a37=(a28*a37);
+  a43=(a43-a37);
+  a42=(a42/a14);
+  a29=(a29/a14);
+  a37=(a29/a14);
+  a37=(a37*a12);
+  a42=(a42+a37);
+  a43=(a43-a42);
+  a30=(a34*a30);
+  a42=(a22*a41);
+  a30=(a30+a42);
+  a43=(a43+a30);
+  a30=(a43*a01);
+  a36=(a36+a30);
+  a30=(a13/a14);
+  a42=(a17*a13);
+  a37=(a42/a19);
+  a13=(a22*a13);
+  a33=(a04*a33);
+  a13=(a13-a33);
+  a42=(a24*a42);
+  a13=(a13+a42);
+  a13=(a13/a18);
+  a42=(a24*a13);
+  a37=(a37+a42);
+  a42=(a17*a37);
+  a30=(a30+a42);
+  a42=(a22*a13);
+  a30=(a30+a42);
+  a42=arg[0]? arg[0][9] : 0;
+  a12=(a30*a42);
+  a36=(a36+a12);
+  a12=(a22*a21);
+  a12=(a04-a12);
+  a21=(a17*a21);
+  a35=(a24*a21);
+  a12=(a12-a35);
+  a12=(a12/a18);
+  a24=(a24*a12);
+  a21=(a21/a19);
+  a24=(a24-a21);
+  a21=(a17*a24);
+  a21=(a21-a22);
+  a18=(a22*a12);
+  a21=(a21+a18);
+  a18=arg[0]? arg[0][11] : 0;
+  a35=(a21*a18);
+  a36=(a36+a35);
+  if (res[0]!=0) res[0][1]=a36;
+  a36=(a20*a00);
+  a35=(a39*a01);
+  a36=(a36+a35);
+  a35=(a37*a42);
+  a36=(a36+a35);
+  a35=(a24*a18);
+  a36=(a36+a35);
+  a36=(-a36);
+  if (res[0]!=0) res[0][2]=a36;
+  a36=arg[0]? arg[0][8] : 0;
+  if (res[0]!=0) res[0][3]=a36;
+  a36=(a27*a00);
+  a35=(a41*a01);
+  a36=(a36+a35);
+  a42=(a13*a42);
+  a36=(a36+a42);
+  a18=(a12*a18);
+  a36=(a36+a18);
+  if (res[0]!=0) res[0][4]=a36;
+  a36=-2.;
+  a00=(a36*a00);
   a00=(a00+a01);
   if (res[0]!=0) res[0][5]=a00;
   a00=arg[0]? arg[0][12] : 0;
   a01=arg[0]? arg[0][13] : 0;
-  a31=(a00-a01);
-  if (res[0]!=0) res[0][6]=a31;
-  a31=(a37*a00);
-  a10=(a38*a01);
-  a31=(a31+a10);
-  a10=arg[0]? arg[0][15] : 0;
-  a27=(a40*a10);
-  a31=(a31+a27);
-  a27=arg[0]? arg[0][17] : 0;
-  a42=(a29*a27);
-  a31=(a31+a42);
-  a31=(a31-a03);
-  if (res[0]!=0) res[0][7]=a31;
-  a31=(a32*a00);
-  a42=(a39*a01);
-  a31=(a31-a42);
-  a42=(a19*a10);
-  a31=(a31+a42);
-  a42=(a07*a27);
-  a31=(a31-a42);
-  if (res[0]!=0) res[0][8]=a31;
-  a31=arg[0]? arg[0][14] : 0;
-  if (res[0]!=0) res[0][9]=a31;
-  a31=(a15*a00);
-  a42=(a35*a01);
-  a31=(a31+a42);
-  a10=(a22*a10);
-  a31=(a31+a10);
-  a27=(a20*a27);
-  a31=(a31+a27);
-  if (res[0]!=0) res[0][10]=a31;
-  a00=(a26*a00);
+  a18=(a00-a01);
+  if (res[0]!=0) res[0][6]=a18;
+  a18=(a15*a00);
+  a42=(a43*a01);
+  a18=(a18+a42);
+  a42=arg[0]? arg[0][15] : 0;
+  a35=(a30*a42);
+  a18=(a18+a35);
+  a35=arg[0]? arg[0][17] : 0;
+  a40=(a21*a35);
+  a18=(a18+a40);
+  a18=(a18-a03);
+  if (res[0]!=0) res[0][7]=a18;
+  a18=(a20*a00);
+  a40=(a39*a01);
+  a18=(a18+a40);
+  a40=(a37*a42);
+  a18=(a18+a40);
+  a40=(a24*a35);
+  a18=(a18+a40);
+  a18=(-a18);
+  if (res[0]!=0) res[0][8]=a18;
+  a18=arg[0]? arg[0][14] : 0;
+  if (res[0]!=0) res[0][9]=a18;
+  a18=(a27*a00);
+  a40=(a41*a01);
+  a18=(a18+a40);
+  a42=(a13*a42);
+  a18=(a18+a42);
+  a35=(a12*a35);
+  a18=(a18+a35);
+  if (res[0]!=0) res[0][10]=a18;
+  a00=(a36*a00);
   a00=(a00+a01);
   if (res[0]!=0) res[0][11]=a00;
   a00=arg[0]? arg[0][18] : 0;
   a01=arg[0]? arg[0][19] : 0;
-  a31=(a00-a01);
-  if (res[0]!=0) res[0][12]=a31;
-  a31=(a37*a00);
-  a27=(a38*a01);
-  a31=(a31+a27);
-  a27=arg[0]? arg[0][21] : 0;
-  a10=(a40*a27);
-  a31=(a31+a10);
-  a10=arg[0]? arg[0][23] : 0;
-  a42=(a29*a10);
-  a31=(a31+a42);
-  if (res[0]!=0) res[0][13]=a31;
-  a31=(a32*a00);
-  a42=(a39*a01);
-  a31=(a31-a42);
-  a42=(a19*a27);
-  a31=(a31+a42);
-  a42=(a07*a10);
-  a31=(a31-a42);
-  a31=(a31-a03);
-  if (res[0]!=0) res[0][14]=a31;
-  a31=arg[0]? arg[0][20] : 0;
-  if (res[0]!=0) res[0][15]=a31;
-  a31=(a15*a00);
-  a42=(a35*a01);
-  a31=(a31+a42);
-  a27=(a22*a27);
-  a31=(a31+a27);
-  a10=(a20*a10);
-  a31=(a31+a10);
-  if (res[0]!=0) res[0][16]=a31;
-  a00=(a26*a00);
+  a18=(a00-a01);
+  if (res[0]!=0) res[0][12]=a18;
+  a18=(a15*a00);
+  a35=(a43*a01);
+  a18=(a18+a35);
+  a35=arg[0]? arg[0][21] : 0;
+  a42=(a30*a35);
+  a18=(a18+a42);
+  a42=arg[0]? arg[0][23] : 0;
+  a40=(a21*a42);
+  a18=(a18+a40);
+  if (res[0]!=0) res[0][13]=a18;
+  a18=(a20*a00);
+  a40=(a39*a01);
+  a18=(a18+a40);
+  a40=(a37*a35);
+  a18=(a18+a40);
+  a40=(a24*a42);
+  a18=(a18+a40);
+  a18=(a18+a03);
+  a18=(-a18);
+  if (res[0]!=0) res[0][14]=a18;
+  a18=arg[0]? arg[0][20] : 0;
+  if (res[0]!=0) res[0][15]=a18;
+  a18=(a27*a00);
+  a40=(a41*a01);
+  a18=(a18+a40);
+  a35=(a13*a35);
+  a18=(a18+a35);
+  a42=(a12*a42);
+  a18=(a18+a42);
+  if (res[0]!=0) res[0][16]=a18;
+  a00=(a36*a00);
   a00=(a00+a01);
   if (res[0]!=0) res[0][17]=a00;
   a00=arg[0]? arg[0][24] : 0;
   a01=arg[0]? arg[0][25] : 0;
-  a31=(a00-a01);
-  if (res[0]!=0) res[0][18]=a31;
-  a31=(a37*a00);
-  a10=(a38*a01);
-  a31=(a31+a10);
-  a10=arg[0]? arg[0][27] : 0;
-  a27=(a40*a10);
-  a31=(a31+a27);
-  a27=arg[0]? arg[0][29] : 0;
-  a42=(a29*a27);
-  a31=(a31+a42);
-  if (res[0]!=0) res[0][19]=a31;
-  a31=(a32*a00);
-  a42=(a39*a01);
-  a31=(a31-a42);
-  a42=(a19*a10);
-  a31=(a31+a42);
-  a42=(a07*a27);
-  a31=(a31-a42);
-  if (res[0]!=0) res[0][20]=a31;
-  a31=arg[0]? arg[0][26] : 0;
-  a31=(a31-a03);
-  if (res[0]!=0) res[0][21]=a31;
-  a31=(a15*a00);
-  a42=(a35*a01);
-  a31=(a31+a42);
-  a10=(a22*a10);
-  a31=(a31+a10);
-  a27=(a20*a27);
-  a31=(a31+a27);
-  if (res[0]!=0) res[0][22]=a31;
-  a00=(a26*a00);
+  a18=(a00-a01);
+  if (res[0]!=0) res[0][18]=a18;
+  a18=(a15*a00);
+  a42=(a43*a01);
+  a18=(a18+a42);
+  a42=arg[0]? arg[0][27] : 0;
+  a35=(a30*a42);
+  a18=(a18+a35);
+  a35=arg[0]? arg[0][29] : 0;
+  a40=(a21*a35);
+  a18=(a18+a40);
+  if (res[0]!=0) res[0][19]=a18;
+  a18=(a20*a00);
+  a40=(a39*a01);
+  a18=(a18+a40);
+  a40=(a37*a42);
+  a18=(a18+a40);
+  a40=(a24*a35);
+  a18=(a18+a40);
+  a18=(-a18);
+  if (res[0]!=0) res[0][20]=a18;
+  a18=arg[0]? arg[0][26] : 0;
+  a18=(a18-a03);
+  if (res[0]!=0) res[0][21]=a18;
+  a18=(a27*a00);
+  a40=(a41*a01);
+  a18=(a18+a40);
+  a42=(a13*a42);
+  a18=(a18+a42);
+  a35=(a12*a35);
+  a18=(a18+a35);
+  if (res[0]!=0) res[0][22]=a18;
+  a00=(a36*a00);
   a00=(a00+a01);
   if (res[0]!=0) res[0][23]=a00;
   a00=arg[0]? arg[0][30] : 0;
   a01=arg[0]? arg[0][31] : 0;
-  a31=(a00-a01);
-  if (res[0]!=0) res[0][24]=a31;
-  a31=(a37*a00);
-  a27=(a38*a01);
-  a31=(a31+a27);
-  a27=arg[0]? arg[0][33] : 0;
-  a10=(a40*a27);
-  a31=(a31+a10);
-  a10=arg[0]? arg[0][35] : 0;
-  a42=(a29*a10);
-  a31=(a31+a42);
-  if (res[0]!=0) res[0][25]=a31;
-  a31=(a32*a00);
-  a42=(a39*a01);
-  a31=(a31-a42);
-  a42=(a19*a27);
-  a31=(a31+a42);
-  a42=(a07*a10);
-  a31=(a31-a42);
-  if (res[0]!=0) res[0][26]=a31;
-  a31=arg[0]? arg[0][32] : 0;
-  if (res[0]!=0) res[0][27]=a31;
-  a31=(a15*a00);
-  a42=(a35*a01);
-  a31=(a31+a42);
-  a27=(a22*a27);
-  a31=(a31+a27);
-  a10=(a20*a10);
-  a31=(a31+a10);
-  a31=(a31-a03);
-  if (res[0]!=0) res[0][28]=a31;
-  a00=(a26*a00);
+  a18=(a00-a01);
+  if (res[0]!=0) res[0][24]=a18;
+  a18=(a15*a00);
+  a35=(a43*a01);
+  a18=(a18+a35);
+  a35=arg[0]? arg[0][33] : 0;
+  a42=(a30*a35);
+  a18=(a18+a42);
+  a42=arg[0]? arg[0][35] : 0;
+  a40=(a21*a42);
+  a18=(a18+a40);
+  if (res[0]!=0) res[0][25]=a18;
+  a18=(a20*a00);
+  a40=(a39*a01);
+  a18=(a18+a40);
+  a40=(a37*a35);
+  a18=(a18+a40);
+  a40=(a24*a42);
+  a18=(a18+a40);
+  a18=(-a18);
+  if (res[0]!=0) res[0][26]=a18;
+  a18=arg[0]? arg[0][32] : 0;
+  if (res[0]!=0) res[0][27]=a18;
+  a18=(a27*a00);
+  a40=(a41*a01);
+  a18=(a18+a40);
+  a35=(a13*a35);
+  a18=(a18+a35);
+  a42=(a12*a42);
+  a18=(a18+a42);
+  a18=(a18-a03);
+  if (res[0]!=0) res[0][28]=a18;
+  a00=(a36*a00);
   a00=(a00+a01);
   if (res[0]!=0) res[0][29]=a00;
   a00=arg[0]? arg[0][4] : 0;
-  a01=(a13-a00);
+  a01=(a25-a00);
   if (res[0]!=0) res[0][30]=a01;
-  a37=(a37*a13);
-  a38=(a38*a00);
-  a37=(a37+a38);
-  a38=(a08*a00);
-  a38=(a38*a28);
-  a01=(2.*a13);
+  a15=(a15*a25);
+  a43=(a43*a00);
+  a15=(a15+a43);
+  a43=(a11*a00);
+  a43=(a43*a31);
+  a01=(2.*a25);
   a01=(a00-a01);
-  a38=(a38*a01);
-  a01=(a14-a18);
-  a01=(a08*a01);
-  a38=(a38+a01);
-  a38=(a38+a14);
-  a01=(a38/a11);
-  a31=(a21/a11);
-  a10=casadi_sq(a13);
-  a10=(a10*a28);
-  a10=(a10+a18);
-  a10=(a08*a10);
+  a43=(a43*a01);
+  a01=(a26-a08);
+  a01=(a11*a01);
+  a43=(a43+a01);
+  a43=(a43+a26);
+  a01=(a43/a14);
+  a18=casadi_sq(a25);
+  a18=(a18*a31);
+  a18=(a18+a08);
+  a11=(a11*a18);
   a18=arg[3]? arg[3][5] : 0;
-  a28=arg[3]? arg[3][7] : 0;
-  a27=arg[3]? arg[3][2] : 0;
-  a42=(a28*a27);
-  a09=arg[2]? arg[2][0] : 0;
-  a27=(a27*a09);
-  a09=sin(a27);
-  a42=(a42*a09);
+  a08=arg[3]? arg[3][7] : 0;
+  a31=arg[3]? arg[3][2] : 0;
+  a42=(a08*a31);
+  a35=arg[2]? arg[2][0] : 0;
+  a31=(a31*a35);
+  a35=sin(a31);
+  a42=(a42*a35);
   a42=(a00+a42);
   a18=(a18*a42);
   a42=arg[3]? arg[3][4] : 0;
-  a09=arg[3]? arg[3][6] : 0;
-  a27=cos(a27);
-  a27=(a27+a03);
-  a28=(a28*a27);
-  a09=(a09-a28);
-  a09=(a09+a05);
-  a42=(a42*a09);
+  a35=arg[3]? arg[3][6] : 0;
+  a31=cos(a31);
+  a31=(a31+a03);
+  a08=(a08*a31);
+  a35=(a35-a08);
+  a35=(a35+a06);
+  a42=(a42*a35);
   a18=(a18+a42);
-  a10=(a10-a18);
-  a18=(a31*a38);
-  a10=(a10-a18);
-  a18=(a21*a31);
-  a08=(a08-a18);
-  a18=(a10/a08);
-  a11=(a33/a11);
-  a21=(a21*a11);
-  a08=(a21/a08);
-  a38=(a11*a38);
-  a42=(a02*a13);
-  a42=(a42*a13);
-  a42=(a42*a14);
-  a14=arg[3]? arg[3][0] : 0;
-  a09=arg[0]? arg[0][2] : 0;
-  a14=(a14*a09);
-  a42=(a42+a14);
-  a38=(a38-a42);
-  a10=(a08*a10);
-  a38=(a38-a10);
-  a33=(a33*a11);
-  a02=(a02-a33);
-  a21=(a21*a08);
-  a02=(a02-a21);
-  a38=(a38/a02);
-  a08=(a08*a38);
-  a18=(a18-a08);
-  a31=(a31*a18);
-  a01=(a01-a31);
-  a11=(a11*a38);
-  a01=(a01+a11);
-  a40=(a40*a01);
-  a37=(a37+a40);
-  a29=(a29*a38);
-  a37=(a37+a29);
-  if (res[0]!=0) res[0][31]=a37;
-  a32=(a32*a13);
+  a11=(a11-a18);
+  a18=(a17*a43);
+  a11=(a11-a18);
+  a18=(a11/a19);
+  a14=(a33/a14);
+  a16=(a16*a14);
+  a19=(a16/a19);
+  a43=(a14*a43);
+  a42=(a04*a25);
+  a42=(a42*a25);
+  a42=(a42*a26);
+  a26=arg[3]? arg[3][0] : 0;
+  a35=arg[0]? arg[0][2] : 0;
+  a26=(a26*a35);
+  a42=(a42+a26);
+  a43=(a43-a42);
+  a11=(a19*a11);
+  a43=(a43-a11);
+  a33=(a33*a14);
+  a04=(a04-a33);
+  a16=(a16*a19);
+  a04=(a04-a16);
+  a43=(a43/a04);
+  a19=(a19*a43);
+  a18=(a18-a19);
+  a18=(a17*a18);
+  a01=(a01-a18);
+  a14=(a14*a43);
+  a01=(a01+a14);
+  a30=(a30*a01);
+  a15=(a15+a30);
+  a21=(a21*a43);
+  a15=(a15+a21);
+  if (res[0]!=0) res[0][31]=a15;
+  a20=(a20*a25);
   a39=(a39*a00);
-  a32=(a32-a39);
-  a19=(a19*a01);
-  a32=(a32+a19);
-  a07=(a07*a38);
-  a32=(a32-a07);
-  if (res[0]!=0) res[0][32]=a32;
-  if (res[0]!=0) res[0][33]=a16;
-  a15=(a15*a13);
-  a35=(a35*a00);
-  a15=(a15+a35);
-  a22=(a22*a01);
-  a15=(a15+a22);
-  a20=(a20*a38);
-  a15=(a15+a20);
-  if (res[0]!=0) res[0][34]=a15;
-  a26=(a26*a13);
-  a26=(a26+a00);
-  if (res[0]!=0) res[0][35]=a26;
-  a26=arg[1]? arg[1][0] : 0;
-  a06=(a06-a26);
-  if (res[1]!=0) res[1][0]=a06;
-  a12=(a12*a34);
-  a24=(a24*a25);
-  a17=(a17+a24);
-  a12=(a12-a17);
-  a12=(a12-a25);
-  a17=arg[1]? arg[1][1] : 0;
-  a12=(a12-a17);
-  if (res[1]!=0) res[1][1]=a12;
-  a12=arg[1]? arg[1][2] : 0;
-  a25=(a25+a12);
-  a25=(-a25);
-  if (res[1]!=0) res[1][2]=a25;
-  a25=arg[1]? arg[1][3] : 0;
-  a09=(a09-a25);
-  if (res[1]!=0) res[1][3]=a09;
-  a09=arg[1]? arg[1][4] : 0;
-  a34=(a34-a09);
+  a20=(a20+a39);
+  a37=(a37*a01);
+  a20=(a20+a37);
+  a24=(a24*a43);
+  a20=(a20+a24);
+  a20=(-a20);
+  if (res[0]!=0) res[0][32]=a20;
+  if (res[0]!=0) res[0][33]=a02;
+  a27=(a27*a25);
+  a41=(a41*a00);
+  a27=(a27+a41);
+  a13=(a13*a01);
+  a27=(a27+a13);
+  a12=(a12*a43);
+  a27=(a27+a12);
+  if (res[0]!=0) res[0][34]=a27;
+  a36=(a36*a25);
+  a36=(a36+a00);
+  if (res[0]!=0) res[0][35]=a36;
+  a36=arg[1]? arg[1][0] : 0;
+  a07=(a07-a36);
+  if (res[1]!=0) res[1][0]=a07;
+  a17=(a17*a28);
+  a29=(a29+a17);
+  a22=(a22*a34);
+  a29=(a29+a22);
+  a22=arg[1]? arg[1][1] : 0;
+  a29=(a29-a22);
+  if (res[1]!=0) res[1][1]=a29;
+  a29=arg[1]? arg[1][2] : 0;
+  a28=(a28+a29);
+  a28=(-a28);
+  if (res[1]!=0) res[1][2]=a28;
+  a28=arg[1]? arg[1][3] : 0;
+  a35=(a35-a28);
+  if (res[1]!=0) res[1][3]=a35;
+  a35=arg[1]? arg[1][4] : 0;
+  a34=(a34-a35);
   if (res[1]!=0) res[1][4]=a34;
-  a04=(2.*a04);
-  a05=(a05-a04);
-  if (res[1]!=0) res[1][5]=a05;
+  a05=(2.*a05);
+  a06=(a06-a05);
+  if (res[1]!=0) res[1][5]=a06;
   return 0;
 }
 
-/* jacobian_12:(u[6],p[8])->(J[6x6],R[6]) */
+/* wobbling_jacobian_12:(u[6],p[8])->(J[6x6],R[6]) */
 static int casadi_f2(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w02=w+433, *w03=w+439, *w04=w+469, w05, w06, w07, *w09=w+505, *w10=w+529;
-  const casadi_real **arg1=arg+2, *cs, *wr08;
+  casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w03=w+433, *w04=w+439, *w05=w+469, w06, w07, w08, *w09=w+505, *w10=w+529;
+  const casadi_real **arg1=arg+2, *cs, *wr02;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 6, w00);
   /* #1: @1 = @0[:5] */
   for (rr=w01, cs=w00+0; cs!=w00+5; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
+  /* #2: @2 = input[1][0] */
+  wr02 = arg[1] ? arg[1] : casadi_zeros;
+  /* #3: {@3, @4} = start(@1, @2) */
   arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
+  arg1[1]=wr02;
+  res1[0]=w03;
+  res1[1]=w04;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<6; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<30; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[5] */
-  for (rr=(&w06), cs=w00+5; cs!=w00+6; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 12 */
-  w07 = 12.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  wr08 = arg[1] ? arg[1] : casadi_zeros;
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=wr08;
+  /* #4: @5 = horzcat(@3, @4) */
+  rr=w05;
+  for (i=0, cs=w03; i<6; ++i) *rr++ = *cs++;
+  for (i=0, cs=w04; i<30; ++i) *rr++ = *cs++;
+  /* #5: @6 = 0 */
+  w06 = 0.;
+  /* #6: @7 = @0[5] */
+  for (rr=(&w07), cs=w00+5; cs!=w00+6; cs+=1) *rr++ = *cs;
+  /* #7: @8 = 12 */
+  w08 = 12.;
+  /* #8: @8 = (@7/@8) */
+  w08  = (w07/w08);
+  /* #9: @9 = turns(@8, @2) */
+  arg1[0]=(&w08);
+  arg1[1]=wr02;
   res1[0]=w09;
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: {@4, @0} = landing_with_derivative(@10, @1, @6, @8) */
+  /* #11: {@5, @0} = landing_with_derivative(@10, @1, @7, @2) */
   arg1[0]=w10;
   arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=wr08;
-  res1[0]=w04;
+  arg1[2]=(&w07);
+  arg1[3]=wr02;
+  res1[0]=w05;
   res1[1]=w00;
   if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
-  /* #12: output[0][0] = @4 */
-  casadi_copy(w04, 36, res[0]);
+  /* #12: output[0][0] = @5 */
+  casadi_copy(w05, 36, res[0]);
   /* #13: output[1][0] = @0 */
   casadi_copy(w00, 6, res[1]);
   return 0;
@@ -11821,127 +11797,123 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
 /* landing:(y[6],z[5],p[8])->(R[6]) */
 static int casadi_f12(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
-  casadi_real a12, a13;
+  casadi_real a12, a13, a14;
   a00=arg[0]? arg[0][0] : 0;
   a01=arg[0]? arg[0][1] : 0;
   a02=(a00-a01);
   a03=arg[1]? arg[1][0] : 0;
   a03=(a02-a03);
   if (res[0]!=0) res[0][0]=a03;
-  a03=arg[2]? arg[2][1] : 0;
+  a03=cos(a01);
+  a04=arg[0]? arg[0][3] : 0;
+  a05=(a03*a04);
+  a06=arg[2]? arg[2][1] : 0;
   a02=cos(a02);
-  a02=(a03*a02);
-  a04=arg[2]? arg[2][3] : 0;
-  a05=(2.*a04);
-  a06=1.;
-  a07=cos(a01);
-  a08=(a06-a07);
-  a05=(a05*a08);
-  a05=(a05+a06);
-  a08=(a02/a05);
-  a09=arg[0]? arg[0][5] : 0;
-  a10=cos(a00);
-  a11=arg[0]? arg[0][3] : 0;
-  a10=(a10*a11);
-  a10=(a09-a10);
-  a10=(a03*a10);
-  a09=(a02*a09);
-  a11=(a07*a11);
-  a09=(a09-a11);
-  a11=(a08*a09);
-  a10=(a10-a11);
-  a07=(a07-a06);
-  a07=(a04*a07);
-  a07=(a07-a06);
-  a11=(a07*a08);
-  a11=(a02+a11);
-  a04=(a04+a06);
-  a06=(a07/a05);
-  a07=(a07*a06);
-  a04=(a04-a07);
-  a07=(a11/a04);
-  a12=(a06*a09);
-  a12=(a09+a12);
-  a13=(a07*a12);
-  a10=(a10-a13);
-  a02=(a02*a08);
-  a03=(a03-a02);
-  a11=(a11*a07);
-  a03=(a03-a11);
-  a10=(a10/a03);
-  a08=(a08*a10);
-  a09=(a09/a05);
-  a12=(a12/a04);
-  a07=(a07*a10);
-  a12=(a12-a07);
-  a06=(a06*a12);
-  a09=(a09+a06);
-  a08=(a08-a09);
-  a08=(a08-a12);
+  a02=(a06*a02);
+  a07=arg[0]? arg[0][5] : 0;
+  a08=(a02*a07);
+  a05=(a05-a08);
+  a08=arg[2]? arg[2][3] : 0;
+  a09=(2.*a08);
+  a10=1.;
+  a11=(a10-a03);
+  a09=(a09*a11);
+  a09=(a09+a10);
+  a11=(a05/a09);
+  a03=(a03-a10);
+  a03=(a08*a03);
+  a10=(a03/a09);
+  a12=(a10*a05);
+  a13=(a03*a10);
+  a08=(a08-a13);
+  a13=(a12/a08);
+  a09=(a02/a09);
+  a03=(a03*a09);
+  a08=(a03/a08);
+  a14=cos(a00);
+  a14=(a14*a04);
+  a07=(a07-a14);
+  a07=(a06*a07);
+  a05=(a09*a05);
+  a07=(a07+a05);
+  a12=(a08*a12);
+  a07=(a07+a12);
+  a02=(a02*a09);
+  a06=(a06-a02);
+  a03=(a03*a08);
+  a06=(a06-a03);
+  a07=(a07/a06);
+  a08=(a08*a07);
+  a13=(a13+a08);
+  a10=(a10*a13);
+  a11=(a11+a10);
+  a09=(a09*a07);
+  a11=(a11+a09);
   a09=arg[1]? arg[1][1] : 0;
-  a08=(a08-a09);
-  if (res[0]!=0) res[0][1]=a08;
-  a08=arg[1]? arg[1][2] : 0;
-  a12=(a12+a08);
-  a12=(-a12);
-  if (res[0]!=0) res[0][2]=a12;
-  a12=arg[0]? arg[0][2] : 0;
-  a08=arg[1]? arg[1][3] : 0;
-  a12=(a12-a08);
-  if (res[0]!=0) res[0][3]=a12;
-  a12=arg[1]? arg[1][4] : 0;
-  a10=(a10-a12);
-  if (res[0]!=0) res[0][4]=a10;
+  a11=(a11-a09);
+  if (res[0]!=0) res[0][1]=a11;
+  a11=arg[1]? arg[1][2] : 0;
+  a13=(a13+a11);
+  a13=(-a13);
+  if (res[0]!=0) res[0][2]=a13;
+  a13=arg[0]? arg[0][2] : 0;
+  a11=arg[1]? arg[1][3] : 0;
+  a13=(a13-a11);
+  if (res[0]!=0) res[0][3]=a13;
+  a13=arg[1]? arg[1][4] : 0;
+  a07=(a07-a13);
+  if (res[0]!=0) res[0][4]=a07;
   a00=(2.*a00);
   a01=(a01-a00);
   if (res[0]!=0) res[0][5]=a01;
   return 0;
 }
 
-/* residual_12:(u[6],p[8])->(R[6]) */
+/* wobbling_residual_12:(u[6],p[8])->(R[6]) */
 static int casadi_f9(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+1, *rr, *w0=w+158, *w1=w+164, *w2=w+169, w3, w4, w5, *w7=w+175;
-  const casadi_real **arg1=arg+2, *cs, *wr6;
+  casadi_real **res1=res+1, *rr, *w0=w+158, *w1=w+164, *w3=w+169, w4, w5, w6, *w7=w+175;
+  const casadi_real **arg1=arg+2, *cs, *wr2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 6, w0);
   /* #1: @1 = @0[:5] */
   for (rr=w1, cs=w0+0; cs!=w0+5; cs+=1) *rr++ = *cs;
-  /* #2: {@2, NULL} = start(@1) */
+  /* #2: @2 = input[1][0] */
+  wr2 = arg[1] ? arg[1] : casadi_zeros;
+  /* #3: {@3, NULL} = start(@1, @2) */
   arg1[0]=w1;
-  res1[0]=w2;
+  arg1[1]=wr2;
+  res1[0]=w3;
   res1[1]=0;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @3 = 0 */
-  w3 = 0.;
-  /* #4: @4 = @0[5] */
-  for (rr=(&w4), cs=w0+5; cs!=w0+6; cs+=1) *rr++ = *cs;
-  /* #5: @5 = 12 */
-  w5 = 12.;
-  /* #6: @4 = (@4/@5) */
-  w4 /= w5;
-  /* #7: @6 = input[1][0] */
-  wr6 = arg[1] ? arg[1] : casadi_zeros;
-  /* #8: @7 = turns(@4, @6) */
-  arg1[0]=(&w4);
-  arg1[1]=wr6;
+  /* #4: @4 = 0 */
+  w4 = 0.;
+  /* #5: @5 = @0[5] */
+  for (rr=(&w5), cs=w0+5; cs!=w0+6; cs+=1) *rr++ = *cs;
+  /* #6: @6 = 12 */
+  w6 = 12.;
+  /* #7: @5 = (@5/@6) */
+  w5 /= w6;
+  /* #8: @7 = turns(@5, @2) */
+  arg1[0]=(&w5);
+  arg1[1]=wr2;
   res1[0]=w7;
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #9: @0 = plain_steps(@2, @3, @7, @4, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #9: @0 = plain_steps(@3, @4, @7, @5, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w4);
-  arg1[4]=wr6;
+  arg1[3]=(&w5);
+  arg1[4]=wr2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @2 = landing(@0, @1, @6) */
+  /* #10: @3 = landing(@0, @1, @2) */
   arg1[0]=w0;
   arg1[1]=w1;
-  arg1[2]=wr6;
-  res1[0]=w2;
+  arg1[2]=wr2;
+  res1[0]=w3;
   if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
-  /* #11: output[0][0] = @2 */
-  casadi_copy(w2, 6, res[0]);
+  /* #11: output[0][0] = @3 */
+  casadi_copy(w3, 6, res[0]);
   return 0;
 }
 
@@ -11960,7 +11932,7 @@ static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   if (casadi_f1(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 6, res[0]);
-  /* #4: @0 = residual_12(@2, @1) */
+  /* #4: @0 = wobbling_residual_12(@2, @1) */
   arg1[0]=w2;
   arg1[1]=wr1;
   res1[0]=w0;
@@ -12045,64 +12017,65 @@ CASADI_SYMBOL_EXPORT int wobbling_search_12_work_bytes(casadi_int *sz_arg, casad
   return 0;
 }
 
-/* jacobian_24:(u[6],p[8])->(J[6x6],R[6]) */
+/* wobbling_jacobian_24:(u[6],p[8])->(J[6x6],R[6]) */
 static int casadi_f15(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w02=w+433, *w03=w+439, *w04=w+469, w05, w06, w07, *w09=w+505, *w10=w+529;
-  const casadi_real **arg1=arg+2, *cs, *wr08;
+  casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w03=w+433, *w04=w+439, *w05=w+469, w06, w07, w08, *w09=w+505, *w10=w+529;
+  const casadi_real **arg1=arg+2, *cs, *wr02;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 6, w00);
   /* #1: @1 = @0[:5] */
   for (rr=w01, cs=w00+0; cs!=w00+5; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
+  /* #2: @2 = input[1][0] */
+  wr02 = arg[1] ? arg[1] : casadi_zeros;
+  /* #3: {@3, @4} = start(@1, @2) */
   arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
+  arg1[1]=wr02;
+  res1[0]=w03;
+  res1[1]=w04;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<6; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<30; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[5] */
-  for (rr=(&w06), cs=w00+5; cs!=w00+6; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 24 */
-  w07 = 24.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  wr08 = arg[1] ? arg[1] : casadi_zeros;
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=wr08;
+  /* #4: @5 = horzcat(@3, @4) */
+  rr=w05;
+  for (i=0, cs=w03; i<6; ++i) *rr++ = *cs++;
+  for (i=0, cs=w04; i<30; ++i) *rr++ = *cs++;
+  /* #5: @6 = 0 */
+  w06 = 0.;
+  /* #6: @7 = @0[5] */
+  for (rr=(&w07), cs=w00+5; cs!=w00+6; cs+=1) *rr++ = *cs;
+  /* #7: @8 = 24 */
+  w08 = 24.;
+  /* #8: @8 = (@7/@8) */
+  w08  = (w07/w08);
+  /* #9: @9 = turns(@8, @2) */
+  arg1[0]=(&w08);
+  arg1[1]=wr02;
   res1[0]=w09;
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: @5 = 0.5 */
-  w05 = 5.0000000000000000e-01;
-  /* #12: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #13: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #11: @6 = 0.5 */
+  w06 = 5.0000000000000000e-01;
+  /* #12: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #13: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #14: {@10, @0} = landing_with_derivative(@4, @1, @6, @8) */
-  arg1[0]=w04;
+  /* #14: {@10, @0} = landing_with_derivative(@5, @1, @7, @2) */
+  arg1[0]=w05;
   arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=wr08;
+  arg1[2]=(&w07);
+  arg1[3]=wr02;
   res1[0]=w10;
   res1[1]=w00;
   if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
@@ -12148,58 +12121,59 @@ static int casadi_f14(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* residual_24:(u[6],p[8])->(R[6]) */
+/* wobbling_residual_24:(u[6],p[8])->(R[6]) */
 static int casadi_f16(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+1, *rr, *w0=w+158, *w1=w+164, *w2=w+169, w3, w4, w5, *w7=w+175;
-  const casadi_real **arg1=arg+2, *cs, *wr6;
+  casadi_real **res1=res+1, *rr, *w0=w+158, *w1=w+164, *w3=w+169, w4, w5, w6, *w7=w+175;
+  const casadi_real **arg1=arg+2, *cs, *wr2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 6, w0);
   /* #1: @1 = @0[:5] */
   for (rr=w1, cs=w0+0; cs!=w0+5; cs+=1) *rr++ = *cs;
-  /* #2: {@2, NULL} = start(@1) */
+  /* #2: @2 = input[1][0] */
+  wr2 = arg[1] ? arg[1] : casadi_zeros;
+  /* #3: {@3, NULL} = start(@1, @2) */
   arg1[0]=w1;
-  res1[0]=w2;
+  arg1[1]=wr2;
+  res1[0]=w3;
   res1[1]=0;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @3 = 0 */
-  w3 = 0.;
-  /* #4: @4 = @0[5] */
-  for (rr=(&w4), cs=w0+5; cs!=w0+6; cs+=1) *rr++ = *cs;
-  /* #5: @5 = 24 */
-  w5 = 24.;
-  /* #6: @5 = (@4/@5) */
-  w5  = (w4/w5);
-  /* #7: @6 = input[1][0] */
-  wr6 = arg[1] ? arg[1] : casadi_zeros;
-  /* #8: @7 = turns(@5, @6) */
-  arg1[0]=(&w5);
-  arg1[1]=wr6;
+  /* #4: @4 = 0 */
+  w4 = 0.;
+  /* #5: @5 = @0[5] */
+  for (rr=(&w5), cs=w0+5; cs!=w0+6; cs+=1) *rr++ = *cs;
+  /* #6: @6 = 24 */
+  w6 = 24.;
+  /* #7: @6 = (@5/@6) */
+  w6  = (w5/w6);
+  /* #8: @7 = turns(@6, @2) */
+  arg1[0]=(&w6);
+  arg1[1]=wr2;
   res1[0]=w7;
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #9: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #9: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @3 = 0.5 */
-  w3 = 5.0000000000000000e-01;
-  /* #11: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #12: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #10: @4 = 0.5 */
+  w4 = 5.0000000000000000e-01;
+  /* #11: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #12: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #13: @0 = landing(@2, @1, @6) */
-  arg1[0]=w2;
+  /* #13: @0 = landing(@3, @1, @2) */
+  arg1[0]=w3;
   arg1[1]=w1;
-  arg1[2]=wr6;
+  arg1[2]=wr2;
   res1[0]=w0;
   if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #14: output[0][0] = @0 */
@@ -12222,7 +12196,7 @@ static int casadi_f13(const casadi_real** arg, casadi_real** res, casadi_int* iw
   if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 6, res[0]);
-  /* #4: @0 = residual_24(@2, @1) */
+  /* #4: @0 = wobbling_residual_24(@2, @1) */
   arg1[0]=w2;
   arg1[1]=wr1;
   res1[0]=w0;
@@ -12307,88 +12281,89 @@ CASADI_SYMBOL_EXPORT int wobbling_search_24_work_bytes(casadi_int *sz_arg, casad
   return 0;
 }
 
-/* jacobian_48:(u[6],p[8])->(J[6x6],R[6]) */
+/* wobbling_jacobian_48:(u[6],p[8])->(J[6x6],R[6]) */
 static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w02=w+433, *w03=w+439, *w04=w+469, w05, w06, w07, *w09=w+505, *w10=w+529;
-  const casadi_real **arg1=arg+2, *cs, *wr08;
+  casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w03=w+433, *w04=w+439, *w05=w+469, w06, w07, w08, *w09=w+505, *w10=w+529;
+  const casadi_real **arg1=arg+2, *cs, *wr02;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 6, w00);
   /* #1: @1 = @0[:5] */
   for (rr=w01, cs=w00+0; cs!=w00+5; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
+  /* #2: @2 = input[1][0] */
+  wr02 = arg[1] ? arg[1] : casadi_zeros;
+  /* #3: {@3, @4} = start(@1, @2) */
   arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
+  arg1[1]=wr02;
+  res1[0]=w03;
+  res1[1]=w04;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<6; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<30; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[5] */
-  for (rr=(&w06), cs=w00+5; cs!=w00+6; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 48 */
-  w07 = 48.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  wr08 = arg[1] ? arg[1] : casadi_zeros;
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=wr08;
+  /* #4: @5 = horzcat(@3, @4) */
+  rr=w05;
+  for (i=0, cs=w03; i<6; ++i) *rr++ = *cs++;
+  for (i=0, cs=w04; i<30; ++i) *rr++ = *cs++;
+  /* #5: @6 = 0 */
+  w06 = 0.;
+  /* #6: @7 = @0[5] */
+  for (rr=(&w07), cs=w00+5; cs!=w00+6; cs+=1) *rr++ = *cs;
+  /* #7: @8 = 48 */
+  w08 = 48.;
+  /* #8: @8 = (@7/@8) */
+  w08  = (w07/w08);
+  /* #9: @9 = turns(@8, @2) */
+  arg1[0]=(&w08);
+  arg1[1]=wr02;
   res1[0]=w09;
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: @5 = 0.25 */
-  w05 = 2.5000000000000000e-01;
-  /* #12: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #13: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #11: @6 = 0.25 */
+  w06 = 2.5000000000000000e-01;
+  /* #12: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #13: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #14: @5 = 0.5 */
-  w05 = 5.0000000000000000e-01;
-  /* #15: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #16: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #14: @6 = 0.5 */
+  w06 = 5.0000000000000000e-01;
+  /* #15: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #16: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #17: @5 = 0.75 */
-  w05 = 7.5000000000000000e-01;
-  /* #18: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #19: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #17: @6 = 0.75 */
+  w06 = 7.5000000000000000e-01;
+  /* #18: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #19: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #20: {@10, @0} = landing_with_derivative(@4, @1, @6, @8) */
-  arg1[0]=w04;
+  /* #20: {@10, @0} = landing_with_derivative(@5, @1, @7, @2) */
+  arg1[0]=w05;
   arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=wr08;
+  arg1[2]=(&w07);
+  arg1[3]=wr02;
   res1[0]=w10;
   res1[1]=w00;
   if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
@@ -12434,82 +12409,83 @@ static int casadi_f18(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* residual_48:(u[6],p[8])->(R[6]) */
+/* wobbling_residual_48:(u[6],p[8])->(R[6]) */
 static int casadi_f20(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+1, *rr, *w0=w+158, *w1=w+164, *w2=w+169, w3, w4, w5, *w7=w+175;
-  const casadi_real **arg1=arg+2, *cs, *wr6;
+  casadi_real **res1=res+1, *rr, *w0=w+158, *w1=w+164, *w3=w+169, w4, w5, w6, *w7=w+175;
+  const casadi_real **arg1=arg+2, *cs, *wr2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 6, w0);
   /* #1: @1 = @0[:5] */
   for (rr=w1, cs=w0+0; cs!=w0+5; cs+=1) *rr++ = *cs;
-  /* #2: {@2, NULL} = start(@1) */
+  /* #2: @2 = input[1][0] */
+  wr2 = arg[1] ? arg[1] : casadi_zeros;
+  /* #3: {@3, NULL} = start(@1, @2) */
   arg1[0]=w1;
-  res1[0]=w2;
+  arg1[1]=wr2;
+  res1[0]=w3;
   res1[1]=0;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @3 = 0 */
-  w3 = 0.;
-  /* #4: @4 = @0[5] */
-  for (rr=(&w4), cs=w0+5; cs!=w0+6; cs+=1) *rr++ = *cs;
-  /* #5: @5 = 48 */
-  w5 = 48.;
-  /* #6: @5 = (@4/@5) */
-  w5  = (w4/w5);
-  /* #7: @6 = input[1][0] */
-  wr6 = arg[1] ? arg[1] : casadi_zeros;
-  /* #8: @7 = turns(@5, @6) */
-  arg1[0]=(&w5);
-  arg1[1]=wr6;
+  /* #4: @4 = 0 */
+  w4 = 0.;
+  /* #5: @5 = @0[5] */
+  for (rr=(&w5), cs=w0+5; cs!=w0+6; cs+=1) *rr++ = *cs;
+  /* #6: @6 = 48 */
+  w6 = 48.;
+  /* #7: @6 = (@5/@6) */
+  w6  = (w5/w6);
+  /* #8: @7 = turns(@6, @2) */
+  arg1[0]=(&w6);
+  arg1[1]=wr2;
   res1[0]=w7;
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #9: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #9: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @3 = 0.25 */
-  w3 = 2.5000000000000000e-01;
-  /* #11: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #12: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #10: @4 = 0.25 */
+  w4 = 2.5000000000000000e-01;
+  /* #11: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #12: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #13: @3 = 0.5 */
-  w3 = 5.0000000000000000e-01;
-  /* #14: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #15: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #13: @4 = 0.5 */
+  w4 = 5.0000000000000000e-01;
+  /* #14: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #15: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #16: @3 = 0.75 */
-  w3 = 7.5000000000000000e-01;
-  /* #17: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #18: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #16: @4 = 0.75 */
+  w4 = 7.5000000000000000e-01;
+  /* #17: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #18: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #19: @0 = landing(@2, @1, @6) */
-  arg1[0]=w2;
+  /* #19: @0 = landing(@3, @1, @2) */
+  arg1[0]=w3;
   arg1[1]=w1;
-  arg1[2]=wr6;
+  arg1[2]=wr2;
   res1[0]=w0;
   if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][0] = @0 */
@@ -12532,7 +12508,7 @@ static int casadi_f17(const casadi_real** arg, casadi_real** res, casadi_int* iw
   if (casadi_f18(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 6, res[0]);
-  /* #4: @0 = residual_48(@2, @1) */
+  /* #4: @0 = wobbling_residual_48(@2, @1) */
   arg1[0]=w2;
   arg1[1]=wr1;
   res1[0]=w0;
@@ -12617,121 +12593,6 @@ CASADI_SYMBOL_EXPORT int wobbling_search_48_work_bytes(casadi_int *sz_arg, casad
   return 0;
 }
 
-/* jacobian_12:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f24(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w02=w+433, *w03=w+439, *w04=w+469, w05, w06, w07, *w09=w+505, *w10=w+529;
-  const casadi_real **arg1=arg+2, *cs, *wr08;
-  /* #0: @0 = input[0][0] */
-  casadi_copy(arg[0], 6, w00);
-  /* #1: @1 = @0[:5] */
-  for (rr=w01, cs=w00+0; cs!=w00+5; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
-  arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<6; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<30; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[5] */
-  for (rr=(&w06), cs=w00+5; cs!=w00+6; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 12 */
-  w07 = 12.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  wr08 = arg[1] ? arg[1] : casadi_zeros;
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=wr08;
-  res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: {@4, @0} = landing_with_derivative(@10, @1, @6, @8) */
-  arg1[0]=w10;
-  arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=wr08;
-  res1[0]=w04;
-  res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
-  /* #12: output[0][0] = @4 */
-  casadi_copy(w04, 36, res[0]);
-  /* #13: output[1][0] = @0 */
-  casadi_copy(w00, 6, res[1]);
-  return 0;
-}
-
-/* residual_24:(u[6],p[8])->(R[6]) */
-static int casadi_f25(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+1, *rr, *w0=w+158, *w1=w+164, *w2=w+169, w3, w4, w5, *w7=w+175;
-  const casadi_real **arg1=arg+2, *cs, *wr6;
-  /* #0: @0 = input[0][0] */
-  casadi_copy(arg[0], 6, w0);
-  /* #1: @1 = @0[:5] */
-  for (rr=w1, cs=w0+0; cs!=w0+5; cs+=1) *rr++ = *cs;
-  /* #2: {@2, NULL} = start(@1) */
-  arg1[0]=w1;
-  res1[0]=w2;
-  res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @3 = 0 */
-  w3 = 0.;
-  /* #4: @4 = @0[5] */
-  for (rr=(&w4), cs=w0+5; cs!=w0+6; cs+=1) *rr++ = *cs;
-  /* #5: @5 = 24 */
-  w5 = 24.;
-  /* #6: @5 = (@4/@5) */
-  w5  = (w4/w5);
-  /* #7: @6 = input[1][0] */
-  wr6 = arg[1] ? arg[1] : casadi_zeros;
-  /* #8: @7 = turns(@5, @6) */
-  arg1[0]=(&w5);
-  arg1[1]=wr6;
-  res1[0]=w7;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #9: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
-  arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
-  res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @3 = 0.5 */
-  w3 = 5.0000000000000000e-01;
-  /* #11: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #12: @2 = plain_steps(@0, @3, @7, @5, @6) */
-  arg1[0]=w0;
-  arg1[1]=(&w3);
-  arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
-  res1[0]=w2;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #13: @0 = landing(@2, @1, @6) */
-  arg1[0]=w2;
-  arg1[1]=w1;
-  arg1[2]=wr6;
-  res1[0]=w0;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
-  /* #14: output[0][0] = @0 */
-  casadi_copy(w0, 6, res[0]);
-  return 0;
-}
-
 /* coarse_jacobian_24:(u[6],p[8])->(J[6x6],R[6]) */
 static int casadi_f23(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+576, *w2=w+582, *w3=w+618;
@@ -12740,19 +12601,19 @@ static int casadi_f23(const casadi_real** arg, casadi_real** res, casadi_int* iw
   casadi_copy(arg[0], 6, w0);
   /* #1: @1 = input[1][0] */
   wr1 = arg[1] ? arg[1] : casadi_zeros;
-  /* #2: {@2, NULL} = jacobian_12(@0, @1) */
+  /* #2: {@2, NULL} = wobbling_jacobian_12(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f24(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f2(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 36, res[0]);
-  /* #4: @3 = residual_24(@0, @1) */
+  /* #4: @3 = wobbling_residual_24(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w3;
-  if (casadi_f25(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f16(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 6, res[1]);
   return 0;
@@ -12793,74 +12654,6 @@ static int casadi_f22(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* jacobian_24:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f26(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w02=w+433, *w03=w+439, *w04=w+469, w05, w06, w07, *w09=w+505, *w10=w+529;
-  const casadi_real **arg1=arg+2, *cs, *wr08;
-  /* #0: @0 = input[0][0] */
-  casadi_copy(arg[0], 6, w00);
-  /* #1: @1 = @0[:5] */
-  for (rr=w01, cs=w00+0; cs!=w00+5; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
-  arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<6; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<30; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[5] */
-  for (rr=(&w06), cs=w00+5; cs!=w00+6; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 24 */
-  w07 = 24.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  wr08 = arg[1] ? arg[1] : casadi_zeros;
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=wr08;
-  res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: @5 = 0.5 */
-  w05 = 5.0000000000000000e-01;
-  /* #12: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #13: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #14: {@10, @0} = landing_with_derivative(@4, @1, @6, @8) */
-  arg1[0]=w04;
-  arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=wr08;
-  res1[0]=w10;
-  res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
-  /* #15: output[0][0] = @10 */
-  casadi_copy(w10, 36, res[0]);
-  /* #16: output[1][0] = @0 */
-  casadi_copy(w00, 6, res[1]);
-  return 0;
-}
-
 /* wobbling_limit_cycle_24:(u0[6],p[8])->(u[6],J[6x6],R[6]) */
 static int casadi_f21(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+3, *w0=w+752, *w2=w+758, *w3=w+764;
@@ -12876,12 +12669,12 @@ static int casadi_f21(const casadi_real** arg, casadi_real** res, casadi_int* iw
   if (casadi_f22(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 6, res[0]);
-  /* #4: {@3, @0} = jacobian_24(@2, @1) */
+  /* #4: {@3, @0} = wobbling_jacobian_24(@2, @1) */
   arg1[0]=w2;
   arg1[1]=wr1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f26(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f15(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 36, res[1]);
   /* #6: output[2][0] = @0 */
@@ -12966,161 +12759,106 @@ CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_24_work_bytes(casadi_int *sz_arg, 
   return 0;
 }
 
-/* jacobian_12:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f30(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w02=w+433, *w03=w+439, *w04=w+469, w05, w06, w07, *w09=w+505, *w10=w+529;
-  const casadi_real **arg1=arg+2, *cs, *wr08;
-  /* #0: @0 = input[0][0] */
-  casadi_copy(arg[0], 6, w00);
-  /* #1: @1 = @0[:5] */
-  for (rr=w01, cs=w00+0; cs!=w00+5; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
-  arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<6; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<30; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[5] */
-  for (rr=(&w06), cs=w00+5; cs!=w00+6; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 12 */
-  w07 = 12.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  wr08 = arg[1] ? arg[1] : casadi_zeros;
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=wr08;
-  res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: {@4, @0} = landing_with_derivative(@10, @1, @6, @8) */
-  arg1[0]=w10;
-  arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=wr08;
-  res1[0]=w04;
-  res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
-  /* #12: output[0][0] = @4 */
-  casadi_copy(w04, 36, res[0]);
-  /* #13: output[1][0] = @0 */
-  casadi_copy(w00, 6, res[1]);
-  return 0;
-}
-
-/* residual_36:(u[6],p[8])->(R[6]) */
-static int casadi_f31(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+1, *rr, *w0=w+158, *w1=w+164, *w2=w+169, w3, w4, w5, *w7=w+175;
-  const casadi_real **arg1=arg+2, *cs, *wr6;
+/* wobbling_residual_36:(u[6],p[8])->(R[6]) */
+static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *rr, *w0=w+158, *w1=w+164, *w3=w+169, w4, w5, w6, *w7=w+175;
+  const casadi_real **arg1=arg+2, *cs, *wr2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 6, w0);
   /* #1: @1 = @0[:5] */
   for (rr=w1, cs=w0+0; cs!=w0+5; cs+=1) *rr++ = *cs;
-  /* #2: {@2, NULL} = start(@1) */
+  /* #2: @2 = input[1][0] */
+  wr2 = arg[1] ? arg[1] : casadi_zeros;
+  /* #3: {@3, NULL} = start(@1, @2) */
   arg1[0]=w1;
-  res1[0]=w2;
+  arg1[1]=wr2;
+  res1[0]=w3;
   res1[1]=0;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @3 = 0 */
-  w3 = 0.;
-  /* #4: @4 = @0[5] */
-  for (rr=(&w4), cs=w0+5; cs!=w0+6; cs+=1) *rr++ = *cs;
-  /* #5: @5 = 36 */
-  w5 = 36.;
-  /* #6: @5 = (@4/@5) */
-  w5  = (w4/w5);
-  /* #7: @6 = input[1][0] */
-  wr6 = arg[1] ? arg[1] : casadi_zeros;
-  /* #8: @7 = turns(@5, @6) */
-  arg1[0]=(&w5);
-  arg1[1]=wr6;
+  /* #4: @4 = 0 */
+  w4 = 0.;
+  /* #5: @5 = @0[5] */
+  for (rr=(&w5), cs=w0+5; cs!=w0+6; cs+=1) *rr++ = *cs;
+  /* #6: @6 = 36 */
+  w6 = 36.;
+  /* #7: @6 = (@5/@6) */
+  w6  = (w5/w6);
+  /* #8: @7 = turns(@6, @2) */
+  arg1[0]=(&w6);
+  arg1[1]=wr2;
   res1[0]=w7;
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #9: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #9: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @3 = 0.333333 */
-  w3 = 3.3333333333333331e-01;
-  /* #11: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #12: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #10: @4 = 0.333333 */
+  w4 = 3.3333333333333331e-01;
+  /* #11: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #12: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #13: @3 = 0.666667 */
-  w3 = 6.6666666666666663e-01;
-  /* #14: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #15: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #13: @4 = 0.666667 */
+  w4 = 6.6666666666666663e-01;
+  /* #14: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #15: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #16: @2 = landing(@0, @1, @6) */
+  /* #16: @3 = landing(@0, @1, @2) */
   arg1[0]=w0;
   arg1[1]=w1;
-  arg1[2]=wr6;
-  res1[0]=w2;
+  arg1[2]=wr2;
+  res1[0]=w3;
   if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
-  /* #17: output[0][0] = @2 */
-  casadi_copy(w2, 6, res[0]);
+  /* #17: output[0][0] = @3 */
+  casadi_copy(w3, 6, res[0]);
   return 0;
 }
 
 /* coarse_jacobian_36:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f29(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f26(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+576, *w2=w+582, *w3=w+618;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 6, w0);
   /* #1: @1 = input[1][0] */
   wr1 = arg[1] ? arg[1] : casadi_zeros;
-  /* #2: {@2, NULL} = jacobian_12(@0, @1) */
+  /* #2: {@2, NULL} = wobbling_jacobian_12(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f30(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f2(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 36, res[0]);
-  /* #4: @3 = residual_36(@0, @1) */
+  /* #4: @3 = wobbling_residual_36(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w3;
-  if (casadi_f31(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f27(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 6, res[1]);
   return 0;
 }
 
 /* newton_36:(u0[6],p[8])->(u[6]) */
-static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f25(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 6;
@@ -13146,7 +12884,7 @@ static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f29(arg+2, res+1, iw, w+108, 0)) return 1;
+    if (casadi_f26(arg+2, res+1, iw, w+108, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -13154,88 +12892,89 @@ static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* jacobian_36:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f32(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+/* wobbling_jacobian_36:(u[6],p[8])->(J[6x6],R[6]) */
+static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w02=w+433, *w03=w+439, *w04=w+469, w05, w06, w07, *w09=w+505, *w10=w+529;
-  const casadi_real **arg1=arg+2, *cs, *wr08;
+  casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w03=w+433, *w04=w+439, *w05=w+469, w06, w07, w08, *w09=w+505, *w10=w+529;
+  const casadi_real **arg1=arg+2, *cs, *wr02;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 6, w00);
   /* #1: @1 = @0[:5] */
   for (rr=w01, cs=w00+0; cs!=w00+5; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
+  /* #2: @2 = input[1][0] */
+  wr02 = arg[1] ? arg[1] : casadi_zeros;
+  /* #3: {@3, @4} = start(@1, @2) */
   arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
+  arg1[1]=wr02;
+  res1[0]=w03;
+  res1[1]=w04;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<6; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<30; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[5] */
-  for (rr=(&w06), cs=w00+5; cs!=w00+6; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 36 */
-  w07 = 36.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  wr08 = arg[1] ? arg[1] : casadi_zeros;
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=wr08;
+  /* #4: @5 = horzcat(@3, @4) */
+  rr=w05;
+  for (i=0, cs=w03; i<6; ++i) *rr++ = *cs++;
+  for (i=0, cs=w04; i<30; ++i) *rr++ = *cs++;
+  /* #5: @6 = 0 */
+  w06 = 0.;
+  /* #6: @7 = @0[5] */
+  for (rr=(&w07), cs=w00+5; cs!=w00+6; cs+=1) *rr++ = *cs;
+  /* #7: @8 = 36 */
+  w08 = 36.;
+  /* #8: @8 = (@7/@8) */
+  w08  = (w07/w08);
+  /* #9: @9 = turns(@8, @2) */
+  arg1[0]=(&w08);
+  arg1[1]=wr02;
   res1[0]=w09;
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: @5 = 0.333333 */
-  w05 = 3.3333333333333331e-01;
-  /* #12: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #13: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #11: @6 = 0.333333 */
+  w06 = 3.3333333333333331e-01;
+  /* #12: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #13: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #14: @5 = 0.666667 */
-  w05 = 6.6666666666666663e-01;
-  /* #15: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #16: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #14: @6 = 0.666667 */
+  w06 = 6.6666666666666663e-01;
+  /* #15: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #16: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #17: {@4, @0} = landing_with_derivative(@10, @1, @6, @8) */
+  /* #17: {@5, @0} = landing_with_derivative(@10, @1, @7, @2) */
   arg1[0]=w10;
   arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=wr08;
-  res1[0]=w04;
+  arg1[2]=(&w07);
+  arg1[3]=wr02;
+  res1[0]=w05;
   res1[1]=w00;
   if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
-  /* #18: output[0][0] = @4 */
-  casadi_copy(w04, 36, res[0]);
+  /* #18: output[0][0] = @5 */
+  casadi_copy(w05, 36, res[0]);
   /* #19: output[1][0] = @0 */
   casadi_copy(w00, 6, res[1]);
   return 0;
 }
 
 /* wobbling_limit_cycle_36:(u0[6],p[8])->(u[6],J[6x6],R[6]) */
-static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f24(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+3, *w0=w+752, *w2=w+758, *w3=w+764;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
@@ -13246,15 +12985,15 @@ static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w2;
-  if (casadi_f28(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f25(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 6, res[0]);
-  /* #4: {@3, @0} = jacobian_36(@2, @1) */
+  /* #4: {@3, @0} = wobbling_jacobian_36(@2, @1) */
   arg1[0]=w2;
   arg1[1]=wr1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f32(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f28(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 36, res[1]);
   /* #6: output[2][0] = @0 */
@@ -13263,7 +13002,7 @@ static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_36(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f27(arg, res, iw, w, mem);
+  return casadi_f24(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_36_checkout(void) {
@@ -13339,185 +13078,34 @@ CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_36_work_bytes(casadi_int *sz_arg, 
   return 0;
 }
 
-/* jacobian_24:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w02=w+433, *w03=w+439, *w04=w+469, w05, w06, w07, *w09=w+505, *w10=w+529;
-  const casadi_real **arg1=arg+2, *cs, *wr08;
-  /* #0: @0 = input[0][0] */
-  casadi_copy(arg[0], 6, w00);
-  /* #1: @1 = @0[:5] */
-  for (rr=w01, cs=w00+0; cs!=w00+5; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
-  arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<6; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<30; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[5] */
-  for (rr=(&w06), cs=w00+5; cs!=w00+6; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 24 */
-  w07 = 24.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  wr08 = arg[1] ? arg[1] : casadi_zeros;
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=wr08;
-  res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: @5 = 0.5 */
-  w05 = 5.0000000000000000e-01;
-  /* #12: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #13: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #14: {@10, @0} = landing_with_derivative(@4, @1, @6, @8) */
-  arg1[0]=w04;
-  arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=wr08;
-  res1[0]=w10;
-  res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
-  /* #15: output[0][0] = @10 */
-  casadi_copy(w10, 36, res[0]);
-  /* #16: output[1][0] = @0 */
-  casadi_copy(w00, 6, res[1]);
-  return 0;
-}
-
-/* residual_48:(u[6],p[8])->(R[6]) */
-static int casadi_f37(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+1, *rr, *w0=w+158, *w1=w+164, *w2=w+169, w3, w4, w5, *w7=w+175;
-  const casadi_real **arg1=arg+2, *cs, *wr6;
-  /* #0: @0 = input[0][0] */
-  casadi_copy(arg[0], 6, w0);
-  /* #1: @1 = @0[:5] */
-  for (rr=w1, cs=w0+0; cs!=w0+5; cs+=1) *rr++ = *cs;
-  /* #2: {@2, NULL} = start(@1) */
-  arg1[0]=w1;
-  res1[0]=w2;
-  res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @3 = 0 */
-  w3 = 0.;
-  /* #4: @4 = @0[5] */
-  for (rr=(&w4), cs=w0+5; cs!=w0+6; cs+=1) *rr++ = *cs;
-  /* #5: @5 = 48 */
-  w5 = 48.;
-  /* #6: @5 = (@4/@5) */
-  w5  = (w4/w5);
-  /* #7: @6 = input[1][0] */
-  wr6 = arg[1] ? arg[1] : casadi_zeros;
-  /* #8: @7 = turns(@5, @6) */
-  arg1[0]=(&w5);
-  arg1[1]=wr6;
-  res1[0]=w7;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #9: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
-  arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
-  res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @3 = 0.25 */
-  w3 = 2.5000000000000000e-01;
-  /* #11: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #12: @2 = plain_steps(@0, @3, @7, @5, @6) */
-  arg1[0]=w0;
-  arg1[1]=(&w3);
-  arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
-  res1[0]=w2;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #13: @3 = 0.5 */
-  w3 = 5.0000000000000000e-01;
-  /* #14: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #15: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
-  arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
-  res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #16: @3 = 0.75 */
-  w3 = 7.5000000000000000e-01;
-  /* #17: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #18: @2 = plain_steps(@0, @3, @7, @5, @6) */
-  arg1[0]=w0;
-  arg1[1]=(&w3);
-  arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
-  res1[0]=w2;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #19: @0 = landing(@2, @1, @6) */
-  arg1[0]=w2;
-  arg1[1]=w1;
-  arg1[2]=wr6;
-  res1[0]=w0;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
-  /* #20: output[0][0] = @0 */
-  casadi_copy(w0, 6, res[0]);
-  return 0;
-}
-
 /* coarse_jacobian_48:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f31(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+576, *w2=w+582, *w3=w+618;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 6, w0);
   /* #1: @1 = input[1][0] */
   wr1 = arg[1] ? arg[1] : casadi_zeros;
-  /* #2: {@2, NULL} = jacobian_24(@0, @1) */
+  /* #2: {@2, NULL} = wobbling_jacobian_24(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f36(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f15(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 36, res[0]);
-  /* #4: @3 = residual_48(@0, @1) */
+  /* #4: @3 = wobbling_residual_48(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w3;
-  if (casadi_f37(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f20(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 6, res[1]);
   return 0;
 }
 
 /* newton_48:(u0[6],p[8])->(u[6]) */
-static int casadi_f34(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f30(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 6;
@@ -13543,7 +13131,7 @@ static int casadi_f34(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f35(arg+2, res+1, iw, w+108, 0)) return 1;
+    if (casadi_f31(arg+2, res+1, iw, w+108, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -13551,100 +13139,8 @@ static int casadi_f34(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* jacobian_48:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f38(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w02=w+433, *w03=w+439, *w04=w+469, w05, w06, w07, *w09=w+505, *w10=w+529;
-  const casadi_real **arg1=arg+2, *cs, *wr08;
-  /* #0: @0 = input[0][0] */
-  casadi_copy(arg[0], 6, w00);
-  /* #1: @1 = @0[:5] */
-  for (rr=w01, cs=w00+0; cs!=w00+5; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
-  arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<6; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<30; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[5] */
-  for (rr=(&w06), cs=w00+5; cs!=w00+6; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 48 */
-  w07 = 48.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  wr08 = arg[1] ? arg[1] : casadi_zeros;
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=wr08;
-  res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: @5 = 0.25 */
-  w05 = 2.5000000000000000e-01;
-  /* #12: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #13: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #14: @5 = 0.5 */
-  w05 = 5.0000000000000000e-01;
-  /* #15: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #16: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #17: @5 = 0.75 */
-  w05 = 7.5000000000000000e-01;
-  /* #18: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #19: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #20: {@10, @0} = landing_with_derivative(@4, @1, @6, @8) */
-  arg1[0]=w04;
-  arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=wr08;
-  res1[0]=w10;
-  res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
-  /* #21: output[0][0] = @10 */
-  casadi_copy(w10, 36, res[0]);
-  /* #22: output[1][0] = @0 */
-  casadi_copy(w00, 6, res[1]);
-  return 0;
-}
-
 /* wobbling_limit_cycle_48:(u0[6],p[8])->(u[6],J[6x6],R[6]) */
-static int casadi_f33(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f29(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+3, *w0=w+752, *w2=w+758, *w3=w+764;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
@@ -13655,15 +13151,15 @@ static int casadi_f33(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w2;
-  if (casadi_f34(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f30(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 6, res[0]);
-  /* #4: {@3, @0} = jacobian_48(@2, @1) */
+  /* #4: {@3, @0} = wobbling_jacobian_48(@2, @1) */
   arg1[0]=w2;
   arg1[1]=wr1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f38(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f19(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 36, res[1]);
   /* #6: output[2][0] = @0 */
@@ -13672,7 +13168,7 @@ static int casadi_f33(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f33(arg, res, iw, w, mem);
+  return casadi_f29(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_48_checkout(void) {
@@ -13748,186 +13244,107 @@ CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_48_work_bytes(casadi_int *sz_arg, 
   return 0;
 }
 
-/* jacobian_36:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f42(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w02=w+433, *w03=w+439, *w04=w+469, w05, w06, w07, *w09=w+505, *w10=w+529;
-  const casadi_real **arg1=arg+2, *cs, *wr08;
-  /* #0: @0 = input[0][0] */
-  casadi_copy(arg[0], 6, w00);
-  /* #1: @1 = @0[:5] */
-  for (rr=w01, cs=w00+0; cs!=w00+5; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
-  arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<6; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<30; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[5] */
-  for (rr=(&w06), cs=w00+5; cs!=w00+6; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 36 */
-  w07 = 36.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  wr08 = arg[1] ? arg[1] : casadi_zeros;
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=wr08;
-  res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: @5 = 0.333333 */
-  w05 = 3.3333333333333331e-01;
-  /* #12: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #13: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #14: @5 = 0.666667 */
-  w05 = 6.6666666666666663e-01;
-  /* #15: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #16: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #17: {@4, @0} = landing_with_derivative(@10, @1, @6, @8) */
-  arg1[0]=w10;
-  arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=wr08;
-  res1[0]=w04;
-  res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
-  /* #18: output[0][0] = @4 */
-  casadi_copy(w04, 36, res[0]);
-  /* #19: output[1][0] = @0 */
-  casadi_copy(w00, 6, res[1]);
-  return 0;
-}
-
-/* residual_72:(u[6],p[8])->(R[6]) */
-static int casadi_f43(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+1, *rr, *w0=w+158, *w1=w+164, *w2=w+169, w3, w4, w5, *w7=w+175;
-  const casadi_real **arg1=arg+2, *cs, *wr6;
+/* wobbling_residual_72:(u[6],p[8])->(R[6]) */
+static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *rr, *w0=w+158, *w1=w+164, *w3=w+169, w4, w5, w6, *w7=w+175;
+  const casadi_real **arg1=arg+2, *cs, *wr2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 6, w0);
   /* #1: @1 = @0[:5] */
   for (rr=w1, cs=w0+0; cs!=w0+5; cs+=1) *rr++ = *cs;
-  /* #2: {@2, NULL} = start(@1) */
+  /* #2: @2 = input[1][0] */
+  wr2 = arg[1] ? arg[1] : casadi_zeros;
+  /* #3: {@3, NULL} = start(@1, @2) */
   arg1[0]=w1;
-  res1[0]=w2;
+  arg1[1]=wr2;
+  res1[0]=w3;
   res1[1]=0;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @3 = 0 */
-  w3 = 0.;
-  /* #4: @4 = @0[5] */
-  for (rr=(&w4), cs=w0+5; cs!=w0+6; cs+=1) *rr++ = *cs;
-  /* #5: @5 = 72 */
-  w5 = 72.;
-  /* #6: @5 = (@4/@5) */
-  w5  = (w4/w5);
-  /* #7: @6 = input[1][0] */
-  wr6 = arg[1] ? arg[1] : casadi_zeros;
-  /* #8: @7 = turns(@5, @6) */
-  arg1[0]=(&w5);
-  arg1[1]=wr6;
+  /* #4: @4 = 0 */
+  w4 = 0.;
+  /* #5: @5 = @0[5] */
+  for (rr=(&w5), cs=w0+5; cs!=w0+6; cs+=1) *rr++ = *cs;
+  /* #6: @6 = 72 */
+  w6 = 72.;
+  /* #7: @6 = (@5/@6) */
+  w6  = (w5/w6);
+  /* #8: @7 = turns(@6, @2) */
+  arg1[0]=(&w6);
+  arg1[1]=wr2;
   res1[0]=w7;
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #9: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #9: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @3 = 0.166667 */
-  w3 = 1.6666666666666666e-01;
-  /* #11: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #12: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #10: @4 = 0.166667 */
+  w4 = 1.6666666666666666e-01;
+  /* #11: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #12: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #13: @3 = 0.333333 */
-  w3 = 3.3333333333333331e-01;
-  /* #14: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #15: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #13: @4 = 0.333333 */
+  w4 = 3.3333333333333331e-01;
+  /* #14: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #15: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #16: @3 = 0.5 */
-  w3 = 5.0000000000000000e-01;
-  /* #17: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #18: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #16: @4 = 0.5 */
+  w4 = 5.0000000000000000e-01;
+  /* #17: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #18: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #19: @3 = 0.666667 */
-  w3 = 6.6666666666666663e-01;
-  /* #20: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #21: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #19: @4 = 0.666667 */
+  w4 = 6.6666666666666663e-01;
+  /* #20: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #21: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #22: @3 = 0.833333 */
-  w3 = 8.3333333333333337e-01;
-  /* #23: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #24: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #22: @4 = 0.833333 */
+  w4 = 8.3333333333333337e-01;
+  /* #23: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #24: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #25: @0 = landing(@2, @1, @6) */
-  arg1[0]=w2;
+  /* #25: @0 = landing(@3, @1, @2) */
+  arg1[0]=w3;
   arg1[1]=w1;
-  arg1[2]=wr6;
+  arg1[2]=wr2;
   res1[0]=w0;
   if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #26: output[0][0] = @0 */
@@ -13936,33 +13353,33 @@ static int casadi_f43(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* coarse_jacobian_72:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f34(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+576, *w2=w+582, *w3=w+618;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 6, w0);
   /* #1: @1 = input[1][0] */
   wr1 = arg[1] ? arg[1] : casadi_zeros;
-  /* #2: {@2, NULL} = jacobian_36(@0, @1) */
+  /* #2: {@2, NULL} = wobbling_jacobian_36(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f42(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f28(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 36, res[0]);
-  /* #4: @3 = residual_72(@0, @1) */
+  /* #4: @3 = wobbling_residual_72(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w3;
-  if (casadi_f43(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f35(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 6, res[1]);
   return 0;
 }
 
 /* newton_72:(u0[6],p[8])->(u[6]) */
-static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f33(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 6;
@@ -13988,7 +13405,7 @@ static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f41(arg+2, res+1, iw, w+108, 0)) return 1;
+    if (casadi_f34(arg+2, res+1, iw, w+108, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -13996,112 +13413,113 @@ static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* jacobian_72:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f44(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+/* wobbling_jacobian_72:(u[6],p[8])->(J[6x6],R[6]) */
+static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w02=w+433, *w03=w+439, *w04=w+469, w05, w06, w07, *w09=w+505, *w10=w+529;
-  const casadi_real **arg1=arg+2, *cs, *wr08;
+  casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w03=w+433, *w04=w+439, *w05=w+469, w06, w07, w08, *w09=w+505, *w10=w+529;
+  const casadi_real **arg1=arg+2, *cs, *wr02;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 6, w00);
   /* #1: @1 = @0[:5] */
   for (rr=w01, cs=w00+0; cs!=w00+5; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
+  /* #2: @2 = input[1][0] */
+  wr02 = arg[1] ? arg[1] : casadi_zeros;
+  /* #3: {@3, @4} = start(@1, @2) */
   arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
+  arg1[1]=wr02;
+  res1[0]=w03;
+  res1[1]=w04;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<6; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<30; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[5] */
-  for (rr=(&w06), cs=w00+5; cs!=w00+6; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 72 */
-  w07 = 72.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  wr08 = arg[1] ? arg[1] : casadi_zeros;
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=wr08;
+  /* #4: @5 = horzcat(@3, @4) */
+  rr=w05;
+  for (i=0, cs=w03; i<6; ++i) *rr++ = *cs++;
+  for (i=0, cs=w04; i<30; ++i) *rr++ = *cs++;
+  /* #5: @6 = 0 */
+  w06 = 0.;
+  /* #6: @7 = @0[5] */
+  for (rr=(&w07), cs=w00+5; cs!=w00+6; cs+=1) *rr++ = *cs;
+  /* #7: @8 = 72 */
+  w08 = 72.;
+  /* #8: @8 = (@7/@8) */
+  w08  = (w07/w08);
+  /* #9: @9 = turns(@8, @2) */
+  arg1[0]=(&w08);
+  arg1[1]=wr02;
   res1[0]=w09;
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: @5 = 0.166667 */
-  w05 = 1.6666666666666666e-01;
-  /* #12: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #13: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #11: @6 = 0.166667 */
+  w06 = 1.6666666666666666e-01;
+  /* #12: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #13: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #14: @5 = 0.333333 */
-  w05 = 3.3333333333333331e-01;
-  /* #15: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #16: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #14: @6 = 0.333333 */
+  w06 = 3.3333333333333331e-01;
+  /* #15: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #16: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #17: @5 = 0.5 */
-  w05 = 5.0000000000000000e-01;
-  /* #18: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #19: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #17: @6 = 0.5 */
+  w06 = 5.0000000000000000e-01;
+  /* #18: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #19: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #20: @5 = 0.666667 */
-  w05 = 6.6666666666666663e-01;
-  /* #21: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #22: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #20: @6 = 0.666667 */
+  w06 = 6.6666666666666663e-01;
+  /* #21: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #22: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #23: @5 = 0.833333 */
-  w05 = 8.3333333333333337e-01;
-  /* #24: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #25: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #23: @6 = 0.833333 */
+  w06 = 8.3333333333333337e-01;
+  /* #24: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #25: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #26: {@10, @0} = landing_with_derivative(@4, @1, @6, @8) */
-  arg1[0]=w04;
+  /* #26: {@10, @0} = landing_with_derivative(@5, @1, @7, @2) */
+  arg1[0]=w05;
   arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=wr08;
+  arg1[2]=(&w07);
+  arg1[3]=wr02;
   res1[0]=w10;
   res1[1]=w00;
   if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
@@ -14113,7 +13531,7 @@ static int casadi_f44(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* wobbling_limit_cycle_72:(u0[6],p[8])->(u[6],J[6x6],R[6]) */
-static int casadi_f39(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f32(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+3, *w0=w+752, *w2=w+758, *w3=w+764;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
@@ -14124,15 +13542,15 @@ static int casadi_f39(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w2;
-  if (casadi_f40(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f33(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 6, res[0]);
-  /* #4: {@3, @0} = jacobian_72(@2, @1) */
+  /* #4: {@3, @0} = wobbling_jacobian_72(@2, @1) */
   arg1[0]=w2;
   arg1[1]=wr1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f44(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f36(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 36, res[1]);
   /* #6: output[2][0] = @0 */
@@ -14141,7 +13559,7 @@ static int casadi_f39(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_72(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f39(arg, res, iw, w, mem);
+  return casadi_f32(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_72_checkout(void) {
@@ -14217,222 +13635,131 @@ CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_72_work_bytes(casadi_int *sz_arg, 
   return 0;
 }
 
-/* jacobian_48:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w02=w+433, *w03=w+439, *w04=w+469, w05, w06, w07, *w09=w+505, *w10=w+529;
-  const casadi_real **arg1=arg+2, *cs, *wr08;
-  /* #0: @0 = input[0][0] */
-  casadi_copy(arg[0], 6, w00);
-  /* #1: @1 = @0[:5] */
-  for (rr=w01, cs=w00+0; cs!=w00+5; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
-  arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<6; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<30; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[5] */
-  for (rr=(&w06), cs=w00+5; cs!=w00+6; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 48 */
-  w07 = 48.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  wr08 = arg[1] ? arg[1] : casadi_zeros;
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=wr08;
-  res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: @5 = 0.25 */
-  w05 = 2.5000000000000000e-01;
-  /* #12: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #13: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #14: @5 = 0.5 */
-  w05 = 5.0000000000000000e-01;
-  /* #15: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #16: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #17: @5 = 0.75 */
-  w05 = 7.5000000000000000e-01;
-  /* #18: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #19: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #20: {@10, @0} = landing_with_derivative(@4, @1, @6, @8) */
-  arg1[0]=w04;
-  arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=wr08;
-  res1[0]=w10;
-  res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
-  /* #21: output[0][0] = @10 */
-  casadi_copy(w10, 36, res[0]);
-  /* #22: output[1][0] = @0 */
-  casadi_copy(w00, 6, res[1]);
-  return 0;
-}
-
-/* residual_96:(u[6],p[8])->(R[6]) */
-static int casadi_f49(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+1, *rr, *w0=w+158, *w1=w+164, *w2=w+169, w3, w4, w5, *w7=w+175;
-  const casadi_real **arg1=arg+2, *cs, *wr6;
+/* wobbling_residual_96:(u[6],p[8])->(R[6]) */
+static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *rr, *w0=w+158, *w1=w+164, *w3=w+169, w4, w5, w6, *w7=w+175;
+  const casadi_real **arg1=arg+2, *cs, *wr2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 6, w0);
   /* #1: @1 = @0[:5] */
   for (rr=w1, cs=w0+0; cs!=w0+5; cs+=1) *rr++ = *cs;
-  /* #2: {@2, NULL} = start(@1) */
+  /* #2: @2 = input[1][0] */
+  wr2 = arg[1] ? arg[1] : casadi_zeros;
+  /* #3: {@3, NULL} = start(@1, @2) */
   arg1[0]=w1;
-  res1[0]=w2;
+  arg1[1]=wr2;
+  res1[0]=w3;
   res1[1]=0;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @3 = 0 */
-  w3 = 0.;
-  /* #4: @4 = @0[5] */
-  for (rr=(&w4), cs=w0+5; cs!=w0+6; cs+=1) *rr++ = *cs;
-  /* #5: @5 = 96 */
-  w5 = 96.;
-  /* #6: @5 = (@4/@5) */
-  w5  = (w4/w5);
-  /* #7: @6 = input[1][0] */
-  wr6 = arg[1] ? arg[1] : casadi_zeros;
-  /* #8: @7 = turns(@5, @6) */
-  arg1[0]=(&w5);
-  arg1[1]=wr6;
+  /* #4: @4 = 0 */
+  w4 = 0.;
+  /* #5: @5 = @0[5] */
+  for (rr=(&w5), cs=w0+5; cs!=w0+6; cs+=1) *rr++ = *cs;
+  /* #6: @6 = 96 */
+  w6 = 96.;
+  /* #7: @6 = (@5/@6) */
+  w6  = (w5/w6);
+  /* #8: @7 = turns(@6, @2) */
+  arg1[0]=(&w6);
+  arg1[1]=wr2;
   res1[0]=w7;
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #9: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #9: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @3 = 0.125 */
-  w3 = 1.2500000000000000e-01;
-  /* #11: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #12: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #10: @4 = 0.125 */
+  w4 = 1.2500000000000000e-01;
+  /* #11: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #12: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #13: @3 = 0.25 */
-  w3 = 2.5000000000000000e-01;
-  /* #14: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #15: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #13: @4 = 0.25 */
+  w4 = 2.5000000000000000e-01;
+  /* #14: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #15: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #16: @3 = 0.375 */
-  w3 = 3.7500000000000000e-01;
-  /* #17: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #18: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #16: @4 = 0.375 */
+  w4 = 3.7500000000000000e-01;
+  /* #17: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #18: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #19: @3 = 0.5 */
-  w3 = 5.0000000000000000e-01;
-  /* #20: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #21: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #19: @4 = 0.5 */
+  w4 = 5.0000000000000000e-01;
+  /* #20: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #21: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #22: @3 = 0.625 */
-  w3 = 6.2500000000000000e-01;
-  /* #23: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #24: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #22: @4 = 0.625 */
+  w4 = 6.2500000000000000e-01;
+  /* #23: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #24: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #25: @3 = 0.75 */
-  w3 = 7.5000000000000000e-01;
-  /* #26: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #27: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #25: @4 = 0.75 */
+  w4 = 7.5000000000000000e-01;
+  /* #26: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #27: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #28: @3 = 0.875 */
-  w3 = 8.7500000000000000e-01;
-  /* #29: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #30: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #28: @4 = 0.875 */
+  w4 = 8.7500000000000000e-01;
+  /* #29: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #30: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #31: @0 = landing(@2, @1, @6) */
-  arg1[0]=w2;
+  /* #31: @0 = landing(@3, @1, @2) */
+  arg1[0]=w3;
   arg1[1]=w1;
-  arg1[2]=wr6;
+  arg1[2]=wr2;
   res1[0]=w0;
   if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][0] = @0 */
@@ -14441,33 +13768,33 @@ static int casadi_f49(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* coarse_jacobian_96:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f47(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f39(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+576, *w2=w+582, *w3=w+618;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 6, w0);
   /* #1: @1 = input[1][0] */
   wr1 = arg[1] ? arg[1] : casadi_zeros;
-  /* #2: {@2, NULL} = jacobian_48(@0, @1) */
+  /* #2: {@2, NULL} = wobbling_jacobian_48(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f48(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f19(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 36, res[0]);
-  /* #4: @3 = residual_96(@0, @1) */
+  /* #4: @3 = wobbling_residual_96(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w3;
-  if (casadi_f49(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f40(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 6, res[1]);
   return 0;
 }
 
 /* newton_96:(u0[6],p[8])->(u[6]) */
-static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f38(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 6;
@@ -14493,7 +13820,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f47(arg+2, res+1, iw, w+108, 0)) return 1;
+    if (casadi_f39(arg+2, res+1, iw, w+108, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -14501,136 +13828,137 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* jacobian_96:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+/* wobbling_jacobian_96:(u[6],p[8])->(J[6x6],R[6]) */
+static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w02=w+433, *w03=w+439, *w04=w+469, w05, w06, w07, *w09=w+505, *w10=w+529;
-  const casadi_real **arg1=arg+2, *cs, *wr08;
+  casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w03=w+433, *w04=w+439, *w05=w+469, w06, w07, w08, *w09=w+505, *w10=w+529;
+  const casadi_real **arg1=arg+2, *cs, *wr02;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 6, w00);
   /* #1: @1 = @0[:5] */
   for (rr=w01, cs=w00+0; cs!=w00+5; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
+  /* #2: @2 = input[1][0] */
+  wr02 = arg[1] ? arg[1] : casadi_zeros;
+  /* #3: {@3, @4} = start(@1, @2) */
   arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
+  arg1[1]=wr02;
+  res1[0]=w03;
+  res1[1]=w04;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<6; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<30; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[5] */
-  for (rr=(&w06), cs=w00+5; cs!=w00+6; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 96 */
-  w07 = 96.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  wr08 = arg[1] ? arg[1] : casadi_zeros;
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=wr08;
+  /* #4: @5 = horzcat(@3, @4) */
+  rr=w05;
+  for (i=0, cs=w03; i<6; ++i) *rr++ = *cs++;
+  for (i=0, cs=w04; i<30; ++i) *rr++ = *cs++;
+  /* #5: @6 = 0 */
+  w06 = 0.;
+  /* #6: @7 = @0[5] */
+  for (rr=(&w07), cs=w00+5; cs!=w00+6; cs+=1) *rr++ = *cs;
+  /* #7: @8 = 96 */
+  w08 = 96.;
+  /* #8: @8 = (@7/@8) */
+  w08  = (w07/w08);
+  /* #9: @9 = turns(@8, @2) */
+  arg1[0]=(&w08);
+  arg1[1]=wr02;
   res1[0]=w09;
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: @5 = 0.125 */
-  w05 = 1.2500000000000000e-01;
-  /* #12: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #13: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #11: @6 = 0.125 */
+  w06 = 1.2500000000000000e-01;
+  /* #12: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #13: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #14: @5 = 0.25 */
-  w05 = 2.5000000000000000e-01;
-  /* #15: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #16: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #14: @6 = 0.25 */
+  w06 = 2.5000000000000000e-01;
+  /* #15: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #16: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #17: @5 = 0.375 */
-  w05 = 3.7500000000000000e-01;
-  /* #18: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #19: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #17: @6 = 0.375 */
+  w06 = 3.7500000000000000e-01;
+  /* #18: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #19: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #20: @5 = 0.5 */
-  w05 = 5.0000000000000000e-01;
-  /* #21: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #22: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #20: @6 = 0.5 */
+  w06 = 5.0000000000000000e-01;
+  /* #21: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #22: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #23: @5 = 0.625 */
-  w05 = 6.2500000000000000e-01;
-  /* #24: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #25: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #23: @6 = 0.625 */
+  w06 = 6.2500000000000000e-01;
+  /* #24: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #25: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #26: @5 = 0.75 */
-  w05 = 7.5000000000000000e-01;
-  /* #27: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #28: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #26: @6 = 0.75 */
+  w06 = 7.5000000000000000e-01;
+  /* #27: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #28: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #29: @5 = 0.875 */
-  w05 = 8.7500000000000000e-01;
-  /* #30: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #31: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #29: @6 = 0.875 */
+  w06 = 8.7500000000000000e-01;
+  /* #30: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #31: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #32: {@10, @0} = landing_with_derivative(@4, @1, @6, @8) */
-  arg1[0]=w04;
+  /* #32: {@10, @0} = landing_with_derivative(@5, @1, @7, @2) */
+  arg1[0]=w05;
   arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=wr08;
+  arg1[2]=(&w07);
+  arg1[3]=wr02;
   res1[0]=w10;
   res1[1]=w00;
   if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
@@ -14642,7 +13970,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* wobbling_limit_cycle_96:(u0[6],p[8])->(u[6],J[6x6],R[6]) */
-static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f37(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+3, *w0=w+752, *w2=w+758, *w3=w+764;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
@@ -14653,15 +13981,15 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w2;
-  if (casadi_f46(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f38(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 6, res[0]);
-  /* #4: {@3, @0} = jacobian_96(@2, @1) */
+  /* #4: {@3, @0} = wobbling_jacobian_96(@2, @1) */
   arg1[0]=w2;
   arg1[1]=wr1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f50(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f41(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 36, res[1]);
   /* #6: output[2][0] = @0 */
@@ -14670,7 +13998,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_96(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f45(arg, res, iw, w, mem);
+  return casadi_f37(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_96_checkout(void) {
@@ -14746,294 +14074,179 @@ CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_96_work_bytes(casadi_int *sz_arg, 
   return 0;
 }
 
-/* jacobian_72:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f54(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w02=w+433, *w03=w+439, *w04=w+469, w05, w06, w07, *w09=w+505, *w10=w+529;
-  const casadi_real **arg1=arg+2, *cs, *wr08;
-  /* #0: @0 = input[0][0] */
-  casadi_copy(arg[0], 6, w00);
-  /* #1: @1 = @0[:5] */
-  for (rr=w01, cs=w00+0; cs!=w00+5; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
-  arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<6; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<30; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[5] */
-  for (rr=(&w06), cs=w00+5; cs!=w00+6; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 72 */
-  w07 = 72.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  wr08 = arg[1] ? arg[1] : casadi_zeros;
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=wr08;
-  res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: @5 = 0.166667 */
-  w05 = 1.6666666666666666e-01;
-  /* #12: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #13: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #14: @5 = 0.333333 */
-  w05 = 3.3333333333333331e-01;
-  /* #15: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #16: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #17: @5 = 0.5 */
-  w05 = 5.0000000000000000e-01;
-  /* #18: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #19: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #20: @5 = 0.666667 */
-  w05 = 6.6666666666666663e-01;
-  /* #21: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #22: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #23: @5 = 0.833333 */
-  w05 = 8.3333333333333337e-01;
-  /* #24: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #25: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #26: {@10, @0} = landing_with_derivative(@4, @1, @6, @8) */
-  arg1[0]=w04;
-  arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=wr08;
-  res1[0]=w10;
-  res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
-  /* #27: output[0][0] = @10 */
-  casadi_copy(w10, 36, res[0]);
-  /* #28: output[1][0] = @0 */
-  casadi_copy(w00, 6, res[1]);
-  return 0;
-}
-
-/* residual_144:(u[6],p[8])->(R[6]) */
-static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+1, *rr, *w0=w+158, *w1=w+164, *w2=w+169, w3, w4, w5, *w7=w+175;
-  const casadi_real **arg1=arg+2, *cs, *wr6;
+/* wobbling_residual_144:(u[6],p[8])->(R[6]) */
+static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *rr, *w0=w+158, *w1=w+164, *w3=w+169, w4, w5, w6, *w7=w+175;
+  const casadi_real **arg1=arg+2, *cs, *wr2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 6, w0);
   /* #1: @1 = @0[:5] */
   for (rr=w1, cs=w0+0; cs!=w0+5; cs+=1) *rr++ = *cs;
-  /* #2: {@2, NULL} = start(@1) */
+  /* #2: @2 = input[1][0] */
+  wr2 = arg[1] ? arg[1] : casadi_zeros;
+  /* #3: {@3, NULL} = start(@1, @2) */
   arg1[0]=w1;
-  res1[0]=w2;
+  arg1[1]=wr2;
+  res1[0]=w3;
   res1[1]=0;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @3 = 0 */
-  w3 = 0.;
-  /* #4: @4 = @0[5] */
-  for (rr=(&w4), cs=w0+5; cs!=w0+6; cs+=1) *rr++ = *cs;
-  /* #5: @5 = 144 */
-  w5 = 144.;
-  /* #6: @5 = (@4/@5) */
-  w5  = (w4/w5);
-  /* #7: @6 = input[1][0] */
-  wr6 = arg[1] ? arg[1] : casadi_zeros;
-  /* #8: @7 = turns(@5, @6) */
-  arg1[0]=(&w5);
-  arg1[1]=wr6;
+  /* #4: @4 = 0 */
+  w4 = 0.;
+  /* #5: @5 = @0[5] */
+  for (rr=(&w5), cs=w0+5; cs!=w0+6; cs+=1) *rr++ = *cs;
+  /* #6: @6 = 144 */
+  w6 = 144.;
+  /* #7: @6 = (@5/@6) */
+  w6  = (w5/w6);
+  /* #8: @7 = turns(@6, @2) */
+  arg1[0]=(&w6);
+  arg1[1]=wr2;
   res1[0]=w7;
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #9: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #9: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @3 = 0.0833333 */
-  w3 = 8.3333333333333329e-02;
-  /* #11: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #12: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #10: @4 = 0.0833333 */
+  w4 = 8.3333333333333329e-02;
+  /* #11: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #12: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #13: @3 = 0.166667 */
-  w3 = 1.6666666666666666e-01;
-  /* #14: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #15: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #13: @4 = 0.166667 */
+  w4 = 1.6666666666666666e-01;
+  /* #14: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #15: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #16: @3 = 0.25 */
-  w3 = 2.5000000000000000e-01;
-  /* #17: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #18: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #16: @4 = 0.25 */
+  w4 = 2.5000000000000000e-01;
+  /* #17: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #18: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #19: @3 = 0.333333 */
-  w3 = 3.3333333333333331e-01;
-  /* #20: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #21: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #19: @4 = 0.333333 */
+  w4 = 3.3333333333333331e-01;
+  /* #20: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #21: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #22: @3 = 0.416667 */
-  w3 = 4.1666666666666669e-01;
-  /* #23: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #24: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #22: @4 = 0.416667 */
+  w4 = 4.1666666666666669e-01;
+  /* #23: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #24: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #25: @3 = 0.5 */
-  w3 = 5.0000000000000000e-01;
-  /* #26: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #27: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #25: @4 = 0.5 */
+  w4 = 5.0000000000000000e-01;
+  /* #26: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #27: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #28: @3 = 0.583333 */
-  w3 = 5.8333333333333337e-01;
-  /* #29: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #30: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #28: @4 = 0.583333 */
+  w4 = 5.8333333333333337e-01;
+  /* #29: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #30: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #31: @3 = 0.666667 */
-  w3 = 6.6666666666666663e-01;
-  /* #32: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #33: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #31: @4 = 0.666667 */
+  w4 = 6.6666666666666663e-01;
+  /* #32: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #33: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #34: @3 = 0.75 */
-  w3 = 7.5000000000000000e-01;
-  /* #35: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #36: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #34: @4 = 0.75 */
+  w4 = 7.5000000000000000e-01;
+  /* #35: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #36: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #37: @3 = 0.833333 */
-  w3 = 8.3333333333333337e-01;
-  /* #38: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #39: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #37: @4 = 0.833333 */
+  w4 = 8.3333333333333337e-01;
+  /* #38: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #39: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #40: @3 = 0.916667 */
-  w3 = 9.1666666666666663e-01;
-  /* #41: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #42: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #40: @4 = 0.916667 */
+  w4 = 9.1666666666666663e-01;
+  /* #41: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #42: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #43: @0 = landing(@2, @1, @6) */
-  arg1[0]=w2;
+  /* #43: @0 = landing(@3, @1, @2) */
+  arg1[0]=w3;
   arg1[1]=w1;
-  arg1[2]=wr6;
+  arg1[2]=wr2;
   res1[0]=w0;
   if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #44: output[0][0] = @0 */
@@ -15042,33 +14255,33 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* coarse_jacobian_144:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f53(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f44(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+576, *w2=w+582, *w3=w+618;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 6, w0);
   /* #1: @1 = input[1][0] */
   wr1 = arg[1] ? arg[1] : casadi_zeros;
-  /* #2: {@2, NULL} = jacobian_72(@0, @1) */
+  /* #2: {@2, NULL} = wobbling_jacobian_72(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f54(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f36(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 36, res[0]);
-  /* #4: @3 = residual_144(@0, @1) */
+  /* #4: @3 = wobbling_residual_144(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w3;
-  if (casadi_f55(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f45(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 6, res[1]);
   return 0;
 }
 
 /* newton_144:(u0[6],p[8])->(u[6]) */
-static int casadi_f52(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f43(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 6;
@@ -15094,7 +14307,7 @@ static int casadi_f52(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f53(arg+2, res+1, iw, w+108, 0)) return 1;
+    if (casadi_f44(arg+2, res+1, iw, w+108, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -15102,184 +14315,185 @@ static int casadi_f52(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* jacobian_144:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+/* wobbling_jacobian_144:(u[6],p[8])->(J[6x6],R[6]) */
+static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w02=w+433, *w03=w+439, *w04=w+469, w05, w06, w07, *w09=w+505, *w10=w+529;
-  const casadi_real **arg1=arg+2, *cs, *wr08;
+  casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w03=w+433, *w04=w+439, *w05=w+469, w06, w07, w08, *w09=w+505, *w10=w+529;
+  const casadi_real **arg1=arg+2, *cs, *wr02;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 6, w00);
   /* #1: @1 = @0[:5] */
   for (rr=w01, cs=w00+0; cs!=w00+5; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
+  /* #2: @2 = input[1][0] */
+  wr02 = arg[1] ? arg[1] : casadi_zeros;
+  /* #3: {@3, @4} = start(@1, @2) */
   arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
+  arg1[1]=wr02;
+  res1[0]=w03;
+  res1[1]=w04;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<6; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<30; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[5] */
-  for (rr=(&w06), cs=w00+5; cs!=w00+6; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 144 */
-  w07 = 144.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  wr08 = arg[1] ? arg[1] : casadi_zeros;
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=wr08;
+  /* #4: @5 = horzcat(@3, @4) */
+  rr=w05;
+  for (i=0, cs=w03; i<6; ++i) *rr++ = *cs++;
+  for (i=0, cs=w04; i<30; ++i) *rr++ = *cs++;
+  /* #5: @6 = 0 */
+  w06 = 0.;
+  /* #6: @7 = @0[5] */
+  for (rr=(&w07), cs=w00+5; cs!=w00+6; cs+=1) *rr++ = *cs;
+  /* #7: @8 = 144 */
+  w08 = 144.;
+  /* #8: @8 = (@7/@8) */
+  w08  = (w07/w08);
+  /* #9: @9 = turns(@8, @2) */
+  arg1[0]=(&w08);
+  arg1[1]=wr02;
   res1[0]=w09;
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: @5 = 0.0833333 */
-  w05 = 8.3333333333333329e-02;
-  /* #12: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #13: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #11: @6 = 0.0833333 */
+  w06 = 8.3333333333333329e-02;
+  /* #12: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #13: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #14: @5 = 0.166667 */
-  w05 = 1.6666666666666666e-01;
-  /* #15: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #16: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #14: @6 = 0.166667 */
+  w06 = 1.6666666666666666e-01;
+  /* #15: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #16: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #17: @5 = 0.25 */
-  w05 = 2.5000000000000000e-01;
-  /* #18: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #19: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #17: @6 = 0.25 */
+  w06 = 2.5000000000000000e-01;
+  /* #18: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #19: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #20: @5 = 0.333333 */
-  w05 = 3.3333333333333331e-01;
-  /* #21: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #22: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #20: @6 = 0.333333 */
+  w06 = 3.3333333333333331e-01;
+  /* #21: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #22: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #23: @5 = 0.416667 */
-  w05 = 4.1666666666666669e-01;
-  /* #24: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #25: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #23: @6 = 0.416667 */
+  w06 = 4.1666666666666669e-01;
+  /* #24: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #25: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #26: @5 = 0.5 */
-  w05 = 5.0000000000000000e-01;
-  /* #27: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #28: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #26: @6 = 0.5 */
+  w06 = 5.0000000000000000e-01;
+  /* #27: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #28: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #29: @5 = 0.583333 */
-  w05 = 5.8333333333333337e-01;
-  /* #30: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #31: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #29: @6 = 0.583333 */
+  w06 = 5.8333333333333337e-01;
+  /* #30: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #31: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #32: @5 = 0.666667 */
-  w05 = 6.6666666666666663e-01;
-  /* #33: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #34: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #32: @6 = 0.666667 */
+  w06 = 6.6666666666666663e-01;
+  /* #33: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #34: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #35: @5 = 0.75 */
-  w05 = 7.5000000000000000e-01;
-  /* #36: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #37: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #35: @6 = 0.75 */
+  w06 = 7.5000000000000000e-01;
+  /* #36: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #37: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #38: @5 = 0.833333 */
-  w05 = 8.3333333333333337e-01;
-  /* #39: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #40: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #38: @6 = 0.833333 */
+  w06 = 8.3333333333333337e-01;
+  /* #39: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #40: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #41: @5 = 0.916667 */
-  w05 = 9.1666666666666663e-01;
-  /* #42: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #43: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #41: @6 = 0.916667 */
+  w06 = 9.1666666666666663e-01;
+  /* #42: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #43: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #44: {@10, @0} = landing_with_derivative(@4, @1, @6, @8) */
-  arg1[0]=w04;
+  /* #44: {@10, @0} = landing_with_derivative(@5, @1, @7, @2) */
+  arg1[0]=w05;
   arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=wr08;
+  arg1[2]=(&w07);
+  arg1[3]=wr02;
   res1[0]=w10;
   res1[1]=w00;
   if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
@@ -15291,7 +14505,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* wobbling_limit_cycle_144:(u0[6],p[8])->(u[6],J[6x6],R[6]) */
-static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f42(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+3, *w0=w+752, *w2=w+758, *w3=w+764;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
@@ -15302,15 +14516,15 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w2;
-  if (casadi_f52(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f43(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 6, res[0]);
-  /* #4: {@3, @0} = jacobian_144(@2, @1) */
+  /* #4: {@3, @0} = wobbling_jacobian_144(@2, @1) */
   arg1[0]=w2;
   arg1[1]=wr1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f56(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f46(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 36, res[1]);
   /* #6: output[2][0] = @0 */
@@ -15319,7 +14533,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_144(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f51(arg, res, iw, w, mem);
+  return casadi_f42(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_144_checkout(void) {
@@ -15395,366 +14609,227 @@ CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_144_work_bytes(casadi_int *sz_arg,
   return 0;
 }
 
-/* jacobian_96:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w02=w+433, *w03=w+439, *w04=w+469, w05, w06, w07, *w09=w+505, *w10=w+529;
-  const casadi_real **arg1=arg+2, *cs, *wr08;
-  /* #0: @0 = input[0][0] */
-  casadi_copy(arg[0], 6, w00);
-  /* #1: @1 = @0[:5] */
-  for (rr=w01, cs=w00+0; cs!=w00+5; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
-  arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<6; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<30; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[5] */
-  for (rr=(&w06), cs=w00+5; cs!=w00+6; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 96 */
-  w07 = 96.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  wr08 = arg[1] ? arg[1] : casadi_zeros;
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=wr08;
-  res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: @5 = 0.125 */
-  w05 = 1.2500000000000000e-01;
-  /* #12: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #13: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #14: @5 = 0.25 */
-  w05 = 2.5000000000000000e-01;
-  /* #15: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #16: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #17: @5 = 0.375 */
-  w05 = 3.7500000000000000e-01;
-  /* #18: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #19: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #20: @5 = 0.5 */
-  w05 = 5.0000000000000000e-01;
-  /* #21: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #22: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #23: @5 = 0.625 */
-  w05 = 6.2500000000000000e-01;
-  /* #24: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #25: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #26: @5 = 0.75 */
-  w05 = 7.5000000000000000e-01;
-  /* #27: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #28: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #29: @5 = 0.875 */
-  w05 = 8.7500000000000000e-01;
-  /* #30: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #31: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #32: {@10, @0} = landing_with_derivative(@4, @1, @6, @8) */
-  arg1[0]=w04;
-  arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=wr08;
-  res1[0]=w10;
-  res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
-  /* #33: output[0][0] = @10 */
-  casadi_copy(w10, 36, res[0]);
-  /* #34: output[1][0] = @0 */
-  casadi_copy(w00, 6, res[1]);
-  return 0;
-}
-
-/* residual_192:(u[6],p[8])->(R[6]) */
-static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+1, *rr, *w0=w+158, *w1=w+164, *w2=w+169, w3, w4, w5, *w7=w+175;
-  const casadi_real **arg1=arg+2, *cs, *wr6;
+/* wobbling_residual_192:(u[6],p[8])->(R[6]) */
+static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *rr, *w0=w+158, *w1=w+164, *w3=w+169, w4, w5, w6, *w7=w+175;
+  const casadi_real **arg1=arg+2, *cs, *wr2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 6, w0);
   /* #1: @1 = @0[:5] */
   for (rr=w1, cs=w0+0; cs!=w0+5; cs+=1) *rr++ = *cs;
-  /* #2: {@2, NULL} = start(@1) */
+  /* #2: @2 = input[1][0] */
+  wr2 = arg[1] ? arg[1] : casadi_zeros;
+  /* #3: {@3, NULL} = start(@1, @2) */
   arg1[0]=w1;
-  res1[0]=w2;
+  arg1[1]=wr2;
+  res1[0]=w3;
   res1[1]=0;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @3 = 0 */
-  w3 = 0.;
-  /* #4: @4 = @0[5] */
-  for (rr=(&w4), cs=w0+5; cs!=w0+6; cs+=1) *rr++ = *cs;
-  /* #5: @5 = 192 */
-  w5 = 192.;
-  /* #6: @5 = (@4/@5) */
-  w5  = (w4/w5);
-  /* #7: @6 = input[1][0] */
-  wr6 = arg[1] ? arg[1] : casadi_zeros;
-  /* #8: @7 = turns(@5, @6) */
-  arg1[0]=(&w5);
-  arg1[1]=wr6;
+  /* #4: @4 = 0 */
+  w4 = 0.;
+  /* #5: @5 = @0[5] */
+  for (rr=(&w5), cs=w0+5; cs!=w0+6; cs+=1) *rr++ = *cs;
+  /* #6: @6 = 192 */
+  w6 = 192.;
+  /* #7: @6 = (@5/@6) */
+  w6  = (w5/w6);
+  /* #8: @7 = turns(@6, @2) */
+  arg1[0]=(&w6);
+  arg1[1]=wr2;
   res1[0]=w7;
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #9: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #9: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @3 = 0.0625 */
-  w3 = 6.2500000000000000e-02;
-  /* #11: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #12: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #10: @4 = 0.0625 */
+  w4 = 6.2500000000000000e-02;
+  /* #11: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #12: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #13: @3 = 0.125 */
-  w3 = 1.2500000000000000e-01;
-  /* #14: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #15: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #13: @4 = 0.125 */
+  w4 = 1.2500000000000000e-01;
+  /* #14: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #15: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #16: @3 = 0.1875 */
-  w3 = 1.8750000000000000e-01;
-  /* #17: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #18: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #16: @4 = 0.1875 */
+  w4 = 1.8750000000000000e-01;
+  /* #17: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #18: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #19: @3 = 0.25 */
-  w3 = 2.5000000000000000e-01;
-  /* #20: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #21: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #19: @4 = 0.25 */
+  w4 = 2.5000000000000000e-01;
+  /* #20: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #21: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #22: @3 = 0.3125 */
-  w3 = 3.1250000000000000e-01;
-  /* #23: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #24: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #22: @4 = 0.3125 */
+  w4 = 3.1250000000000000e-01;
+  /* #23: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #24: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #25: @3 = 0.375 */
-  w3 = 3.7500000000000000e-01;
-  /* #26: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #27: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #25: @4 = 0.375 */
+  w4 = 3.7500000000000000e-01;
+  /* #26: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #27: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #28: @3 = 0.4375 */
-  w3 = 4.3750000000000000e-01;
-  /* #29: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #30: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #28: @4 = 0.4375 */
+  w4 = 4.3750000000000000e-01;
+  /* #29: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #30: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #31: @3 = 0.5 */
-  w3 = 5.0000000000000000e-01;
-  /* #32: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #33: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #31: @4 = 0.5 */
+  w4 = 5.0000000000000000e-01;
+  /* #32: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #33: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #34: @3 = 0.5625 */
-  w3 = 5.6250000000000000e-01;
-  /* #35: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #36: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #34: @4 = 0.5625 */
+  w4 = 5.6250000000000000e-01;
+  /* #35: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #36: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #37: @3 = 0.625 */
-  w3 = 6.2500000000000000e-01;
-  /* #38: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #39: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #37: @4 = 0.625 */
+  w4 = 6.2500000000000000e-01;
+  /* #38: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #39: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #40: @3 = 0.6875 */
-  w3 = 6.8750000000000000e-01;
-  /* #41: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #42: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #40: @4 = 0.6875 */
+  w4 = 6.8750000000000000e-01;
+  /* #41: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #42: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #43: @3 = 0.75 */
-  w3 = 7.5000000000000000e-01;
-  /* #44: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #45: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #43: @4 = 0.75 */
+  w4 = 7.5000000000000000e-01;
+  /* #44: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #45: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #46: @3 = 0.8125 */
-  w3 = 8.1250000000000000e-01;
-  /* #47: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #48: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #46: @4 = 0.8125 */
+  w4 = 8.1250000000000000e-01;
+  /* #47: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #48: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #49: @3 = 0.875 */
-  w3 = 8.7500000000000000e-01;
-  /* #50: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #51: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #49: @4 = 0.875 */
+  w4 = 8.7500000000000000e-01;
+  /* #50: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #51: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #52: @3 = 0.9375 */
-  w3 = 9.3750000000000000e-01;
-  /* #53: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #54: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #52: @4 = 0.9375 */
+  w4 = 9.3750000000000000e-01;
+  /* #53: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #54: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #55: @0 = landing(@2, @1, @6) */
-  arg1[0]=w2;
+  /* #55: @0 = landing(@3, @1, @2) */
+  arg1[0]=w3;
   arg1[1]=w1;
-  arg1[2]=wr6;
+  arg1[2]=wr2;
   res1[0]=w0;
   if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #56: output[0][0] = @0 */
@@ -15763,33 +14838,33 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* coarse_jacobian_192:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f59(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f49(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+576, *w2=w+582, *w3=w+618;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 6, w0);
   /* #1: @1 = input[1][0] */
   wr1 = arg[1] ? arg[1] : casadi_zeros;
-  /* #2: {@2, NULL} = jacobian_96(@0, @1) */
+  /* #2: {@2, NULL} = wobbling_jacobian_96(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f60(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f41(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 36, res[0]);
-  /* #4: @3 = residual_192(@0, @1) */
+  /* #4: @3 = wobbling_residual_192(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w3;
-  if (casadi_f61(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f50(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 6, res[1]);
   return 0;
 }
 
 /* newton_192:(u0[6],p[8])->(u[6]) */
-static int casadi_f58(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 6;
@@ -15815,7 +14890,7 @@ static int casadi_f58(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f59(arg+2, res+1, iw, w+108, 0)) return 1;
+    if (casadi_f49(arg+2, res+1, iw, w+108, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -15823,232 +14898,233 @@ static int casadi_f58(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* jacobian_192:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+/* wobbling_jacobian_192:(u[6],p[8])->(J[6x6],R[6]) */
+static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w02=w+433, *w03=w+439, *w04=w+469, w05, w06, w07, *w09=w+505, *w10=w+529;
-  const casadi_real **arg1=arg+2, *cs, *wr08;
+  casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w03=w+433, *w04=w+439, *w05=w+469, w06, w07, w08, *w09=w+505, *w10=w+529;
+  const casadi_real **arg1=arg+2, *cs, *wr02;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 6, w00);
   /* #1: @1 = @0[:5] */
   for (rr=w01, cs=w00+0; cs!=w00+5; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
+  /* #2: @2 = input[1][0] */
+  wr02 = arg[1] ? arg[1] : casadi_zeros;
+  /* #3: {@3, @4} = start(@1, @2) */
   arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
+  arg1[1]=wr02;
+  res1[0]=w03;
+  res1[1]=w04;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<6; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<30; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[5] */
-  for (rr=(&w06), cs=w00+5; cs!=w00+6; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 192 */
-  w07 = 192.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  wr08 = arg[1] ? arg[1] : casadi_zeros;
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=wr08;
+  /* #4: @5 = horzcat(@3, @4) */
+  rr=w05;
+  for (i=0, cs=w03; i<6; ++i) *rr++ = *cs++;
+  for (i=0, cs=w04; i<30; ++i) *rr++ = *cs++;
+  /* #5: @6 = 0 */
+  w06 = 0.;
+  /* #6: @7 = @0[5] */
+  for (rr=(&w07), cs=w00+5; cs!=w00+6; cs+=1) *rr++ = *cs;
+  /* #7: @8 = 192 */
+  w08 = 192.;
+  /* #8: @8 = (@7/@8) */
+  w08  = (w07/w08);
+  /* #9: @9 = turns(@8, @2) */
+  arg1[0]=(&w08);
+  arg1[1]=wr02;
   res1[0]=w09;
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: @5 = 0.0625 */
-  w05 = 6.2500000000000000e-02;
-  /* #12: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #13: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #11: @6 = 0.0625 */
+  w06 = 6.2500000000000000e-02;
+  /* #12: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #13: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #14: @5 = 0.125 */
-  w05 = 1.2500000000000000e-01;
-  /* #15: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #16: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #14: @6 = 0.125 */
+  w06 = 1.2500000000000000e-01;
+  /* #15: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #16: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #17: @5 = 0.1875 */
-  w05 = 1.8750000000000000e-01;
-  /* #18: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #19: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #17: @6 = 0.1875 */
+  w06 = 1.8750000000000000e-01;
+  /* #18: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #19: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #20: @5 = 0.25 */
-  w05 = 2.5000000000000000e-01;
-  /* #21: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #22: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #20: @6 = 0.25 */
+  w06 = 2.5000000000000000e-01;
+  /* #21: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #22: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #23: @5 = 0.3125 */
-  w05 = 3.1250000000000000e-01;
-  /* #24: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #25: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #23: @6 = 0.3125 */
+  w06 = 3.1250000000000000e-01;
+  /* #24: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #25: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #26: @5 = 0.375 */
-  w05 = 3.7500000000000000e-01;
-  /* #27: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #28: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #26: @6 = 0.375 */
+  w06 = 3.7500000000000000e-01;
+  /* #27: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #28: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #29: @5 = 0.4375 */
-  w05 = 4.3750000000000000e-01;
-  /* #30: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #31: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #29: @6 = 0.4375 */
+  w06 = 4.3750000000000000e-01;
+  /* #30: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #31: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #32: @5 = 0.5 */
-  w05 = 5.0000000000000000e-01;
-  /* #33: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #34: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #32: @6 = 0.5 */
+  w06 = 5.0000000000000000e-01;
+  /* #33: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #34: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #35: @5 = 0.5625 */
-  w05 = 5.6250000000000000e-01;
-  /* #36: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #37: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #35: @6 = 0.5625 */
+  w06 = 5.6250000000000000e-01;
+  /* #36: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #37: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #38: @5 = 0.625 */
-  w05 = 6.2500000000000000e-01;
-  /* #39: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #40: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #38: @6 = 0.625 */
+  w06 = 6.2500000000000000e-01;
+  /* #39: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #40: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #41: @5 = 0.6875 */
-  w05 = 6.8750000000000000e-01;
-  /* #42: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #43: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #41: @6 = 0.6875 */
+  w06 = 6.8750000000000000e-01;
+  /* #42: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #43: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #44: @5 = 0.75 */
-  w05 = 7.5000000000000000e-01;
-  /* #45: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #46: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #44: @6 = 0.75 */
+  w06 = 7.5000000000000000e-01;
+  /* #45: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #46: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #47: @5 = 0.8125 */
-  w05 = 8.1250000000000000e-01;
-  /* #48: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #49: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #47: @6 = 0.8125 */
+  w06 = 8.1250000000000000e-01;
+  /* #48: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #49: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #50: @5 = 0.875 */
-  w05 = 8.7500000000000000e-01;
-  /* #51: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #52: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #50: @6 = 0.875 */
+  w06 = 8.7500000000000000e-01;
+  /* #51: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #52: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #53: @5 = 0.9375 */
-  w05 = 9.3750000000000000e-01;
-  /* #54: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #55: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #53: @6 = 0.9375 */
+  w06 = 9.3750000000000000e-01;
+  /* #54: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #55: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #56: {@10, @0} = landing_with_derivative(@4, @1, @6, @8) */
-  arg1[0]=w04;
+  /* #56: {@10, @0} = landing_with_derivative(@5, @1, @7, @2) */
+  arg1[0]=w05;
   arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=wr08;
+  arg1[2]=(&w07);
+  arg1[3]=wr02;
   res1[0]=w10;
   res1[1]=w00;
   if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
@@ -16060,7 +15136,7 @@ static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* wobbling_limit_cycle_192:(u0[6],p[8])->(u[6],J[6x6],R[6]) */
-static int casadi_f57(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f47(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+3, *w0=w+752, *w2=w+758, *w3=w+764;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
@@ -16071,15 +15147,15 @@ static int casadi_f57(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w2;
-  if (casadi_f58(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f48(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 6, res[0]);
-  /* #4: {@3, @0} = jacobian_192(@2, @1) */
+  /* #4: {@3, @0} = wobbling_jacobian_192(@2, @1) */
   arg1[0]=w2;
   arg1[1]=wr1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f62(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f51(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 36, res[1]);
   /* #6: output[2][0] = @0 */
@@ -16088,7 +15164,7 @@ static int casadi_f57(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_192(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f57(arg, res, iw, w, mem);
+  return casadi_f47(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_192_checkout(void) {
@@ -16164,510 +15240,323 @@ CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_192_work_bytes(casadi_int *sz_arg,
   return 0;
 }
 
-/* jacobian_144:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w02=w+433, *w03=w+439, *w04=w+469, w05, w06, w07, *w09=w+505, *w10=w+529;
-  const casadi_real **arg1=arg+2, *cs, *wr08;
-  /* #0: @0 = input[0][0] */
-  casadi_copy(arg[0], 6, w00);
-  /* #1: @1 = @0[:5] */
-  for (rr=w01, cs=w00+0; cs!=w00+5; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
-  arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<6; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<30; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[5] */
-  for (rr=(&w06), cs=w00+5; cs!=w00+6; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 144 */
-  w07 = 144.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  wr08 = arg[1] ? arg[1] : casadi_zeros;
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=wr08;
-  res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: @5 = 0.0833333 */
-  w05 = 8.3333333333333329e-02;
-  /* #12: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #13: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #14: @5 = 0.166667 */
-  w05 = 1.6666666666666666e-01;
-  /* #15: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #16: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #17: @5 = 0.25 */
-  w05 = 2.5000000000000000e-01;
-  /* #18: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #19: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #20: @5 = 0.333333 */
-  w05 = 3.3333333333333331e-01;
-  /* #21: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #22: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #23: @5 = 0.416667 */
-  w05 = 4.1666666666666669e-01;
-  /* #24: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #25: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #26: @5 = 0.5 */
-  w05 = 5.0000000000000000e-01;
-  /* #27: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #28: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #29: @5 = 0.583333 */
-  w05 = 5.8333333333333337e-01;
-  /* #30: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #31: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #32: @5 = 0.666667 */
-  w05 = 6.6666666666666663e-01;
-  /* #33: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #34: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #35: @5 = 0.75 */
-  w05 = 7.5000000000000000e-01;
-  /* #36: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #37: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #38: @5 = 0.833333 */
-  w05 = 8.3333333333333337e-01;
-  /* #39: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #40: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #41: @5 = 0.916667 */
-  w05 = 9.1666666666666663e-01;
-  /* #42: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #43: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #44: {@10, @0} = landing_with_derivative(@4, @1, @6, @8) */
-  arg1[0]=w04;
-  arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=wr08;
-  res1[0]=w10;
-  res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
-  /* #45: output[0][0] = @10 */
-  casadi_copy(w10, 36, res[0]);
-  /* #46: output[1][0] = @0 */
-  casadi_copy(w00, 6, res[1]);
-  return 0;
-}
-
-/* residual_288:(u[6],p[8])->(R[6]) */
-static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+1, *rr, *w0=w+158, *w1=w+164, *w2=w+169, w3, w4, w5, *w7=w+175;
-  const casadi_real **arg1=arg+2, *cs, *wr6;
+/* wobbling_residual_288:(u[6],p[8])->(R[6]) */
+static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *rr, *w0=w+158, *w1=w+164, *w3=w+169, w4, w5, w6, *w7=w+175;
+  const casadi_real **arg1=arg+2, *cs, *wr2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 6, w0);
   /* #1: @1 = @0[:5] */
   for (rr=w1, cs=w0+0; cs!=w0+5; cs+=1) *rr++ = *cs;
-  /* #2: {@2, NULL} = start(@1) */
+  /* #2: @2 = input[1][0] */
+  wr2 = arg[1] ? arg[1] : casadi_zeros;
+  /* #3: {@3, NULL} = start(@1, @2) */
   arg1[0]=w1;
-  res1[0]=w2;
+  arg1[1]=wr2;
+  res1[0]=w3;
   res1[1]=0;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @3 = 0 */
-  w3 = 0.;
-  /* #4: @4 = @0[5] */
-  for (rr=(&w4), cs=w0+5; cs!=w0+6; cs+=1) *rr++ = *cs;
-  /* #5: @5 = 288 */
-  w5 = 288.;
-  /* #6: @5 = (@4/@5) */
-  w5  = (w4/w5);
-  /* #7: @6 = input[1][0] */
-  wr6 = arg[1] ? arg[1] : casadi_zeros;
-  /* #8: @7 = turns(@5, @6) */
-  arg1[0]=(&w5);
-  arg1[1]=wr6;
+  /* #4: @4 = 0 */
+  w4 = 0.;
+  /* #5: @5 = @0[5] */
+  for (rr=(&w5), cs=w0+5; cs!=w0+6; cs+=1) *rr++ = *cs;
+  /* #6: @6 = 288 */
+  w6 = 288.;
+  /* #7: @6 = (@5/@6) */
+  w6  = (w5/w6);
+  /* #8: @7 = turns(@6, @2) */
+  arg1[0]=(&w6);
+  arg1[1]=wr2;
   res1[0]=w7;
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #9: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #9: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @3 = 0.0416667 */
-  w3 = 4.1666666666666664e-02;
-  /* #11: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #12: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #10: @4 = 0.0416667 */
+  w4 = 4.1666666666666664e-02;
+  /* #11: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #12: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #13: @3 = 0.0833333 */
-  w3 = 8.3333333333333329e-02;
-  /* #14: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #15: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #13: @4 = 0.0833333 */
+  w4 = 8.3333333333333329e-02;
+  /* #14: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #15: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #16: @3 = 0.125 */
-  w3 = 1.2500000000000000e-01;
-  /* #17: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #18: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #16: @4 = 0.125 */
+  w4 = 1.2500000000000000e-01;
+  /* #17: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #18: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #19: @3 = 0.166667 */
-  w3 = 1.6666666666666666e-01;
-  /* #20: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #21: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #19: @4 = 0.166667 */
+  w4 = 1.6666666666666666e-01;
+  /* #20: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #21: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #22: @3 = 0.208333 */
-  w3 = 2.0833333333333334e-01;
-  /* #23: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #24: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #22: @4 = 0.208333 */
+  w4 = 2.0833333333333334e-01;
+  /* #23: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #24: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #25: @3 = 0.25 */
-  w3 = 2.5000000000000000e-01;
-  /* #26: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #27: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #25: @4 = 0.25 */
+  w4 = 2.5000000000000000e-01;
+  /* #26: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #27: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #28: @3 = 0.291667 */
-  w3 = 2.9166666666666669e-01;
-  /* #29: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #30: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #28: @4 = 0.291667 */
+  w4 = 2.9166666666666669e-01;
+  /* #29: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #30: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #31: @3 = 0.333333 */
-  w3 = 3.3333333333333331e-01;
-  /* #32: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #33: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #31: @4 = 0.333333 */
+  w4 = 3.3333333333333331e-01;
+  /* #32: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #33: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #34: @3 = 0.375 */
-  w3 = 3.7500000000000000e-01;
-  /* #35: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #36: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #34: @4 = 0.375 */
+  w4 = 3.7500000000000000e-01;
+  /* #35: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #36: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #37: @3 = 0.416667 */
-  w3 = 4.1666666666666669e-01;
-  /* #38: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #39: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #37: @4 = 0.416667 */
+  w4 = 4.1666666666666669e-01;
+  /* #38: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #39: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #40: @3 = 0.458333 */
-  w3 = 4.5833333333333331e-01;
-  /* #41: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #42: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #40: @4 = 0.458333 */
+  w4 = 4.5833333333333331e-01;
+  /* #41: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #42: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #43: @3 = 0.5 */
-  w3 = 5.0000000000000000e-01;
-  /* #44: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #45: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #43: @4 = 0.5 */
+  w4 = 5.0000000000000000e-01;
+  /* #44: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #45: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #46: @3 = 0.541667 */
-  w3 = 5.4166666666666663e-01;
-  /* #47: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #48: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #46: @4 = 0.541667 */
+  w4 = 5.4166666666666663e-01;
+  /* #47: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #48: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #49: @3 = 0.583333 */
-  w3 = 5.8333333333333337e-01;
-  /* #50: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #51: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #49: @4 = 0.583333 */
+  w4 = 5.8333333333333337e-01;
+  /* #50: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #51: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #52: @3 = 0.625 */
-  w3 = 6.2500000000000000e-01;
-  /* #53: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #54: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #52: @4 = 0.625 */
+  w4 = 6.2500000000000000e-01;
+  /* #53: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #54: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #55: @3 = 0.666667 */
-  w3 = 6.6666666666666663e-01;
-  /* #56: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #57: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #55: @4 = 0.666667 */
+  w4 = 6.6666666666666663e-01;
+  /* #56: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #57: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #58: @3 = 0.708333 */
-  w3 = 7.0833333333333337e-01;
-  /* #59: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #60: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #58: @4 = 0.708333 */
+  w4 = 7.0833333333333337e-01;
+  /* #59: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #60: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #61: @3 = 0.75 */
-  w3 = 7.5000000000000000e-01;
-  /* #62: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #63: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #61: @4 = 0.75 */
+  w4 = 7.5000000000000000e-01;
+  /* #62: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #63: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #64: @3 = 0.791667 */
-  w3 = 7.9166666666666663e-01;
-  /* #65: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #66: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #64: @4 = 0.791667 */
+  w4 = 7.9166666666666663e-01;
+  /* #65: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #66: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #67: @3 = 0.833333 */
-  w3 = 8.3333333333333337e-01;
-  /* #68: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #69: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #67: @4 = 0.833333 */
+  w4 = 8.3333333333333337e-01;
+  /* #68: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #69: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #70: @3 = 0.875 */
-  w3 = 8.7500000000000000e-01;
-  /* #71: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #72: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #70: @4 = 0.875 */
+  w4 = 8.7500000000000000e-01;
+  /* #71: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #72: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #73: @3 = 0.916667 */
-  w3 = 9.1666666666666663e-01;
-  /* #74: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #75: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #73: @4 = 0.916667 */
+  w4 = 9.1666666666666663e-01;
+  /* #74: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #75: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #76: @3 = 0.958333 */
-  w3 = 9.5833333333333337e-01;
-  /* #77: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #78: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #76: @4 = 0.958333 */
+  w4 = 9.5833333333333337e-01;
+  /* #77: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #78: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #79: @0 = landing(@2, @1, @6) */
-  arg1[0]=w2;
+  /* #79: @0 = landing(@3, @1, @2) */
+  arg1[0]=w3;
   arg1[1]=w1;
-  arg1[2]=wr6;
+  arg1[2]=wr2;
   res1[0]=w0;
   if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #80: output[0][0] = @0 */
@@ -16676,33 +15565,33 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* coarse_jacobian_288:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f65(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f54(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+576, *w2=w+582, *w3=w+618;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 6, w0);
   /* #1: @1 = input[1][0] */
   wr1 = arg[1] ? arg[1] : casadi_zeros;
-  /* #2: {@2, NULL} = jacobian_144(@0, @1) */
+  /* #2: {@2, NULL} = wobbling_jacobian_144(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f66(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f46(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 36, res[0]);
-  /* #4: @3 = residual_288(@0, @1) */
+  /* #4: @3 = wobbling_residual_288(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w3;
-  if (casadi_f67(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f55(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 6, res[1]);
   return 0;
 }
 
 /* newton_288:(u0[6],p[8])->(u[6]) */
-static int casadi_f64(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f53(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 6;
@@ -16728,7 +15617,7 @@ static int casadi_f64(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f65(arg+2, res+1, iw, w+108, 0)) return 1;
+    if (casadi_f54(arg+2, res+1, iw, w+108, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -16736,328 +15625,329 @@ static int casadi_f64(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* jacobian_288:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+/* wobbling_jacobian_288:(u[6],p[8])->(J[6x6],R[6]) */
+static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w02=w+433, *w03=w+439, *w04=w+469, w05, w06, w07, *w09=w+505, *w10=w+529;
-  const casadi_real **arg1=arg+2, *cs, *wr08;
+  casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w03=w+433, *w04=w+439, *w05=w+469, w06, w07, w08, *w09=w+505, *w10=w+529;
+  const casadi_real **arg1=arg+2, *cs, *wr02;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 6, w00);
   /* #1: @1 = @0[:5] */
   for (rr=w01, cs=w00+0; cs!=w00+5; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
+  /* #2: @2 = input[1][0] */
+  wr02 = arg[1] ? arg[1] : casadi_zeros;
+  /* #3: {@3, @4} = start(@1, @2) */
   arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
+  arg1[1]=wr02;
+  res1[0]=w03;
+  res1[1]=w04;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<6; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<30; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[5] */
-  for (rr=(&w06), cs=w00+5; cs!=w00+6; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 288 */
-  w07 = 288.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  wr08 = arg[1] ? arg[1] : casadi_zeros;
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=wr08;
+  /* #4: @5 = horzcat(@3, @4) */
+  rr=w05;
+  for (i=0, cs=w03; i<6; ++i) *rr++ = *cs++;
+  for (i=0, cs=w04; i<30; ++i) *rr++ = *cs++;
+  /* #5: @6 = 0 */
+  w06 = 0.;
+  /* #6: @7 = @0[5] */
+  for (rr=(&w07), cs=w00+5; cs!=w00+6; cs+=1) *rr++ = *cs;
+  /* #7: @8 = 288 */
+  w08 = 288.;
+  /* #8: @8 = (@7/@8) */
+  w08  = (w07/w08);
+  /* #9: @9 = turns(@8, @2) */
+  arg1[0]=(&w08);
+  arg1[1]=wr02;
   res1[0]=w09;
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: @5 = 0.0416667 */
-  w05 = 4.1666666666666664e-02;
-  /* #12: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #13: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #11: @6 = 0.0416667 */
+  w06 = 4.1666666666666664e-02;
+  /* #12: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #13: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #14: @5 = 0.0833333 */
-  w05 = 8.3333333333333329e-02;
-  /* #15: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #16: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #14: @6 = 0.0833333 */
+  w06 = 8.3333333333333329e-02;
+  /* #15: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #16: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #17: @5 = 0.125 */
-  w05 = 1.2500000000000000e-01;
-  /* #18: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #19: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #17: @6 = 0.125 */
+  w06 = 1.2500000000000000e-01;
+  /* #18: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #19: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #20: @5 = 0.166667 */
-  w05 = 1.6666666666666666e-01;
-  /* #21: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #22: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #20: @6 = 0.166667 */
+  w06 = 1.6666666666666666e-01;
+  /* #21: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #22: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #23: @5 = 0.208333 */
-  w05 = 2.0833333333333334e-01;
-  /* #24: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #25: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #23: @6 = 0.208333 */
+  w06 = 2.0833333333333334e-01;
+  /* #24: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #25: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #26: @5 = 0.25 */
-  w05 = 2.5000000000000000e-01;
-  /* #27: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #28: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #26: @6 = 0.25 */
+  w06 = 2.5000000000000000e-01;
+  /* #27: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #28: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #29: @5 = 0.291667 */
-  w05 = 2.9166666666666669e-01;
-  /* #30: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #31: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #29: @6 = 0.291667 */
+  w06 = 2.9166666666666669e-01;
+  /* #30: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #31: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #32: @5 = 0.333333 */
-  w05 = 3.3333333333333331e-01;
-  /* #33: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #34: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #32: @6 = 0.333333 */
+  w06 = 3.3333333333333331e-01;
+  /* #33: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #34: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #35: @5 = 0.375 */
-  w05 = 3.7500000000000000e-01;
-  /* #36: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #37: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #35: @6 = 0.375 */
+  w06 = 3.7500000000000000e-01;
+  /* #36: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #37: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #38: @5 = 0.416667 */
-  w05 = 4.1666666666666669e-01;
-  /* #39: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #40: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #38: @6 = 0.416667 */
+  w06 = 4.1666666666666669e-01;
+  /* #39: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #40: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #41: @5 = 0.458333 */
-  w05 = 4.5833333333333331e-01;
-  /* #42: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #43: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #41: @6 = 0.458333 */
+  w06 = 4.5833333333333331e-01;
+  /* #42: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #43: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #44: @5 = 0.5 */
-  w05 = 5.0000000000000000e-01;
-  /* #45: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #46: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #44: @6 = 0.5 */
+  w06 = 5.0000000000000000e-01;
+  /* #45: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #46: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #47: @5 = 0.541667 */
-  w05 = 5.4166666666666663e-01;
-  /* #48: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #49: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #47: @6 = 0.541667 */
+  w06 = 5.4166666666666663e-01;
+  /* #48: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #49: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #50: @5 = 0.583333 */
-  w05 = 5.8333333333333337e-01;
-  /* #51: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #52: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #50: @6 = 0.583333 */
+  w06 = 5.8333333333333337e-01;
+  /* #51: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #52: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #53: @5 = 0.625 */
-  w05 = 6.2500000000000000e-01;
-  /* #54: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #55: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #53: @6 = 0.625 */
+  w06 = 6.2500000000000000e-01;
+  /* #54: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #55: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #56: @5 = 0.666667 */
-  w05 = 6.6666666666666663e-01;
-  /* #57: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #58: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #56: @6 = 0.666667 */
+  w06 = 6.6666666666666663e-01;
+  /* #57: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #58: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #59: @5 = 0.708333 */
-  w05 = 7.0833333333333337e-01;
-  /* #60: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #61: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #59: @6 = 0.708333 */
+  w06 = 7.0833333333333337e-01;
+  /* #60: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #61: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #62: @5 = 0.75 */
-  w05 = 7.5000000000000000e-01;
-  /* #63: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #64: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #62: @6 = 0.75 */
+  w06 = 7.5000000000000000e-01;
+  /* #63: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #64: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #65: @5 = 0.791667 */
-  w05 = 7.9166666666666663e-01;
-  /* #66: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #67: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #65: @6 = 0.791667 */
+  w06 = 7.9166666666666663e-01;
+  /* #66: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #67: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #68: @5 = 0.833333 */
-  w05 = 8.3333333333333337e-01;
-  /* #69: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #70: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #68: @6 = 0.833333 */
+  w06 = 8.3333333333333337e-01;
+  /* #69: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #70: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #71: @5 = 0.875 */
-  w05 = 8.7500000000000000e-01;
-  /* #72: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #73: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #71: @6 = 0.875 */
+  w06 = 8.7500000000000000e-01;
+  /* #72: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #73: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #74: @5 = 0.916667 */
-  w05 = 9.1666666666666663e-01;
-  /* #75: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #76: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #74: @6 = 0.916667 */
+  w06 = 9.1666666666666663e-01;
+  /* #75: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #76: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #77: @5 = 0.958333 */
-  w05 = 9.5833333333333337e-01;
-  /* #78: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #79: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #77: @6 = 0.958333 */
+  w06 = 9.5833333333333337e-01;
+  /* #78: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #79: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #80: {@10, @0} = landing_with_derivative(@4, @1, @6, @8) */
-  arg1[0]=w04;
+  /* #80: {@10, @0} = landing_with_derivative(@5, @1, @7, @2) */
+  arg1[0]=w05;
   arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=wr08;
+  arg1[2]=(&w07);
+  arg1[3]=wr02;
   res1[0]=w10;
   res1[1]=w00;
   if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
@@ -17069,7 +15959,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* wobbling_limit_cycle_288:(u0[6],p[8])->(u[6],J[6x6],R[6]) */
-static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f52(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+3, *w0=w+752, *w2=w+758, *w3=w+764;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
@@ -17080,15 +15970,15 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w2;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f53(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 6, res[0]);
-  /* #4: {@3, @0} = jacobian_288(@2, @1) */
+  /* #4: {@3, @0} = wobbling_jacobian_288(@2, @1) */
   arg1[0]=w2;
   arg1[1]=wr1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f68(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f56(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 36, res[1]);
   /* #6: output[2][0] = @0 */
@@ -17097,7 +15987,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_288(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f63(arg, res, iw, w, mem);
+  return casadi_f52(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_288_checkout(void) {
@@ -17173,654 +16063,419 @@ CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_288_work_bytes(casadi_int *sz_arg,
   return 0;
 }
 
-/* jacobian_192:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w02=w+433, *w03=w+439, *w04=w+469, w05, w06, w07, *w09=w+505, *w10=w+529;
-  const casadi_real **arg1=arg+2, *cs, *wr08;
-  /* #0: @0 = input[0][0] */
-  casadi_copy(arg[0], 6, w00);
-  /* #1: @1 = @0[:5] */
-  for (rr=w01, cs=w00+0; cs!=w00+5; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
-  arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<6; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<30; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[5] */
-  for (rr=(&w06), cs=w00+5; cs!=w00+6; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 192 */
-  w07 = 192.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  wr08 = arg[1] ? arg[1] : casadi_zeros;
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=wr08;
-  res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: @5 = 0.0625 */
-  w05 = 6.2500000000000000e-02;
-  /* #12: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #13: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #14: @5 = 0.125 */
-  w05 = 1.2500000000000000e-01;
-  /* #15: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #16: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #17: @5 = 0.1875 */
-  w05 = 1.8750000000000000e-01;
-  /* #18: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #19: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #20: @5 = 0.25 */
-  w05 = 2.5000000000000000e-01;
-  /* #21: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #22: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #23: @5 = 0.3125 */
-  w05 = 3.1250000000000000e-01;
-  /* #24: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #25: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #26: @5 = 0.375 */
-  w05 = 3.7500000000000000e-01;
-  /* #27: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #28: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #29: @5 = 0.4375 */
-  w05 = 4.3750000000000000e-01;
-  /* #30: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #31: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #32: @5 = 0.5 */
-  w05 = 5.0000000000000000e-01;
-  /* #33: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #34: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #35: @5 = 0.5625 */
-  w05 = 5.6250000000000000e-01;
-  /* #36: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #37: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #38: @5 = 0.625 */
-  w05 = 6.2500000000000000e-01;
-  /* #39: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #40: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #41: @5 = 0.6875 */
-  w05 = 6.8750000000000000e-01;
-  /* #42: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #43: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #44: @5 = 0.75 */
-  w05 = 7.5000000000000000e-01;
-  /* #45: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #46: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #47: @5 = 0.8125 */
-  w05 = 8.1250000000000000e-01;
-  /* #48: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #49: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #50: @5 = 0.875 */
-  w05 = 8.7500000000000000e-01;
-  /* #51: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #52: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #53: @5 = 0.9375 */
-  w05 = 9.3750000000000000e-01;
-  /* #54: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #55: @4 = variational_steps(@10, @5, @9, @7, @8) */
-  arg1[0]=w10;
-  arg1[1]=(&w05);
-  arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #56: {@10, @0} = landing_with_derivative(@4, @1, @6, @8) */
-  arg1[0]=w04;
-  arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=wr08;
-  res1[0]=w10;
-  res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
-  /* #57: output[0][0] = @10 */
-  casadi_copy(w10, 36, res[0]);
-  /* #58: output[1][0] = @0 */
-  casadi_copy(w00, 6, res[1]);
-  return 0;
-}
-
-/* residual_384:(u[6],p[8])->(R[6]) */
-static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+1, *rr, *w0=w+158, *w1=w+164, *w2=w+169, w3, w4, w5, *w7=w+175;
-  const casadi_real **arg1=arg+2, *cs, *wr6;
+/* wobbling_residual_384:(u[6],p[8])->(R[6]) */
+static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *rr, *w0=w+158, *w1=w+164, *w3=w+169, w4, w5, w6, *w7=w+175;
+  const casadi_real **arg1=arg+2, *cs, *wr2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 6, w0);
   /* #1: @1 = @0[:5] */
   for (rr=w1, cs=w0+0; cs!=w0+5; cs+=1) *rr++ = *cs;
-  /* #2: {@2, NULL} = start(@1) */
+  /* #2: @2 = input[1][0] */
+  wr2 = arg[1] ? arg[1] : casadi_zeros;
+  /* #3: {@3, NULL} = start(@1, @2) */
   arg1[0]=w1;
-  res1[0]=w2;
+  arg1[1]=wr2;
+  res1[0]=w3;
   res1[1]=0;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @3 = 0 */
-  w3 = 0.;
-  /* #4: @4 = @0[5] */
-  for (rr=(&w4), cs=w0+5; cs!=w0+6; cs+=1) *rr++ = *cs;
-  /* #5: @5 = 384 */
-  w5 = 384.;
-  /* #6: @5 = (@4/@5) */
-  w5  = (w4/w5);
-  /* #7: @6 = input[1][0] */
-  wr6 = arg[1] ? arg[1] : casadi_zeros;
-  /* #8: @7 = turns(@5, @6) */
-  arg1[0]=(&w5);
-  arg1[1]=wr6;
+  /* #4: @4 = 0 */
+  w4 = 0.;
+  /* #5: @5 = @0[5] */
+  for (rr=(&w5), cs=w0+5; cs!=w0+6; cs+=1) *rr++ = *cs;
+  /* #6: @6 = 384 */
+  w6 = 384.;
+  /* #7: @6 = (@5/@6) */
+  w6  = (w5/w6);
+  /* #8: @7 = turns(@6, @2) */
+  arg1[0]=(&w6);
+  arg1[1]=wr2;
   res1[0]=w7;
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #9: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #9: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @3 = 0.03125 */
-  w3 = 3.1250000000000000e-02;
-  /* #11: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #12: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #10: @4 = 0.03125 */
+  w4 = 3.1250000000000000e-02;
+  /* #11: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #12: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #13: @3 = 0.0625 */
-  w3 = 6.2500000000000000e-02;
-  /* #14: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #15: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #13: @4 = 0.0625 */
+  w4 = 6.2500000000000000e-02;
+  /* #14: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #15: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #16: @3 = 0.09375 */
-  w3 = 9.3750000000000000e-02;
-  /* #17: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #18: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #16: @4 = 0.09375 */
+  w4 = 9.3750000000000000e-02;
+  /* #17: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #18: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #19: @3 = 0.125 */
-  w3 = 1.2500000000000000e-01;
-  /* #20: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #21: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #19: @4 = 0.125 */
+  w4 = 1.2500000000000000e-01;
+  /* #20: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #21: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #22: @3 = 0.15625 */
-  w3 = 1.5625000000000000e-01;
-  /* #23: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #24: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #22: @4 = 0.15625 */
+  w4 = 1.5625000000000000e-01;
+  /* #23: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #24: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #25: @3 = 0.1875 */
-  w3 = 1.8750000000000000e-01;
-  /* #26: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #27: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #25: @4 = 0.1875 */
+  w4 = 1.8750000000000000e-01;
+  /* #26: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #27: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #28: @3 = 0.21875 */
-  w3 = 2.1875000000000000e-01;
-  /* #29: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #30: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #28: @4 = 0.21875 */
+  w4 = 2.1875000000000000e-01;
+  /* #29: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #30: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #31: @3 = 0.25 */
-  w3 = 2.5000000000000000e-01;
-  /* #32: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #33: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #31: @4 = 0.25 */
+  w4 = 2.5000000000000000e-01;
+  /* #32: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #33: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #34: @3 = 0.28125 */
-  w3 = 2.8125000000000000e-01;
-  /* #35: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #36: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #34: @4 = 0.28125 */
+  w4 = 2.8125000000000000e-01;
+  /* #35: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #36: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #37: @3 = 0.3125 */
-  w3 = 3.1250000000000000e-01;
-  /* #38: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #39: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #37: @4 = 0.3125 */
+  w4 = 3.1250000000000000e-01;
+  /* #38: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #39: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #40: @3 = 0.34375 */
-  w3 = 3.4375000000000000e-01;
-  /* #41: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #42: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #40: @4 = 0.34375 */
+  w4 = 3.4375000000000000e-01;
+  /* #41: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #42: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #43: @3 = 0.375 */
-  w3 = 3.7500000000000000e-01;
-  /* #44: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #45: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #43: @4 = 0.375 */
+  w4 = 3.7500000000000000e-01;
+  /* #44: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #45: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #46: @3 = 0.40625 */
-  w3 = 4.0625000000000000e-01;
-  /* #47: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #48: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #46: @4 = 0.40625 */
+  w4 = 4.0625000000000000e-01;
+  /* #47: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #48: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #49: @3 = 0.4375 */
-  w3 = 4.3750000000000000e-01;
-  /* #50: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #51: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #49: @4 = 0.4375 */
+  w4 = 4.3750000000000000e-01;
+  /* #50: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #51: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #52: @3 = 0.46875 */
-  w3 = 4.6875000000000000e-01;
-  /* #53: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #54: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #52: @4 = 0.46875 */
+  w4 = 4.6875000000000000e-01;
+  /* #53: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #54: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #55: @3 = 0.5 */
-  w3 = 5.0000000000000000e-01;
-  /* #56: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #57: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #55: @4 = 0.5 */
+  w4 = 5.0000000000000000e-01;
+  /* #56: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #57: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #58: @3 = 0.53125 */
-  w3 = 5.3125000000000000e-01;
-  /* #59: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #60: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #58: @4 = 0.53125 */
+  w4 = 5.3125000000000000e-01;
+  /* #59: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #60: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #61: @3 = 0.5625 */
-  w3 = 5.6250000000000000e-01;
-  /* #62: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #63: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #61: @4 = 0.5625 */
+  w4 = 5.6250000000000000e-01;
+  /* #62: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #63: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #64: @3 = 0.59375 */
-  w3 = 5.9375000000000000e-01;
-  /* #65: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #66: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #64: @4 = 0.59375 */
+  w4 = 5.9375000000000000e-01;
+  /* #65: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #66: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #67: @3 = 0.625 */
-  w3 = 6.2500000000000000e-01;
-  /* #68: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #69: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #67: @4 = 0.625 */
+  w4 = 6.2500000000000000e-01;
+  /* #68: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #69: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #70: @3 = 0.65625 */
-  w3 = 6.5625000000000000e-01;
-  /* #71: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #72: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #70: @4 = 0.65625 */
+  w4 = 6.5625000000000000e-01;
+  /* #71: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #72: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #73: @3 = 0.6875 */
-  w3 = 6.8750000000000000e-01;
-  /* #74: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #75: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #73: @4 = 0.6875 */
+  w4 = 6.8750000000000000e-01;
+  /* #74: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #75: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #76: @3 = 0.71875 */
-  w3 = 7.1875000000000000e-01;
-  /* #77: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #78: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #76: @4 = 0.71875 */
+  w4 = 7.1875000000000000e-01;
+  /* #77: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #78: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #79: @3 = 0.75 */
-  w3 = 7.5000000000000000e-01;
-  /* #80: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #81: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #79: @4 = 0.75 */
+  w4 = 7.5000000000000000e-01;
+  /* #80: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #81: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #82: @3 = 0.78125 */
-  w3 = 7.8125000000000000e-01;
-  /* #83: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #84: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #82: @4 = 0.78125 */
+  w4 = 7.8125000000000000e-01;
+  /* #83: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #84: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #85: @3 = 0.8125 */
-  w3 = 8.1250000000000000e-01;
-  /* #86: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #87: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #85: @4 = 0.8125 */
+  w4 = 8.1250000000000000e-01;
+  /* #86: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #87: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #88: @3 = 0.84375 */
-  w3 = 8.4375000000000000e-01;
-  /* #89: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #90: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #88: @4 = 0.84375 */
+  w4 = 8.4375000000000000e-01;
+  /* #89: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #90: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #91: @3 = 0.875 */
-  w3 = 8.7500000000000000e-01;
-  /* #92: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #93: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #91: @4 = 0.875 */
+  w4 = 8.7500000000000000e-01;
+  /* #92: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #93: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #94: @3 = 0.90625 */
-  w3 = 9.0625000000000000e-01;
-  /* #95: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #96: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #94: @4 = 0.90625 */
+  w4 = 9.0625000000000000e-01;
+  /* #95: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #96: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #97: @3 = 0.9375 */
-  w3 = 9.3750000000000000e-01;
-  /* #98: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #99: @0 = plain_steps(@2, @3, @7, @5, @6) */
-  arg1[0]=w2;
-  arg1[1]=(&w3);
+  /* #97: @4 = 0.9375 */
+  w4 = 9.3750000000000000e-01;
+  /* #98: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #99: @0 = plain_steps(@3, @4, @7, @6, @2) */
+  arg1[0]=w3;
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
   res1[0]=w0;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #100: @3 = 0.96875 */
-  w3 = 9.6875000000000000e-01;
-  /* #101: @3 = (@3*@4) */
-  w3 *= w4;
-  /* #102: @2 = plain_steps(@0, @3, @7, @5, @6) */
+  /* #100: @4 = 0.96875 */
+  w4 = 9.6875000000000000e-01;
+  /* #101: @4 = (@4*@5) */
+  w4 *= w5;
+  /* #102: @3 = plain_steps(@0, @4, @7, @6, @2) */
   arg1[0]=w0;
-  arg1[1]=(&w3);
+  arg1[1]=(&w4);
   arg1[2]=w7;
-  arg1[3]=(&w5);
-  arg1[4]=wr6;
-  res1[0]=w2;
+  arg1[3]=(&w6);
+  arg1[4]=wr2;
+  res1[0]=w3;
   if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #103: @0 = landing(@2, @1, @6) */
-  arg1[0]=w2;
+  /* #103: @0 = landing(@3, @1, @2) */
+  arg1[0]=w3;
   arg1[1]=w1;
-  arg1[2]=wr6;
+  arg1[2]=wr2;
   res1[0]=w0;
   if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #104: output[0][0] = @0 */
@@ -17829,33 +16484,33 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* coarse_jacobian_384:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f59(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+576, *w2=w+582, *w3=w+618;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 6, w0);
   /* #1: @1 = input[1][0] */
   wr1 = arg[1] ? arg[1] : casadi_zeros;
-  /* #2: {@2, NULL} = jacobian_192(@0, @1) */
+  /* #2: {@2, NULL} = wobbling_jacobian_192(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f72(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f51(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 36, res[0]);
-  /* #4: @3 = residual_384(@0, @1) */
+  /* #4: @3 = wobbling_residual_384(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w3;
-  if (casadi_f73(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f60(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 6, res[1]);
   return 0;
 }
 
 /* newton_384:(u0[6],p[8])->(u[6]) */
-static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f58(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 6;
@@ -17881,7 +16536,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f71(arg+2, res+1, iw, w+108, 0)) return 1;
+    if (casadi_f59(arg+2, res+1, iw, w+108, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -17889,424 +16544,425 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* jacobian_384:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f74(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+/* wobbling_jacobian_384:(u[6],p[8])->(J[6x6],R[6]) */
+static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w02=w+433, *w03=w+439, *w04=w+469, w05, w06, w07, *w09=w+505, *w10=w+529;
-  const casadi_real **arg1=arg+2, *cs, *wr08;
+  casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w03=w+433, *w04=w+439, *w05=w+469, w06, w07, w08, *w09=w+505, *w10=w+529;
+  const casadi_real **arg1=arg+2, *cs, *wr02;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 6, w00);
   /* #1: @1 = @0[:5] */
   for (rr=w01, cs=w00+0; cs!=w00+5; cs+=1) *rr++ = *cs;
-  /* #2: {@2, @3} = start(@1) */
+  /* #2: @2 = input[1][0] */
+  wr02 = arg[1] ? arg[1] : casadi_zeros;
+  /* #3: {@3, @4} = start(@1, @2) */
   arg1[0]=w01;
-  res1[0]=w02;
-  res1[1]=w03;
+  arg1[1]=wr02;
+  res1[0]=w03;
+  res1[1]=w04;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
-  /* #3: @4 = horzcat(@2, @3) */
-  rr=w04;
-  for (i=0, cs=w02; i<6; ++i) *rr++ = *cs++;
-  for (i=0, cs=w03; i<30; ++i) *rr++ = *cs++;
-  /* #4: @5 = 0 */
-  w05 = 0.;
-  /* #5: @6 = @0[5] */
-  for (rr=(&w06), cs=w00+5; cs!=w00+6; cs+=1) *rr++ = *cs;
-  /* #6: @7 = 384 */
-  w07 = 384.;
-  /* #7: @7 = (@6/@7) */
-  w07  = (w06/w07);
-  /* #8: @8 = input[1][0] */
-  wr08 = arg[1] ? arg[1] : casadi_zeros;
-  /* #9: @9 = turns(@7, @8) */
-  arg1[0]=(&w07);
-  arg1[1]=wr08;
+  /* #4: @5 = horzcat(@3, @4) */
+  rr=w05;
+  for (i=0, cs=w03; i<6; ++i) *rr++ = *cs++;
+  for (i=0, cs=w04; i<30; ++i) *rr++ = *cs++;
+  /* #5: @6 = 0 */
+  w06 = 0.;
+  /* #6: @7 = @0[5] */
+  for (rr=(&w07), cs=w00+5; cs!=w00+6; cs+=1) *rr++ = *cs;
+  /* #7: @8 = 384 */
+  w08 = 384.;
+  /* #8: @8 = (@7/@8) */
+  w08  = (w07/w08);
+  /* #9: @9 = turns(@8, @2) */
+  arg1[0]=(&w08);
+  arg1[1]=wr02;
   res1[0]=w09;
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #10: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #11: @5 = 0.03125 */
-  w05 = 3.1250000000000000e-02;
-  /* #12: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #13: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #11: @6 = 0.03125 */
+  w06 = 3.1250000000000000e-02;
+  /* #12: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #13: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #14: @5 = 0.0625 */
-  w05 = 6.2500000000000000e-02;
-  /* #15: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #16: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #14: @6 = 0.0625 */
+  w06 = 6.2500000000000000e-02;
+  /* #15: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #16: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #17: @5 = 0.09375 */
-  w05 = 9.3750000000000000e-02;
-  /* #18: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #19: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #17: @6 = 0.09375 */
+  w06 = 9.3750000000000000e-02;
+  /* #18: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #19: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #20: @5 = 0.125 */
-  w05 = 1.2500000000000000e-01;
-  /* #21: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #22: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #20: @6 = 0.125 */
+  w06 = 1.2500000000000000e-01;
+  /* #21: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #22: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #23: @5 = 0.15625 */
-  w05 = 1.5625000000000000e-01;
-  /* #24: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #25: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #23: @6 = 0.15625 */
+  w06 = 1.5625000000000000e-01;
+  /* #24: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #25: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #26: @5 = 0.1875 */
-  w05 = 1.8750000000000000e-01;
-  /* #27: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #28: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #26: @6 = 0.1875 */
+  w06 = 1.8750000000000000e-01;
+  /* #27: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #28: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #29: @5 = 0.21875 */
-  w05 = 2.1875000000000000e-01;
-  /* #30: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #31: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #29: @6 = 0.21875 */
+  w06 = 2.1875000000000000e-01;
+  /* #30: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #31: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #32: @5 = 0.25 */
-  w05 = 2.5000000000000000e-01;
-  /* #33: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #34: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #32: @6 = 0.25 */
+  w06 = 2.5000000000000000e-01;
+  /* #33: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #34: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #35: @5 = 0.28125 */
-  w05 = 2.8125000000000000e-01;
-  /* #36: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #37: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #35: @6 = 0.28125 */
+  w06 = 2.8125000000000000e-01;
+  /* #36: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #37: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #38: @5 = 0.3125 */
-  w05 = 3.1250000000000000e-01;
-  /* #39: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #40: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #38: @6 = 0.3125 */
+  w06 = 3.1250000000000000e-01;
+  /* #39: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #40: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #41: @5 = 0.34375 */
-  w05 = 3.4375000000000000e-01;
-  /* #42: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #43: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #41: @6 = 0.34375 */
+  w06 = 3.4375000000000000e-01;
+  /* #42: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #43: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #44: @5 = 0.375 */
-  w05 = 3.7500000000000000e-01;
-  /* #45: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #46: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #44: @6 = 0.375 */
+  w06 = 3.7500000000000000e-01;
+  /* #45: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #46: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #47: @5 = 0.40625 */
-  w05 = 4.0625000000000000e-01;
-  /* #48: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #49: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #47: @6 = 0.40625 */
+  w06 = 4.0625000000000000e-01;
+  /* #48: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #49: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #50: @5 = 0.4375 */
-  w05 = 4.3750000000000000e-01;
-  /* #51: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #52: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #50: @6 = 0.4375 */
+  w06 = 4.3750000000000000e-01;
+  /* #51: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #52: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #53: @5 = 0.46875 */
-  w05 = 4.6875000000000000e-01;
-  /* #54: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #55: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #53: @6 = 0.46875 */
+  w06 = 4.6875000000000000e-01;
+  /* #54: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #55: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #56: @5 = 0.5 */
-  w05 = 5.0000000000000000e-01;
-  /* #57: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #58: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #56: @6 = 0.5 */
+  w06 = 5.0000000000000000e-01;
+  /* #57: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #58: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #59: @5 = 0.53125 */
-  w05 = 5.3125000000000000e-01;
-  /* #60: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #61: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #59: @6 = 0.53125 */
+  w06 = 5.3125000000000000e-01;
+  /* #60: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #61: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #62: @5 = 0.5625 */
-  w05 = 5.6250000000000000e-01;
-  /* #63: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #64: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #62: @6 = 0.5625 */
+  w06 = 5.6250000000000000e-01;
+  /* #63: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #64: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #65: @5 = 0.59375 */
-  w05 = 5.9375000000000000e-01;
-  /* #66: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #67: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #65: @6 = 0.59375 */
+  w06 = 5.9375000000000000e-01;
+  /* #66: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #67: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #68: @5 = 0.625 */
-  w05 = 6.2500000000000000e-01;
-  /* #69: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #70: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #68: @6 = 0.625 */
+  w06 = 6.2500000000000000e-01;
+  /* #69: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #70: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #71: @5 = 0.65625 */
-  w05 = 6.5625000000000000e-01;
-  /* #72: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #73: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #71: @6 = 0.65625 */
+  w06 = 6.5625000000000000e-01;
+  /* #72: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #73: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #74: @5 = 0.6875 */
-  w05 = 6.8750000000000000e-01;
-  /* #75: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #76: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #74: @6 = 0.6875 */
+  w06 = 6.8750000000000000e-01;
+  /* #75: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #76: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #77: @5 = 0.71875 */
-  w05 = 7.1875000000000000e-01;
-  /* #78: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #79: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #77: @6 = 0.71875 */
+  w06 = 7.1875000000000000e-01;
+  /* #78: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #79: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #80: @5 = 0.75 */
-  w05 = 7.5000000000000000e-01;
-  /* #81: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #82: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #80: @6 = 0.75 */
+  w06 = 7.5000000000000000e-01;
+  /* #81: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #82: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #83: @5 = 0.78125 */
-  w05 = 7.8125000000000000e-01;
-  /* #84: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #85: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #83: @6 = 0.78125 */
+  w06 = 7.8125000000000000e-01;
+  /* #84: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #85: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #86: @5 = 0.8125 */
-  w05 = 8.1250000000000000e-01;
-  /* #87: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #88: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #86: @6 = 0.8125 */
+  w06 = 8.1250000000000000e-01;
+  /* #87: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #88: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #89: @5 = 0.84375 */
-  w05 = 8.4375000000000000e-01;
-  /* #90: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #91: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #89: @6 = 0.84375 */
+  w06 = 8.4375000000000000e-01;
+  /* #90: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #91: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #92: @5 = 0.875 */
-  w05 = 8.7500000000000000e-01;
-  /* #93: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #94: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #92: @6 = 0.875 */
+  w06 = 8.7500000000000000e-01;
+  /* #93: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #94: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #95: @5 = 0.90625 */
-  w05 = 9.0625000000000000e-01;
-  /* #96: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #97: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #95: @6 = 0.90625 */
+  w06 = 9.0625000000000000e-01;
+  /* #96: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #97: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #98: @5 = 0.9375 */
-  w05 = 9.3750000000000000e-01;
-  /* #99: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #100: @10 = variational_steps(@4, @5, @9, @7, @8) */
-  arg1[0]=w04;
-  arg1[1]=(&w05);
+  /* #98: @6 = 0.9375 */
+  w06 = 9.3750000000000000e-01;
+  /* #99: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #100: @10 = variational_steps(@5, @6, @9, @8, @2) */
+  arg1[0]=w05;
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
   res1[0]=w10;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #101: @5 = 0.96875 */
-  w05 = 9.6875000000000000e-01;
-  /* #102: @5 = (@5*@6) */
-  w05 *= w06;
-  /* #103: @4 = variational_steps(@10, @5, @9, @7, @8) */
+  /* #101: @6 = 0.96875 */
+  w06 = 9.6875000000000000e-01;
+  /* #102: @6 = (@6*@7) */
+  w06 *= w07;
+  /* #103: @5 = variational_steps(@10, @6, @9, @8, @2) */
   arg1[0]=w10;
-  arg1[1]=(&w05);
+  arg1[1]=(&w06);
   arg1[2]=w09;
-  arg1[3]=(&w07);
-  arg1[4]=wr08;
-  res1[0]=w04;
+  arg1[3]=(&w08);
+  arg1[4]=wr02;
+  res1[0]=w05;
   if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #104: {@10, @0} = landing_with_derivative(@4, @1, @6, @8) */
-  arg1[0]=w04;
+  /* #104: {@10, @0} = landing_with_derivative(@5, @1, @7, @2) */
+  arg1[0]=w05;
   arg1[1]=w01;
-  arg1[2]=(&w06);
-  arg1[3]=wr08;
+  arg1[2]=(&w07);
+  arg1[3]=wr02;
   res1[0]=w10;
   res1[1]=w00;
   if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
@@ -18318,7 +16974,7 @@ static int casadi_f74(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* wobbling_limit_cycle_384:(u0[6],p[8])->(u[6],J[6x6],R[6]) */
-static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f57(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+3, *w0=w+752, *w2=w+758, *w3=w+764;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
@@ -18329,15 +16985,15 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w2;
-  if (casadi_f70(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f58(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 6, res[0]);
-  /* #4: {@3, @0} = jacobian_384(@2, @1) */
+  /* #4: {@3, @0} = wobbling_jacobian_384(@2, @1) */
   arg1[0]=w2;
   arg1[1]=wr1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f74(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f61(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 36, res[1]);
   /* #6: output[2][0] = @0 */
@@ -18346,7 +17002,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_384(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f69(arg, res, iw, w, mem);
+  return casadi_f57(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_384_checkout(void) {
@@ -18422,8 +17078,1488 @@ CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_384_work_bytes(casadi_int *sz_arg,
   return 0;
 }
 
+CASADI_SYMBOL_EXPORT int wobbling_residual_12(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f9(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_12_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_residual_12_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_residual_12_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_residual_12_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_residual_12_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_residual_12_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real wobbling_residual_12_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_residual_12_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_residual_12_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_residual_12_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_residual_12_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_12_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 3;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 199;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_12_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 3*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 199*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_24(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f16(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_24_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_residual_24_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_residual_24_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_residual_24_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_residual_24_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_residual_24_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real wobbling_residual_24_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_residual_24_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_residual_24_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_residual_24_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_residual_24_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_24_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 3;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 199;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_24_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 3*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 199*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_36(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f27(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_36_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_residual_36_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_residual_36_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_residual_36_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_residual_36_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_residual_36_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real wobbling_residual_36_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_residual_36_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_residual_36_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_residual_36_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_residual_36_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_36_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 3;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 199;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_36_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 3*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 199*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f20(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_48_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_residual_48_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_residual_48_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_residual_48_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_residual_48_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_residual_48_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real wobbling_residual_48_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_residual_48_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_residual_48_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_residual_48_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_residual_48_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_48_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 3;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 199;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_48_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 3*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 199*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_72(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f35(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_72_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_residual_72_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_residual_72_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_residual_72_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_residual_72_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_residual_72_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real wobbling_residual_72_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_residual_72_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_residual_72_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_residual_72_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_residual_72_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_72_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 3;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 199;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_72_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 3*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 199*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_96(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f40(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_96_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_residual_96_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_residual_96_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_residual_96_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_residual_96_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_residual_96_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real wobbling_residual_96_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_residual_96_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_residual_96_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_residual_96_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_residual_96_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_96_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 3;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 199;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_96_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 3*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 199*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_144(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f45(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_144_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_residual_144_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_residual_144_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_residual_144_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_residual_144_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_residual_144_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real wobbling_residual_144_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_residual_144_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_residual_144_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_residual_144_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_residual_144_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_144_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 3;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 199;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_144_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 3*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 199*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_192(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f50(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_192_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_residual_192_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_residual_192_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_residual_192_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_residual_192_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_residual_192_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real wobbling_residual_192_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_residual_192_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_residual_192_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_residual_192_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_residual_192_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_192_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 3;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 199;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_192_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 3*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 199*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_288(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f55(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_288_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_residual_288_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_residual_288_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_residual_288_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_residual_288_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_residual_288_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real wobbling_residual_288_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_residual_288_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_residual_288_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_residual_288_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_residual_288_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_288_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 3;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 199;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_288_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 3*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 199*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_384(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f60(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_384_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_residual_384_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_residual_384_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_residual_384_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_residual_384_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_residual_384_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real wobbling_residual_384_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_residual_384_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_residual_384_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_residual_384_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_residual_384_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_384_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 3;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 199;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_residual_384_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 3*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 199*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_12(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f2(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_12_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_jacobian_12_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_jacobian_12_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_jacobian_12_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_jacobian_12_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_jacobian_12_n_out(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_real wobbling_jacobian_12_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_jacobian_12_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_jacobian_12_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "J";
+    case 1: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_jacobian_12_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_jacobian_12_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s6;
+    case 1: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_12_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 4;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 565;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_12_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 4*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 565*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_24(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f15(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_24_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_jacobian_24_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_jacobian_24_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_jacobian_24_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_jacobian_24_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_jacobian_24_n_out(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_real wobbling_jacobian_24_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_jacobian_24_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_jacobian_24_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "J";
+    case 1: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_jacobian_24_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_jacobian_24_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s6;
+    case 1: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_24_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 4;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 565;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_24_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 4*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 565*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_36(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f28(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_36_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_jacobian_36_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_jacobian_36_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_jacobian_36_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_jacobian_36_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_jacobian_36_n_out(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_real wobbling_jacobian_36_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_jacobian_36_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_jacobian_36_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "J";
+    case 1: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_jacobian_36_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_jacobian_36_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s6;
+    case 1: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_36_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 4;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 565;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_36_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 4*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 565*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f19(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_48_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_jacobian_48_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_jacobian_48_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_jacobian_48_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_jacobian_48_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_jacobian_48_n_out(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_real wobbling_jacobian_48_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_jacobian_48_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_jacobian_48_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "J";
+    case 1: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_jacobian_48_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_jacobian_48_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s6;
+    case 1: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_48_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 4;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 565;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_48_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 4*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 565*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_72(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f36(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_72_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_jacobian_72_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_jacobian_72_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_jacobian_72_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_jacobian_72_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_jacobian_72_n_out(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_real wobbling_jacobian_72_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_jacobian_72_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_jacobian_72_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "J";
+    case 1: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_jacobian_72_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_jacobian_72_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s6;
+    case 1: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_72_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 4;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 565;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_72_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 4*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 565*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_96(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f41(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_96_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_jacobian_96_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_jacobian_96_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_jacobian_96_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_jacobian_96_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_jacobian_96_n_out(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_real wobbling_jacobian_96_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_jacobian_96_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_jacobian_96_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "J";
+    case 1: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_jacobian_96_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_jacobian_96_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s6;
+    case 1: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_96_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 4;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 565;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_96_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 4*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 565*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_144(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f46(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_144_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_jacobian_144_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_jacobian_144_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_jacobian_144_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_jacobian_144_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_jacobian_144_n_out(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_real wobbling_jacobian_144_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_jacobian_144_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_jacobian_144_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "J";
+    case 1: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_jacobian_144_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_jacobian_144_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s6;
+    case 1: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_144_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 4;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 565;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_144_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 4*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 565*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_192(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f51(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_192_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_jacobian_192_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_jacobian_192_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_jacobian_192_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_jacobian_192_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_jacobian_192_n_out(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_real wobbling_jacobian_192_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_jacobian_192_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_jacobian_192_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "J";
+    case 1: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_jacobian_192_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_jacobian_192_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s6;
+    case 1: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_192_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 4;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 565;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_192_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 4*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 565*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_288(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f56(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_288_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_jacobian_288_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_jacobian_288_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_jacobian_288_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_jacobian_288_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_jacobian_288_n_out(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_real wobbling_jacobian_288_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_jacobian_288_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_jacobian_288_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "J";
+    case 1: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_jacobian_288_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_jacobian_288_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s6;
+    case 1: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_288_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 4;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 565;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_288_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 4*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 565*sizeof(casadi_real);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_384(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f61(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_384_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_jacobian_384_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_jacobian_384_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_jacobian_384_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_jacobian_384_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_jacobian_384_n_out(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_real wobbling_jacobian_384_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_jacobian_384_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_jacobian_384_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "J";
+    case 1: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_jacobian_384_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_jacobian_384_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s6;
+    case 1: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_384_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12;
+  if (sz_res) *sz_res = 4;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 565;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_jacobian_384_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 4*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 565*sizeof(casadi_real);
+  return 0;
+}
+
 /* working_step:(y[7],phase[2],turns[2x12],h,p[8])->(y_end[7]) */
-static int casadi_f77(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f64(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a000, a001, a002, a003, a004, a005, a006, a007, a008, a009, a010, a011;
   casadi_real a012, a013, a014, a015, a016, a017, a018, a019, a020, a021, a022, a023;
   casadi_real a024, a025, a026, a027, a028, a029, a030, a031, a032, a033, a034, a035;
@@ -20182,7 +20318,7 @@ static int casadi_f77(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* observe:(t,y[6],p[8])->(g[8],dg[8]) */
-static int casadi_f78(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f65(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
@@ -20190,489 +20326,489 @@ static int casadi_f78(const casadi_real** arg, casadi_real** res, casadi_int* iw
   casadi_real a48, a49, a50, a51, a52, a53, a54, a55, a56, a57, a58, a59;
   casadi_real a60, a61, a62, a63, a64, a65, a66, a67, a68, a69, a70, a71;
   casadi_real a72, a73, a74, a75, a76, a77, a78;
-  a00=arg[2]? arg[2][5] : 0;
-  a01=arg[1]? arg[1][4] : 0;
-  a02=arg[2]? arg[2][7] : 0;
-  a03=arg[2]? arg[2][2] : 0;
-  a04=(a02*a03);
-  a05=arg[0]? arg[0][0] : 0;
-  a05=(a03*a05);
-  a06=sin(a05);
-  a07=(a04*a06);
-  a07=(a01+a07);
-  a07=(a00*a07);
-  a08=arg[2]? arg[2][4] : 0;
-  a09=arg[2]? arg[2][6] : 0;
-  a05=cos(a05);
-  a10=1.;
-  a11=(a05+a10);
-  a11=(a02*a11);
-  a09=(a09-a11);
-  a11=arg[1]? arg[1][1] : 0;
-  a09=(a09+a11);
-  a09=(a08*a09);
-  a07=(a07+a09);
-  a09=(a07*a01);
-  a09=(-a09);
-  if (res[0]!=0) res[0][0]=a09;
-  a09=arg[2]? arg[2][1] : 0;
-  a12=arg[1]? arg[1][2] : 0;
-  a13=(a09*a12);
-  a14=arg[2]? arg[2][3] : 0;
-  a15=arg[1]? arg[1][0] : 0;
-  a16=(a15-a11);
-  a17=sin(a16);
-  a18=sin(a15);
-  a19=(a17-a18);
-  a19=(a14*a19);
-  a19=(a19-a18);
-  a13=(a13+a19);
-  a20=(2.*a14);
-  a21=(a20+a10);
-  a13=(a13/a21);
-  a22=cos(a15);
-  a16=cos(a16);
-  a23=(a22-a16);
-  a24=(a14*a23);
-  a24=(a24+a22);
-  a24=(a24/a21);
-  a25=(a14*a01);
-  a26=sin(a11);
-  a27=(a25*a26);
-  a28=arg[1]? arg[1][3] : 0;
-  a29=(2.*a28);
-  a30=(a01-a29);
-  a31=(a27*a30);
-  a19=(a31-a19);
-  a32=cos(a11);
-  a33=(a10-a32);
-  a33=(a20*a33);
-  a33=(a33+a10);
-  a34=(a19/a33);
-  a35=(a32-a10);
-  a35=(a14*a35);
-  a36=(a35/a33);
-  a37=casadi_sq(a28);
-  a38=(a37*a26);
-  a38=(a38+a17);
-  a38=(a14*a38);
-  a38=(a38-a07);
-  a39=(a36*a19);
-  a39=(a38-a39);
-  a40=(a35*a36);
-  a40=(a14-a40);
+  a00=arg[2]? arg[2][1] : 0;
+  a01=arg[1]? arg[1][2] : 0;
+  a02=(a00*a01);
+  a03=arg[2]? arg[2][3] : 0;
+  a04=arg[1]? arg[1][0] : 0;
+  a05=arg[1]? arg[1][1] : 0;
+  a06=(a04-a05);
+  a07=sin(a06);
+  a08=sin(a04);
+  a09=(a07-a08);
+  a09=(a03*a09);
+  a09=(a09-a08);
+  a02=(a02+a09);
+  a10=(2.*a03);
+  a11=1.;
+  a12=(a10+a11);
+  a02=(a02/a12);
+  a13=cos(a04);
+  a06=cos(a06);
+  a14=(a13-a06);
+  a15=(a03*a14);
+  a15=(a15+a13);
+  a15=(a15/a12);
+  a16=arg[1]? arg[1][4] : 0;
+  a17=(a03*a16);
+  a18=sin(a05);
+  a19=(a17*a18);
+  a20=arg[1]? arg[1][3] : 0;
+  a21=(2.*a20);
+  a22=(a16-a21);
+  a23=(a19*a22);
+  a09=(a23-a09);
+  a24=cos(a05);
+  a25=(a11-a24);
+  a25=(a10*a25);
+  a25=(a25+a11);
+  a26=(a09/a25);
+  a27=(a24-a11);
+  a27=(a03*a27);
+  a28=(a27/a25);
+  a29=casadi_sq(a20);
+  a30=(a29*a18);
+  a30=(a30+a07);
+  a30=(a03*a30);
+  a31=arg[2]? arg[2][5] : 0;
+  a32=arg[2]? arg[2][7] : 0;
+  a33=arg[2]? arg[2][2] : 0;
+  a34=(a32*a33);
+  a35=arg[0]? arg[0][0] : 0;
+  a35=(a33*a35);
+  a36=sin(a35);
+  a37=(a34*a36);
+  a37=(a16+a37);
+  a37=(a31*a37);
+  a38=arg[2]? arg[2][4] : 0;
+  a39=arg[2]? arg[2][6] : 0;
+  a35=cos(a35);
+  a40=(a35+a11);
+  a40=(a32*a40);
+  a39=(a39-a40);
+  a39=(a39+a05);
+  a39=(a38*a39);
+  a37=(a37+a39);
+  a30=(a30-a37);
+  a39=(a28*a09);
+  a39=(a30-a39);
+  a40=(a27*a28);
+  a40=(a03-a40);
   a41=(a39/a40);
-  a42=(a09*a22);
-  a43=(a42/a33);
-  a44=(a35*a43);
+  a42=(a00*a13);
+  a43=(a42/a25);
+  a44=(a27*a43);
   a45=(a44/a40);
-  a46=(a43*a19);
-  a47=(a09*a28);
-  a48=(a47*a28);
-  a49=(a48*a18);
+  a46=(a43*a09);
+  a47=(a00*a20);
+  a48=(a47*a20);
+  a49=(a48*a08);
   a50=arg[2]? arg[2][0] : 0;
-  a51=(a50*a12);
+  a51=(a50*a01);
   a49=(a49+a51);
   a46=(a46-a49);
   a51=(a45*a39);
   a46=(a46-a51);
   a51=(a42*a43);
-  a51=(a09-a51);
+  a51=(a00-a51);
   a52=(a44*a45);
   a51=(a51-a52);
   a46=(a46/a51);
   a52=(a45*a46);
   a52=(a41-a52);
-  a53=(a36*a52);
-  a53=(a34-a53);
+  a53=(a28*a52);
+  a53=(a26-a53);
   a54=(a43*a46);
   a53=(a53+a54);
-  a54=(a16-a22);
-  a54=(a14*a54);
-  a54=(a54-a22);
+  a54=(a06-a13);
+  a54=(a03*a54);
+  a54=(a54-a13);
   a55=(a53*a54);
-  a56=(a52*a14);
-  a57=(a56*a16);
+  a56=(a52*a03);
+  a57=(a56*a06);
   a55=(a55-a57);
-  a57=(a46*a09);
+  a57=(a46*a00);
   a55=(a55+a57);
-  a57=(a25*a01);
-  a58=(a57*a17);
+  a57=(a17*a16);
+  a58=(a57*a07);
   a55=(a55-a58);
-  a59=(a14*a17);
-  a60=(a29*a01);
+  a59=(a03*a07);
+  a60=(a21*a16);
   a61=(a59*a60);
   a55=(a55+a61);
-  a62=(a14*a18);
+  a62=(a03*a08);
   a62=(a62-a59);
-  a62=(a62+a18);
-  a63=(a37*a62);
+  a62=(a62+a08);
+  a63=(a29*a62);
   a55=(a55+a63);
-  a64=(a24*a55);
-  a65=(a53*a17);
-  a66=(a52*a17);
+  a64=(a15*a55);
+  a65=(a53*a07);
+  a66=(a52*a07);
   a65=(a65-a66);
-  a66=(a16*a28);
-  a67=(a66*a28);
+  a66=(a06*a20);
+  a67=(a66*a20);
   a65=(a65+a67);
-  a68=(a16*a01);
-  a69=(a68*a01);
+  a68=(a06*a16);
+  a69=(a68*a16);
   a65=(a65+a69);
-  a70=(a16*a60);
+  a70=(a06*a60);
   a65=(a65-a70);
-  a71=(a53*a18);
-  a72=(a22*a28);
-  a73=(a72*a28);
+  a71=(a53*a08);
+  a72=(a13*a20);
+  a73=(a72*a20);
   a71=(a71+a73);
   a65=(a65-a71);
   a74=2.;
   a65=(a65+a74);
-  a65=(a14*a65);
+  a65=(a03*a65);
   a65=(a65-a71);
-  a65=(a65+a10);
+  a65=(a65+a11);
   a64=(a64/a65);
-  a13=(a13-a64);
-  a13=(-a13);
-  if (res[0]!=0) res[0][1]=a13;
-  a13=(a18-a17);
-  a13=(a14*a13);
-  a31=(a31+a13);
-  a31=(a31+a18);
-  a13=(a31/a33);
-  a71=(a36*a31);
-  a38=(a38-a71);
-  a71=(a38/a40);
-  a75=(a43*a31);
+  a02=(a02-a64);
+  a02=(-a02);
+  if (res[0]!=0) res[0][0]=a02;
+  a02=(a08-a07);
+  a02=(a03*a02);
+  a23=(a23+a02);
+  a23=(a23+a08);
+  a02=(a23/a25);
+  a71=(a28*a23);
+  a30=(a30-a71);
+  a71=(a30/a40);
+  a75=(a43*a23);
   a75=(a75-a49);
-  a49=(a45*a38);
+  a49=(a45*a30);
   a75=(a75-a49);
   a75=(a75/a51);
   a49=(a45*a75);
   a49=(a71-a49);
-  a76=(a36*a49);
-  a76=(a13-a76);
+  a76=(a28*a49);
+  a76=(a02-a76);
   a77=(a43*a75);
   a76=(a76+a77);
-  a77=(a76*a17);
-  a78=(a49*a17);
+  a77=(a76*a07);
+  a78=(a49*a07);
   a77=(a77-a78);
   a77=(a77+a67);
   a77=(a77+a69);
   a77=(a77-a70);
-  a70=(a76*a18);
+  a70=(a76*a08);
   a70=(a70+a73);
   a77=(a77-a70);
   a77=(a77+a74);
-  a77=(a14*a77);
+  a77=(a03*a77);
   a77=(a77-a70);
-  a77=(a77+a10);
-  if (res[0]!=0) res[0][2]=a77;
-  a10=(a76*a54);
-  a70=(a49*a14);
-  a74=(a70*a16);
-  a10=(a10-a74);
-  a74=(a75*a09);
-  a10=(a10+a74);
-  a10=(a10-a58);
-  a10=(a10+a61);
-  a10=(a10+a63);
-  a10=(a10/a77);
-  if (res[0]!=0) res[0][3]=a10;
-  if (res[0]!=0) res[0][4]=a23;
-  if (res[0]!=0) res[0][5]=a76;
-  a15=(2.*a15);
-  a11=(a11-a15);
-  if (res[0]!=0) res[0][6]=a11;
-  if (res[0]!=0) res[0][7]=a12;
-  a05=(a05*a03);
-  a04=(a04*a05);
-  a04=(a49+a04);
-  a00=(a00*a04);
-  a06=(a06*a03);
-  a02=(a02*a06);
-  a02=(a02+a01);
-  a08=(a08*a02);
-  a00=(a00+a08);
-  a08=(a01*a00);
-  a07=(a07*a49);
-  a08=(a08+a07);
-  a08=(-a08);
-  if (res[1]!=0) res[1][0]=a08;
-  a08=arg[1]? arg[1][5] : 0;
-  a07=(a09*a08);
-  a02=(a28-a01);
-  a06=(a16*a02);
-  a03=(a06-a72);
-  a03=(a14*a03);
-  a03=(a03-a72);
-  a07=(a07+a03);
-  a07=(a07/a21);
-  a02=(a17*a02);
-  a04=(a18*a28);
-  a05=(a02-a04);
-  a12=(a14*a05);
-  a12=(a12-a04);
-  a12=(a12/a21);
-  a55=(a55*a12);
-  a12=(a14*a49);
-  a21=(a26*a12);
-  a32=(a32*a01);
-  a11=(a25*a32);
-  a21=(a21+a11);
-  a21=(a30*a21);
-  a11=(2.*a76);
-  a15=(a49-a11);
-  a27=(a27*a15);
-  a21=(a21+a27);
-  a03=(a21-a03);
-  a27=(a03/a33);
-  a34=(a34/a33);
-  a15=(a26*a01);
-  a20=(a20*a15);
-  a34=(a34*a20);
-  a27=(a27-a34);
-  a34=(a29*a76);
-  a26=(a26*a34);
-  a32=(a37*a32);
-  a26=(a26+a32);
-  a26=(a26+a06);
-  a26=(a14*a26);
-  a26=(a26-a00);
-  a00=(a36*a03);
-  a15=(a14*a15);
-  a32=(a15/a33);
-  a23=(a36/a33);
-  a23=(a23*a20);
-  a32=(a32+a23);
-  a23=(a19*a32);
-  a00=(a00-a23);
-  a00=(a26-a00);
-  a23=(a00/a40);
+  a77=(a77+a11);
+  if (res[0]!=0) res[0][1]=a77;
+  a11=(a76*a54);
+  a70=(a49*a03);
+  a74=(a70*a06);
+  a11=(a11-a74);
+  a74=(a75*a00);
+  a11=(a11+a74);
+  a11=(a11-a58);
+  a11=(a11+a61);
+  a11=(a11+a63);
+  a11=(a11/a77);
+  if (res[0]!=0) res[0][2]=a11;
+  if (res[0]!=0) res[0][3]=a14;
+  if (res[0]!=0) res[0][4]=a76;
+  a04=(2.*a04);
+  a05=(a05-a04);
+  if (res[0]!=0) res[0][5]=a05;
+  if (res[0]!=0) res[0][6]=a01;
+  a01=(a37*a16);
+  a01=(-a01);
+  if (res[0]!=0) res[0][7]=a01;
+  a01=arg[1]? arg[1][5] : 0;
+  a05=(a00*a01);
+  a04=(a20-a16);
+  a14=(a06*a04);
+  a63=(a14-a72);
+  a63=(a03*a63);
+  a63=(a63-a72);
+  a05=(a05+a63);
+  a05=(a05/a12);
+  a04=(a07*a04);
+  a61=(a08*a20);
+  a58=(a04-a61);
+  a74=(a03*a58);
+  a74=(a74-a61);
+  a74=(a74/a12);
+  a55=(a55*a74);
+  a74=(a03*a49);
+  a12=(a18*a74);
+  a24=(a24*a16);
+  a73=(a17*a24);
+  a12=(a12+a73);
+  a12=(a22*a12);
+  a73=(2.*a76);
+  a69=(a49-a73);
+  a19=(a19*a69);
+  a12=(a12+a19);
+  a63=(a12-a63);
+  a19=(a63/a25);
+  a26=(a26/a25);
+  a69=(a18*a16);
+  a10=(a10*a69);
+  a26=(a26*a10);
+  a19=(a19-a26);
+  a26=(a21*a76);
+  a18=(a18*a26);
+  a24=(a29*a24);
+  a18=(a18+a24);
+  a18=(a18+a14);
+  a18=(a03*a18);
+  a35=(a35*a33);
+  a34=(a34*a35);
+  a34=(a49+a34);
+  a31=(a31*a34);
+  a36=(a36*a33);
+  a32=(a32*a36);
+  a32=(a32+a16);
+  a38=(a38*a32);
+  a31=(a31+a38);
+  a18=(a18-a31);
+  a38=(a28*a63);
+  a69=(a03*a69);
+  a32=(a69/a25);
+  a36=(a28/a25);
+  a36=(a36*a10);
+  a32=(a32+a36);
+  a36=(a09*a32);
+  a38=(a38-a36);
+  a38=(a18-a38);
+  a36=(a38/a40);
   a41=(a41/a40);
-  a63=(a36*a15);
-  a61=(a35*a32);
-  a63=(a63+a61);
-  a41=(a41*a63);
-  a23=(a23-a41);
-  a03=(a43*a03);
-  a41=(a09*a04);
-  a61=(a41/a33);
-  a58=(a43/a33);
-  a58=(a58*a20);
-  a61=(a61+a58);
-  a19=(a19*a61);
-  a03=(a03-a19);
-  a19=(a09*a76);
-  a19=(a28*a19);
+  a33=(a28*a69);
+  a34=(a27*a32);
+  a33=(a33+a34);
+  a41=(a41*a33);
+  a36=(a36-a41);
+  a63=(a43*a63);
+  a41=(a00*a61);
+  a34=(a41/a25);
+  a35=(a43/a25);
+  a35=(a35*a10);
+  a34=(a34+a35);
+  a09=(a09*a34);
+  a63=(a63-a09);
+  a09=(a00*a76);
+  a09=(a20*a09);
   a47=(a47*a76);
-  a19=(a19+a47);
-  a19=(a18*a19);
+  a09=(a09+a47);
+  a09=(a08*a09);
   a48=(a48*a72);
-  a19=(a19+a48);
-  a50=(a50*a08);
-  a19=(a19+a50);
-  a03=(a03-a19);
-  a00=(a45*a00);
-  a15=(a43*a15);
-  a35=(a35*a61);
-  a15=(a15+a35);
-  a35=(a15/a40);
+  a09=(a09+a48);
+  a50=(a50*a01);
+  a09=(a09+a50);
+  a63=(a63-a09);
+  a38=(a45*a38);
+  a69=(a43*a69);
+  a27=(a27*a34);
+  a69=(a69+a27);
+  a27=(a69/a40);
   a50=(a45/a40);
-  a50=(a50*a63);
-  a35=(a35+a50);
-  a39=(a39*a35);
-  a00=(a00-a39);
-  a03=(a03-a00);
-  a03=(a03/a51);
-  a00=(a46/a51);
+  a50=(a50*a33);
+  a27=(a27+a50);
+  a39=(a39*a27);
+  a38=(a38-a39);
+  a63=(a63-a38);
+  a63=(a63/a51);
+  a38=(a46/a51);
   a41=(a43*a41);
-  a42=(a42*a61);
+  a42=(a42*a34);
   a41=(a41+a42);
-  a15=(a45*a15);
-  a44=(a44*a35);
-  a15=(a15+a44);
-  a41=(a41+a15);
-  a00=(a00*a41);
-  a03=(a03-a00);
-  a00=(a45*a03);
-  a15=(a46*a35);
-  a00=(a00-a15);
-  a23=(a23-a00);
-  a00=(a36*a23);
-  a15=(a52*a32);
-  a00=(a00-a15);
-  a27=(a27-a00);
-  a00=(a43*a03);
-  a46=(a46*a61);
-  a00=(a00-a46);
-  a27=(a27+a00);
-  a00=(a54*a27);
-  a46=(a04-a02);
-  a46=(a14*a46);
-  a46=(a46+a04);
-  a15=(a53*a46);
-  a00=(a00+a15);
-  a15=(a14*a23);
-  a15=(a16*a15);
-  a56=(a56*a02);
-  a15=(a15-a56);
-  a00=(a00-a15);
-  a03=(a09*a03);
-  a00=(a00+a03);
-  a12=(a01*a12);
-  a25=(a25*a49);
-  a12=(a12+a25);
-  a12=(a17*a12);
-  a57=(a57*a06);
-  a12=(a12+a57);
-  a00=(a00-a12);
-  a57=(a14*a06);
-  a25=(a60*a57);
-  a11=(a01*a11);
-  a29=(a29*a49);
-  a11=(a11+a29);
-  a59=(a59*a11);
-  a25=(a25+a59);
-  a00=(a00+a25);
-  a62=(a62*a34);
-  a34=(a14*a72);
-  a34=(a34-a57);
-  a34=(a34+a72);
-  a37=(a37*a34);
-  a62=(a62+a37);
-  a00=(a00+a62);
-  a24=(a24*a00);
-  a55=(a55+a24);
+  a69=(a45*a69);
+  a44=(a44*a27);
+  a69=(a69+a44);
+  a41=(a41+a69);
+  a38=(a38*a41);
+  a63=(a63-a38);
+  a38=(a45*a63);
+  a69=(a46*a27);
+  a38=(a38-a69);
+  a36=(a36-a38);
+  a38=(a28*a36);
+  a69=(a52*a32);
+  a38=(a38-a69);
+  a19=(a19-a38);
+  a38=(a43*a63);
+  a46=(a46*a34);
+  a38=(a38-a46);
+  a19=(a19+a38);
+  a38=(a54*a19);
+  a46=(a61-a04);
+  a46=(a03*a46);
+  a46=(a46+a61);
+  a69=(a53*a46);
+  a38=(a38+a69);
+  a69=(a03*a36);
+  a69=(a06*a69);
+  a56=(a56*a04);
+  a69=(a69-a56);
+  a38=(a38-a69);
+  a63=(a00*a63);
+  a38=(a38+a63);
+  a74=(a16*a74);
+  a17=(a17*a49);
+  a74=(a74+a17);
+  a74=(a07*a74);
+  a57=(a57*a14);
+  a74=(a74+a57);
+  a38=(a38-a74);
+  a57=(a03*a14);
+  a17=(a60*a57);
+  a73=(a16*a73);
+  a21=(a21*a49);
+  a73=(a73+a21);
+  a59=(a59*a73);
+  a17=(a17+a59);
+  a38=(a38+a17);
+  a62=(a62*a26);
+  a26=(a03*a72);
+  a26=(a26-a57);
+  a26=(a26+a72);
+  a29=(a29*a26);
+  a62=(a62+a29);
+  a38=(a38+a62);
+  a15=(a15*a38);
+  a55=(a55+a15);
   a55=(a55/a65);
   a64=(a64/a65);
-  a65=(a17*a27);
-  a24=(a53*a06);
-  a65=(a65+a24);
-  a23=(a17*a23);
-  a52=(a52*a06);
-  a23=(a23+a52);
-  a65=(a65-a23);
-  a23=(a16*a76);
-  a52=(a28*a02);
-  a23=(a23-a52);
-  a23=(a28*a23);
+  a65=(a07*a19);
+  a15=(a53*a14);
+  a65=(a65+a15);
+  a36=(a07*a36);
+  a52=(a52*a14);
+  a36=(a36+a52);
+  a65=(a65-a36);
+  a36=(a06*a76);
+  a52=(a20*a04);
+  a36=(a36-a52);
+  a36=(a20*a36);
   a66=(a66*a76);
-  a23=(a23+a66);
-  a65=(a65+a23);
-  a66=(a16*a49);
-  a52=(a01*a02);
+  a36=(a36+a66);
+  a65=(a65+a36);
+  a66=(a06*a49);
+  a52=(a16*a04);
   a66=(a66-a52);
-  a01=(a01*a66);
+  a66=(a16*a66);
   a68=(a68*a49);
-  a01=(a01+a68);
-  a65=(a65+a01);
-  a11=(a16*a11);
-  a60=(a60*a02);
-  a11=(a11-a60);
-  a65=(a65-a11);
-  a27=(a18*a27);
+  a66=(a66+a68);
+  a65=(a65+a66);
+  a73=(a06*a73);
+  a60=(a60*a04);
+  a73=(a73-a60);
+  a65=(a65-a73);
+  a19=(a08*a19);
   a53=(a53*a72);
-  a27=(a27+a53);
-  a22=(a22*a76);
-  a04=(a28*a04);
-  a22=(a22-a04);
-  a28=(a28*a22);
-  a22=(a72*a76);
-  a28=(a28+a22);
-  a27=(a27+a28);
-  a65=(a65-a27);
-  a65=(a14*a65);
-  a65=(a65-a27);
+  a19=(a19+a53);
+  a13=(a13*a76);
+  a61=(a20*a61);
+  a13=(a13-a61);
+  a20=(a20*a13);
+  a13=(a72*a76);
+  a20=(a20+a13);
+  a19=(a19+a20);
+  a65=(a65-a19);
+  a65=(a03*a65);
+  a65=(a65-a19);
   a64=(a64*a65);
   a55=(a55-a64);
-  a07=(a07-a55);
-  a07=(-a07);
-  if (res[1]!=0) res[1][1]=a07;
-  a07=(a72-a06);
-  a07=(a14*a07);
-  a21=(a21+a07);
-  a21=(a21+a72);
-  a07=(a21/a33);
-  a13=(a13/a33);
-  a13=(a13*a20);
-  a07=(a07-a13);
-  a13=(a36*a21);
-  a20=(a31*a32);
-  a13=(a13-a20);
-  a26=(a26-a13);
-  a13=(a26/a40);
+  a05=(a05-a55);
+  a05=(-a05);
+  if (res[1]!=0) res[1][0]=a05;
+  a05=(a72-a14);
+  a05=(a03*a05);
+  a12=(a12+a05);
+  a12=(a12+a72);
+  a05=(a12/a25);
+  a02=(a02/a25);
+  a02=(a02*a10);
+  a05=(a05-a02);
+  a02=(a28*a12);
+  a10=(a23*a32);
+  a02=(a02-a10);
+  a18=(a18-a02);
+  a02=(a18/a40);
   a71=(a71/a40);
-  a71=(a71*a63);
-  a13=(a13-a71);
-  a21=(a43*a21);
-  a31=(a31*a61);
-  a21=(a21-a31);
-  a21=(a21-a19);
-  a26=(a45*a26);
-  a38=(a38*a35);
-  a26=(a26-a38);
-  a21=(a21-a26);
-  a21=(a21/a51);
+  a71=(a71*a33);
+  a02=(a02-a71);
+  a12=(a43*a12);
+  a23=(a23*a34);
+  a12=(a12-a23);
+  a12=(a12-a09);
+  a18=(a45*a18);
+  a30=(a30*a27);
+  a18=(a18-a30);
+  a12=(a12-a18);
+  a12=(a12/a51);
   a51=(a75/a51);
   a51=(a51*a41);
-  a21=(a21-a51);
-  a45=(a45*a21);
-  a35=(a75*a35);
-  a45=(a45-a35);
-  a13=(a13-a45);
-  a36=(a36*a13);
+  a12=(a12-a51);
+  a45=(a45*a12);
+  a27=(a75*a27);
+  a45=(a45-a27);
+  a02=(a02-a45);
+  a28=(a28*a02);
   a32=(a49*a32);
-  a36=(a36-a32);
-  a07=(a07-a36);
-  a43=(a43*a21);
-  a75=(a75*a61);
+  a28=(a28-a32);
+  a05=(a05-a28);
+  a43=(a43*a12);
+  a75=(a75*a34);
   a43=(a43-a75);
-  a07=(a07+a43);
-  a43=(a17*a07);
-  a75=(a76*a06);
+  a05=(a05+a43);
+  a43=(a07*a05);
+  a75=(a76*a14);
   a43=(a43+a75);
-  a17=(a17*a13);
-  a49=(a49*a06);
-  a17=(a17+a49);
-  a43=(a43-a17);
-  a43=(a43+a23);
-  a43=(a43+a01);
-  a43=(a43-a11);
-  a18=(a18*a07);
+  a07=(a07*a02);
+  a14=(a49*a14);
+  a07=(a07+a14);
+  a43=(a43-a07);
+  a43=(a43+a36);
+  a43=(a43+a66);
+  a43=(a43-a73);
+  a08=(a08*a05);
   a72=(a76*a72);
-  a18=(a18+a72);
-  a18=(a18+a28);
-  a43=(a43-a18);
-  a43=(a14*a43);
-  a43=(a43-a18);
-  if (res[1]!=0) res[1][2]=a43;
-  a54=(a54*a07);
+  a08=(a08+a72);
+  a08=(a08+a20);
+  a43=(a43-a08);
+  a43=(a03*a43);
+  a43=(a43-a08);
+  if (res[1]!=0) res[1][1]=a43;
+  a54=(a54*a05);
   a76=(a76*a46);
   a54=(a54+a76);
-  a14=(a14*a13);
-  a16=(a16*a14);
-  a70=(a70*a02);
-  a16=(a16-a70);
-  a54=(a54-a16);
-  a09=(a09*a21);
-  a54=(a54+a09);
-  a54=(a54-a12);
-  a54=(a54+a25);
+  a03=(a03*a02);
+  a06=(a06*a03);
+  a70=(a70*a04);
+  a06=(a06-a70);
+  a54=(a54-a06);
+  a00=(a00*a12);
+  a54=(a54+a00);
+  a54=(a54-a74);
+  a54=(a54+a17);
   a54=(a54+a62);
   a54=(a54/a77);
-  a10=(a10/a77);
-  a10=(a10*a43);
-  a54=(a54-a10);
-  if (res[1]!=0) res[1][3]=a54;
+  a11=(a11/a77);
+  a11=(a11*a43);
+  a54=(a54-a11);
+  if (res[1]!=0) res[1][2]=a54;
+  if (res[1]!=0) res[1][3]=a58;
   if (res[1]!=0) res[1][4]=a05;
-  if (res[1]!=0) res[1][5]=a07;
-  if (res[1]!=0) res[1][6]=a30;
-  if (res[1]!=0) res[1][7]=a08;
+  if (res[1]!=0) res[1][5]=a22;
+  if (res[1]!=0) res[1][6]=a01;
+  a16=(a16*a31);
+  a37=(a37*a49);
+  a16=(a16+a37);
+  a16=(-a16);
+  if (res[1]!=0) res[1][7]=a16;
   return 0;
 }
 
 /* working_steps:(t,turns[2x12],w[7],h,p[8])->(w_end[7],nodes[7x12],g[8x12],dg[8x12]) */
-static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+4, *rr, *w00=w+115, w01, *w03=w+122, w05, *w06=w+124, w07, *w08=w+131, *w09=w+138, *w10=w+145, *w11=w+152;
   casadi_real *w12=w+159, *w13=w+166, *w14=w+173, *w15=w+180, *w16=w+187, *w17=w+194, *w18=w+201, *w19=w+208, *w20=w+214, *w21=w+222, *w22=w+230, *w23=w+238;
   casadi_real *w24=w+246, *w25=w+254, *w26=w+262, *w27=w+270, *w28=w+278, *w29=w+286, *w30=w+294, *w31=w+302, *w32=w+310;
@@ -20699,7 +20835,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=wr02;
   res1[0]=w06;
-  if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #7: @7 = (@1+@5) */
   w07  = (w01+w05);
   /* #8: @3 = phase(@7, @2) */
@@ -20714,7 +20850,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=wr02;
   res1[0]=w08;
-  if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #10: @7 = (2.*@5) */
   w07 = (2.* w05 );
   /* #11: @7 = (@1+@7) */
@@ -20731,7 +20867,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=wr02;
   res1[0]=w09;
-  if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #14: @7 = 3 */
   w07 = 3.;
   /* #15: @7 = (@7*@5) */
@@ -20750,7 +20886,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #19: @7 = 4 */
   w07 = 4.;
   /* #20: @7 = (@7*@5) */
@@ -20769,7 +20905,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=wr02;
   res1[0]=w11;
-  if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #24: @7 = 5 */
   w07 = 5.;
   /* #25: @7 = (@7*@5) */
@@ -20788,7 +20924,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=wr02;
   res1[0]=w12;
-  if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #29: @7 = 6 */
   w07 = 6.;
   /* #30: @7 = (@7*@5) */
@@ -20807,7 +20943,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=wr02;
   res1[0]=w13;
-  if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #34: @7 = 7 */
   w07 = 7.;
   /* #35: @7 = (@7*@5) */
@@ -20826,7 +20962,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=wr02;
   res1[0]=w14;
-  if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #39: @7 = 8 */
   w07 = 8.;
   /* #40: @7 = (@7*@5) */
@@ -20845,7 +20981,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=wr02;
   res1[0]=w15;
-  if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #44: @7 = 9 */
   w07 = 9.;
   /* #45: @7 = (@7*@5) */
@@ -20864,7 +21000,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=wr02;
   res1[0]=w16;
-  if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #49: @7 = 10 */
   w07 = 10.;
   /* #50: @7 = (@7*@5) */
@@ -20883,7 +21019,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=wr02;
   res1[0]=w17;
-  if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #54: @7 = 11 */
   w07 = 11.;
   /* #55: @7 = (@7*@5) */
@@ -20902,7 +21038,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=wr02;
   res1[0]=w18;
-  if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #59: output[0][0] = @18 */
   casadi_copy(w18, 7, res[0]);
   /* #60: output[1][0] = @0 */
@@ -20937,7 +21073,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr02;
   res1[0]=w20;
   res1[1]=w21;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #74: output[2][0] = @20 */
   casadi_copy(w20, 8, res[2]);
   /* #75: @7 = (@1+@5) */
@@ -20950,7 +21086,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr02;
   res1[0]=w20;
   res1[1]=w22;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #78: output[2][1] = @20 */
   if (res[2]) casadi_copy(w20, 8, res[2]+8);
   /* #79: @7 = (2.*@5) */
@@ -20965,7 +21101,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr02;
   res1[0]=w20;
   res1[1]=w23;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #83: output[2][2] = @20 */
   if (res[2]) casadi_copy(w20, 8, res[2]+16);
   /* #84: @7 = 3 */
@@ -20982,7 +21118,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr02;
   res1[0]=w20;
   res1[1]=w24;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #89: output[2][3] = @20 */
   if (res[2]) casadi_copy(w20, 8, res[2]+24);
   /* #90: @7 = 4 */
@@ -20999,7 +21135,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr02;
   res1[0]=w20;
   res1[1]=w25;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #95: output[2][4] = @20 */
   if (res[2]) casadi_copy(w20, 8, res[2]+32);
   /* #96: @7 = 5 */
@@ -21016,7 +21152,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr02;
   res1[0]=w20;
   res1[1]=w26;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #101: output[2][5] = @20 */
   if (res[2]) casadi_copy(w20, 8, res[2]+40);
   /* #102: @7 = 6 */
@@ -21033,7 +21169,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr02;
   res1[0]=w20;
   res1[1]=w27;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #107: output[2][6] = @20 */
   if (res[2]) casadi_copy(w20, 8, res[2]+48);
   /* #108: @7 = 7 */
@@ -21050,7 +21186,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr02;
   res1[0]=w20;
   res1[1]=w28;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #113: output[2][7] = @20 */
   if (res[2]) casadi_copy(w20, 8, res[2]+56);
   /* #114: @7 = 8 */
@@ -21067,7 +21203,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr02;
   res1[0]=w20;
   res1[1]=w29;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #119: output[2][8] = @20 */
   if (res[2]) casadi_copy(w20, 8, res[2]+64);
   /* #120: @7 = 9 */
@@ -21084,7 +21220,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr02;
   res1[0]=w20;
   res1[1]=w30;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #125: output[2][9] = @20 */
   if (res[2]) casadi_copy(w20, 8, res[2]+72);
   /* #126: @7 = 10 */
@@ -21101,7 +21237,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr02;
   res1[0]=w20;
   res1[1]=w31;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #131: output[2][10] = @20 */
   if (res[2]) casadi_copy(w20, 8, res[2]+80);
   /* #132: @7 = 11 */
@@ -21118,7 +21254,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr02;
   res1[0]=w20;
   res1[1]=w32;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #137: output[2][11] = @20 */
   if (res[2]) casadi_copy(w20, 8, res[2]+88);
   /* #138: output[3][0] = @21 */
@@ -21149,7 +21285,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* wobbling_trace_48:(u[6],p[8])->(w[7x49],g[8x49],dg[8x49],R[6]) */
-static int casadi_f75(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w00, *w01=w+353, w02, w03, *w05=w+359, *w06=w+383, w07, *w08=w+388, *w09=w+395, *w10=w+402;
   casadi_real *w11=w+486, *w12=w+582, *w13=w+678, *w14=w+774, *w15=w+870, *w16=w+966, *w17=w+1062, *w18=w+1158, *w19=w+1254, *w20=w+1262, *w21=w+1270;
@@ -21173,8 +21309,9 @@ static int casadi_f75(const casadi_real** arg, casadi_real** res, casadi_int* iw
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:5] */
   for (rr=w06, cs=w01+0; cs!=w01+5; cs+=1) *rr++ = *cs;
-  /* #8: {@1, NULL} = start(@6) */
+  /* #8: {@1, NULL} = start(@6, @4) */
   arg1[0]=w06;
+  arg1[1]=wr04;
   res1[0]=w01;
   res1[1]=0;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
@@ -21194,7 +21331,7 @@ static int casadi_f75(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w11;
   res1[3]=w12;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w10, 84, res[0]);
   /* #13: @0 = 0.25 */
@@ -21211,7 +21348,7 @@ static int casadi_f75(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w13;
   res1[3]=w14;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+84);
   /* #17: @0 = 0.5 */
@@ -21228,7 +21365,7 @@ static int casadi_f75(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w15;
   res1[3]=w16;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+168);
   /* #21: @0 = 0.75 */
@@ -21245,7 +21382,7 @@ static int casadi_f75(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w17;
   res1[3]=w18;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+252);
   /* #25: output[0][4] = @8 */
@@ -21266,7 +21403,7 @@ static int casadi_f75(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr04;
   res1[0]=w19;
   res1[1]=w20;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[1][4] = @19 */
   if (res[1]) casadi_copy(w19, 8, res[1]+384);
   /* #33: output[2][0] = @12 */
@@ -21293,7 +21430,7 @@ static int casadi_f75(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f75(arg, res, iw, w, mem);
+  return casadi_f62(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_48_checkout(void) {
@@ -21372,7 +21509,7 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_48_work_bytes(casadi_int *sz_arg, casadi
 }
 
 /* wobbling_trace_72:(u[6],p[8])->(w[7x73],g[8x73],dg[8x73],R[6]) */
-static int casadi_f79(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w00, *w01=w+353, w02, w03, *w05=w+359, *w06=w+383, w07, *w08=w+388, *w09=w+395, *w10=w+402;
   casadi_real *w11=w+486, *w12=w+582, *w13=w+678, *w14=w+774, *w15=w+870, *w16=w+966, *w17=w+1062, *w18=w+1158, *w19=w+1254, *w20=w+1350, *w21=w+1446, *w22=w+1542;
@@ -21397,8 +21534,9 @@ static int casadi_f79(const casadi_real** arg, casadi_real** res, casadi_int* iw
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:5] */
   for (rr=w06, cs=w01+0; cs!=w01+5; cs+=1) *rr++ = *cs;
-  /* #8: {@1, NULL} = start(@6) */
+  /* #8: {@1, NULL} = start(@6, @4) */
   arg1[0]=w06;
+  arg1[1]=wr04;
   res1[0]=w01;
   res1[1]=0;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
@@ -21418,7 +21556,7 @@ static int casadi_f79(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w11;
   res1[3]=w12;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w10, 84, res[0]);
   /* #13: @0 = 0.166667 */
@@ -21435,7 +21573,7 @@ static int casadi_f79(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w13;
   res1[3]=w14;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+84);
   /* #17: @0 = 0.333333 */
@@ -21452,7 +21590,7 @@ static int casadi_f79(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w15;
   res1[3]=w16;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+168);
   /* #21: @0 = 0.5 */
@@ -21469,7 +21607,7 @@ static int casadi_f79(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w17;
   res1[3]=w18;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+252);
   /* #25: @0 = 0.666667 */
@@ -21486,7 +21624,7 @@ static int casadi_f79(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w19;
   res1[3]=w20;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+336);
   /* #29: @0 = 0.833333 */
@@ -21503,7 +21641,7 @@ static int casadi_f79(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w21;
   res1[3]=w22;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+420);
   /* #33: output[0][6] = @8 */
@@ -21528,7 +21666,7 @@ static int casadi_f79(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr04;
   res1[0]=w23;
   res1[1]=w24;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #42: output[1][6] = @23 */
   if (res[1]) casadi_copy(w23, 8, res[1]+576);
   /* #43: output[2][0] = @12 */
@@ -21559,7 +21697,7 @@ static int casadi_f79(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_72(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f79(arg, res, iw, w, mem);
+  return casadi_f66(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_72_checkout(void) {
@@ -21638,7 +21776,7 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_72_work_bytes(casadi_int *sz_arg, casadi
 }
 
 /* wobbling_trace_96:(u[6],p[8])->(w[7x97],g[8x97],dg[8x97],R[6]) */
-static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w00, *w01=w+353, w02, w03, *w05=w+359, *w06=w+383, w07, *w08=w+388, *w09=w+395, *w10=w+402;
   casadi_real *w11=w+486, *w12=w+582, *w13=w+678, *w14=w+774, *w15=w+870, *w16=w+966, *w17=w+1062, *w18=w+1158, *w19=w+1254, *w20=w+1350, *w21=w+1446, *w22=w+1542;
@@ -21663,8 +21801,9 @@ static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:5] */
   for (rr=w06, cs=w01+0; cs!=w01+5; cs+=1) *rr++ = *cs;
-  /* #8: {@1, NULL} = start(@6) */
+  /* #8: {@1, NULL} = start(@6, @4) */
   arg1[0]=w06;
+  arg1[1]=wr04;
   res1[0]=w01;
   res1[1]=0;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
@@ -21684,7 +21823,7 @@ static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w11;
   res1[3]=w12;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w10, 84, res[0]);
   /* #13: @0 = 0.125 */
@@ -21701,7 +21840,7 @@ static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w13;
   res1[3]=w14;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+84);
   /* #17: @0 = 0.25 */
@@ -21718,7 +21857,7 @@ static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w15;
   res1[3]=w16;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+168);
   /* #21: @0 = 0.375 */
@@ -21735,7 +21874,7 @@ static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w17;
   res1[3]=w18;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+252);
   /* #25: @0 = 0.5 */
@@ -21752,7 +21891,7 @@ static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w19;
   res1[3]=w20;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+336);
   /* #29: @0 = 0.625 */
@@ -21769,7 +21908,7 @@ static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w21;
   res1[3]=w22;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+420);
   /* #33: @0 = 0.75 */
@@ -21786,7 +21925,7 @@ static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w23;
   res1[3]=w24;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[0][6] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+504);
   /* #37: @0 = 0.875 */
@@ -21803,7 +21942,7 @@ static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w25;
   res1[3]=w26;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[0][7] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+588);
   /* #41: output[0][8] = @8 */
@@ -21832,7 +21971,7 @@ static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr04;
   res1[0]=w27;
   res1[1]=w28;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[1][8] = @27 */
   if (res[1]) casadi_copy(w27, 8, res[1]+768);
   /* #53: output[2][0] = @12 */
@@ -21867,7 +22006,7 @@ static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_96(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f80(arg, res, iw, w, mem);
+  return casadi_f67(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_96_checkout(void) {
@@ -21946,7 +22085,7 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_96_work_bytes(casadi_int *sz_arg, casadi
 }
 
 /* wobbling_trace_144:(u[6],p[8])->(w[7x145],g[8x145],dg[8x145],R[6]) */
-static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w00, *w01=w+353, w02, w03, *w05=w+359, *w06=w+383, w07, *w08=w+388, *w09=w+395, *w10=w+402;
   casadi_real *w11=w+486, *w12=w+582, *w13=w+678, *w14=w+774, *w15=w+870, *w16=w+966, *w17=w+1062, *w18=w+1158, *w19=w+1254, *w20=w+1350, *w21=w+1446, *w22=w+1542;
@@ -21972,8 +22111,9 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:5] */
   for (rr=w06, cs=w01+0; cs!=w01+5; cs+=1) *rr++ = *cs;
-  /* #8: {@1, NULL} = start(@6) */
+  /* #8: {@1, NULL} = start(@6, @4) */
   arg1[0]=w06;
+  arg1[1]=wr04;
   res1[0]=w01;
   res1[1]=0;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
@@ -21993,7 +22133,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w11;
   res1[3]=w12;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w10, 84, res[0]);
   /* #13: @0 = 0.0833333 */
@@ -22010,7 +22150,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w13;
   res1[3]=w14;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+84);
   /* #17: @0 = 0.166667 */
@@ -22027,7 +22167,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w15;
   res1[3]=w16;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+168);
   /* #21: @0 = 0.25 */
@@ -22044,7 +22184,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w17;
   res1[3]=w18;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+252);
   /* #25: @0 = 0.333333 */
@@ -22061,7 +22201,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w19;
   res1[3]=w20;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+336);
   /* #29: @0 = 0.416667 */
@@ -22078,7 +22218,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w21;
   res1[3]=w22;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+420);
   /* #33: @0 = 0.5 */
@@ -22095,7 +22235,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w23;
   res1[3]=w24;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[0][6] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+504);
   /* #37: @0 = 0.583333 */
@@ -22112,7 +22252,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w25;
   res1[3]=w26;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[0][7] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+588);
   /* #41: @0 = 0.666667 */
@@ -22129,7 +22269,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w27;
   res1[3]=w28;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #44: output[0][8] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+672);
   /* #45: @0 = 0.75 */
@@ -22146,7 +22286,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w29;
   res1[3]=w30;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #48: output[0][9] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+756);
   /* #49: @0 = 0.833333 */
@@ -22163,7 +22303,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w31;
   res1[3]=w32;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[0][10] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+840);
   /* #53: @0 = 0.916667 */
@@ -22180,7 +22320,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w33;
   res1[3]=w34;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #56: output[0][11] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+924);
   /* #57: output[0][12] = @8 */
@@ -22217,7 +22357,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr04;
   res1[0]=w35;
   res1[1]=w36;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #72: output[1][12] = @35 */
   if (res[1]) casadi_copy(w35, 8, res[1]+1152);
   /* #73: output[2][0] = @12 */
@@ -22260,7 +22400,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_144(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f81(arg, res, iw, w, mem);
+  return casadi_f68(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_144_checkout(void) {
@@ -22339,7 +22479,7 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_144_work_bytes(casadi_int *sz_arg, casad
 }
 
 /* wobbling_trace_192:(u[6],p[8])->(w[7x193],g[8x193],dg[8x193],R[6]) */
-static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w00, *w01=w+353, w02, w03, *w05=w+359, *w06=w+383, w07, *w08=w+388, *w09=w+395, *w10=w+402;
   casadi_real *w11=w+486, *w12=w+582, *w13=w+678, *w14=w+774, *w15=w+870, *w16=w+966, *w17=w+1062, *w18=w+1158, *w19=w+1254, *w20=w+1350, *w21=w+1446, *w22=w+1542;
@@ -22365,8 +22505,9 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:5] */
   for (rr=w06, cs=w01+0; cs!=w01+5; cs+=1) *rr++ = *cs;
-  /* #8: {@1, NULL} = start(@6) */
+  /* #8: {@1, NULL} = start(@6, @4) */
   arg1[0]=w06;
+  arg1[1]=wr04;
   res1[0]=w01;
   res1[1]=0;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
@@ -22386,7 +22527,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w11;
   res1[3]=w12;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w10, 84, res[0]);
   /* #13: @0 = 0.0625 */
@@ -22403,7 +22544,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w13;
   res1[3]=w14;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+84);
   /* #17: @0 = 0.125 */
@@ -22420,7 +22561,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w15;
   res1[3]=w16;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+168);
   /* #21: @0 = 0.1875 */
@@ -22437,7 +22578,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w17;
   res1[3]=w18;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+252);
   /* #25: @0 = 0.25 */
@@ -22454,7 +22595,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w19;
   res1[3]=w20;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+336);
   /* #29: @0 = 0.3125 */
@@ -22471,7 +22612,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w21;
   res1[3]=w22;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+420);
   /* #33: @0 = 0.375 */
@@ -22488,7 +22629,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w23;
   res1[3]=w24;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[0][6] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+504);
   /* #37: @0 = 0.4375 */
@@ -22505,7 +22646,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w25;
   res1[3]=w26;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[0][7] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+588);
   /* #41: @0 = 0.5 */
@@ -22522,7 +22663,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w27;
   res1[3]=w28;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #44: output[0][8] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+672);
   /* #45: @0 = 0.5625 */
@@ -22539,7 +22680,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w29;
   res1[3]=w30;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #48: output[0][9] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+756);
   /* #49: @0 = 0.625 */
@@ -22556,7 +22697,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w31;
   res1[3]=w32;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[0][10] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+840);
   /* #53: @0 = 0.6875 */
@@ -22573,7 +22714,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w33;
   res1[3]=w34;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #56: output[0][11] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+924);
   /* #57: @0 = 0.75 */
@@ -22590,7 +22731,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w35;
   res1[3]=w36;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #60: output[0][12] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1008);
   /* #61: @0 = 0.8125 */
@@ -22607,7 +22748,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w37;
   res1[3]=w38;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #64: output[0][13] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1092);
   /* #65: @0 = 0.875 */
@@ -22624,7 +22765,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w39;
   res1[3]=w40;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #68: output[0][14] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1176);
   /* #69: @0 = 0.9375 */
@@ -22641,7 +22782,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w41;
   res1[3]=w42;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #72: output[0][15] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1260);
   /* #73: output[0][16] = @8 */
@@ -22686,7 +22827,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr04;
   res1[0]=w43;
   res1[1]=w44;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #92: output[1][16] = @43 */
   if (res[1]) casadi_copy(w43, 8, res[1]+1536);
   /* #93: output[2][0] = @12 */
@@ -22737,7 +22878,7 @@ static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_192(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f82(arg, res, iw, w, mem);
+  return casadi_f69(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_192_checkout(void) {
@@ -22816,7 +22957,7 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_192_work_bytes(casadi_int *sz_arg, casad
 }
 
 /* wobbling_trace_288:(u[6],p[8])->(w[7x289],g[8x289],dg[8x289],R[6]) */
-static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w00, *w01=w+353, w02, w03, *w05=w+359, *w06=w+383, w07, *w08=w+388, *w09=w+395, *w10=w+402;
   casadi_real *w11=w+486, *w12=w+582, *w13=w+678, *w14=w+774, *w15=w+870, *w16=w+966, *w17=w+1062, *w18=w+1158, *w19=w+1254, *w20=w+1350, *w21=w+1446, *w22=w+1542;
@@ -22844,8 +22985,9 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:5] */
   for (rr=w06, cs=w01+0; cs!=w01+5; cs+=1) *rr++ = *cs;
-  /* #8: {@1, NULL} = start(@6) */
+  /* #8: {@1, NULL} = start(@6, @4) */
   arg1[0]=w06;
+  arg1[1]=wr04;
   res1[0]=w01;
   res1[1]=0;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
@@ -22865,7 +23007,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w11;
   res1[3]=w12;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w10, 84, res[0]);
   /* #13: @0 = 0.0416667 */
@@ -22882,7 +23024,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w13;
   res1[3]=w14;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+84);
   /* #17: @0 = 0.0833333 */
@@ -22899,7 +23041,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w15;
   res1[3]=w16;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+168);
   /* #21: @0 = 0.125 */
@@ -22916,7 +23058,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w17;
   res1[3]=w18;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+252);
   /* #25: @0 = 0.166667 */
@@ -22933,7 +23075,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w19;
   res1[3]=w20;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+336);
   /* #29: @0 = 0.208333 */
@@ -22950,7 +23092,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w21;
   res1[3]=w22;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+420);
   /* #33: @0 = 0.25 */
@@ -22967,7 +23109,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w23;
   res1[3]=w24;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[0][6] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+504);
   /* #37: @0 = 0.291667 */
@@ -22984,7 +23126,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w25;
   res1[3]=w26;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[0][7] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+588);
   /* #41: @0 = 0.333333 */
@@ -23001,7 +23143,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w27;
   res1[3]=w28;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #44: output[0][8] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+672);
   /* #45: @0 = 0.375 */
@@ -23018,7 +23160,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w29;
   res1[3]=w30;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #48: output[0][9] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+756);
   /* #49: @0 = 0.416667 */
@@ -23035,7 +23177,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w31;
   res1[3]=w32;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[0][10] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+840);
   /* #53: @0 = 0.458333 */
@@ -23052,7 +23194,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w33;
   res1[3]=w34;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #56: output[0][11] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+924);
   /* #57: @0 = 0.5 */
@@ -23069,7 +23211,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w35;
   res1[3]=w36;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #60: output[0][12] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1008);
   /* #61: @0 = 0.541667 */
@@ -23086,7 +23228,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w37;
   res1[3]=w38;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #64: output[0][13] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1092);
   /* #65: @0 = 0.583333 */
@@ -23103,7 +23245,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w39;
   res1[3]=w40;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #68: output[0][14] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1176);
   /* #69: @0 = 0.625 */
@@ -23120,7 +23262,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w41;
   res1[3]=w42;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #72: output[0][15] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1260);
   /* #73: @0 = 0.666667 */
@@ -23137,7 +23279,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w43;
   res1[3]=w44;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #76: output[0][16] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1344);
   /* #77: @0 = 0.708333 */
@@ -23154,7 +23296,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w45;
   res1[3]=w46;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #80: output[0][17] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1428);
   /* #81: @0 = 0.75 */
@@ -23171,7 +23313,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w47;
   res1[3]=w48;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #84: output[0][18] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1512);
   /* #85: @0 = 0.791667 */
@@ -23188,7 +23330,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w49;
   res1[3]=w50;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #88: output[0][19] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1596);
   /* #89: @0 = 0.833333 */
@@ -23205,7 +23347,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w51;
   res1[3]=w52;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #92: output[0][20] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1680);
   /* #93: @0 = 0.875 */
@@ -23222,7 +23364,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w53;
   res1[3]=w54;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #96: output[0][21] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1764);
   /* #97: @0 = 0.916667 */
@@ -23239,7 +23381,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w55;
   res1[3]=w56;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #100: output[0][22] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1848);
   /* #101: @0 = 0.958333 */
@@ -23256,7 +23398,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w57;
   res1[3]=w58;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #104: output[0][23] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1932);
   /* #105: output[0][24] = @8 */
@@ -23317,7 +23459,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr04;
   res1[0]=w59;
   res1[1]=w60;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #132: output[1][24] = @59 */
   if (res[1]) casadi_copy(w59, 8, res[1]+2304);
   /* #133: output[2][0] = @12 */
@@ -23384,7 +23526,7 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_288(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f83(arg, res, iw, w, mem);
+  return casadi_f70(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_288_checkout(void) {
@@ -23463,7 +23605,7 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_288_work_bytes(casadi_int *sz_arg, casad
 }
 
 /* wobbling_trace_384:(u[6],p[8])->(w[7x385],g[8x385],dg[8x385],R[6]) */
-static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w00, *w01=w+353, w02, w03, *w05=w+359, *w06=w+383, w07, *w08=w+388, *w09=w+395, *w10=w+402;
   casadi_real *w11=w+486, *w12=w+582, *w13=w+678, *w14=w+774, *w15=w+870, *w16=w+966, *w17=w+1062, *w18=w+1158, *w19=w+1254, *w20=w+1350, *w21=w+1446, *w22=w+1542;
@@ -23492,8 +23634,9 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:5] */
   for (rr=w06, cs=w01+0; cs!=w01+5; cs+=1) *rr++ = *cs;
-  /* #8: {@1, NULL} = start(@6) */
+  /* #8: {@1, NULL} = start(@6, @4) */
   arg1[0]=w06;
+  arg1[1]=wr04;
   res1[0]=w01;
   res1[1]=0;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
@@ -23513,7 +23656,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w11;
   res1[3]=w12;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w10, 84, res[0]);
   /* #13: @0 = 0.03125 */
@@ -23530,7 +23673,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w13;
   res1[3]=w14;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+84);
   /* #17: @0 = 0.0625 */
@@ -23547,7 +23690,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w15;
   res1[3]=w16;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+168);
   /* #21: @0 = 0.09375 */
@@ -23564,7 +23707,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w17;
   res1[3]=w18;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+252);
   /* #25: @0 = 0.125 */
@@ -23581,7 +23724,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w19;
   res1[3]=w20;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+336);
   /* #29: @0 = 0.15625 */
@@ -23598,7 +23741,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w21;
   res1[3]=w22;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+420);
   /* #33: @0 = 0.1875 */
@@ -23615,7 +23758,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w23;
   res1[3]=w24;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[0][6] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+504);
   /* #37: @0 = 0.21875 */
@@ -23632,7 +23775,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w25;
   res1[3]=w26;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[0][7] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+588);
   /* #41: @0 = 0.25 */
@@ -23649,7 +23792,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w27;
   res1[3]=w28;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #44: output[0][8] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+672);
   /* #45: @0 = 0.28125 */
@@ -23666,7 +23809,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w29;
   res1[3]=w30;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #48: output[0][9] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+756);
   /* #49: @0 = 0.3125 */
@@ -23683,7 +23826,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w31;
   res1[3]=w32;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[0][10] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+840);
   /* #53: @0 = 0.34375 */
@@ -23700,7 +23843,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w33;
   res1[3]=w34;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #56: output[0][11] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+924);
   /* #57: @0 = 0.375 */
@@ -23717,7 +23860,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w35;
   res1[3]=w36;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #60: output[0][12] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1008);
   /* #61: @0 = 0.40625 */
@@ -23734,7 +23877,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w37;
   res1[3]=w38;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #64: output[0][13] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1092);
   /* #65: @0 = 0.4375 */
@@ -23751,7 +23894,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w39;
   res1[3]=w40;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #68: output[0][14] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1176);
   /* #69: @0 = 0.46875 */
@@ -23768,7 +23911,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w41;
   res1[3]=w42;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #72: output[0][15] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1260);
   /* #73: @0 = 0.5 */
@@ -23785,7 +23928,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w43;
   res1[3]=w44;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #76: output[0][16] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1344);
   /* #77: @0 = 0.53125 */
@@ -23802,7 +23945,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w45;
   res1[3]=w46;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #80: output[0][17] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1428);
   /* #81: @0 = 0.5625 */
@@ -23819,7 +23962,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w47;
   res1[3]=w48;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #84: output[0][18] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1512);
   /* #85: @0 = 0.59375 */
@@ -23836,7 +23979,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w49;
   res1[3]=w50;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #88: output[0][19] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1596);
   /* #89: @0 = 0.625 */
@@ -23853,7 +23996,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w51;
   res1[3]=w52;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #92: output[0][20] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1680);
   /* #93: @0 = 0.65625 */
@@ -23870,7 +24013,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w53;
   res1[3]=w54;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #96: output[0][21] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1764);
   /* #97: @0 = 0.6875 */
@@ -23887,7 +24030,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w55;
   res1[3]=w56;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #100: output[0][22] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1848);
   /* #101: @0 = 0.71875 */
@@ -23904,7 +24047,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w57;
   res1[3]=w58;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #104: output[0][23] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1932);
   /* #105: @0 = 0.75 */
@@ -23921,7 +24064,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w59;
   res1[3]=w60;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #108: output[0][24] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+2016);
   /* #109: @0 = 0.78125 */
@@ -23938,7 +24081,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w61;
   res1[3]=w62;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #112: output[0][25] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+2100);
   /* #113: @0 = 0.8125 */
@@ -23955,7 +24098,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w63;
   res1[3]=w64;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #116: output[0][26] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+2184);
   /* #117: @0 = 0.84375 */
@@ -23972,7 +24115,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w65;
   res1[3]=w66;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #120: output[0][27] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+2268);
   /* #121: @0 = 0.875 */
@@ -23989,7 +24132,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w67;
   res1[3]=w68;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #124: output[0][28] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+2352);
   /* #125: @0 = 0.90625 */
@@ -24006,7 +24149,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w69;
   res1[3]=w70;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #128: output[0][29] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+2436);
   /* #129: @0 = 0.9375 */
@@ -24023,7 +24166,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w71;
   res1[3]=w72;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #132: output[0][30] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+2520);
   /* #133: @0 = 0.96875 */
@@ -24040,7 +24183,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w73;
   res1[3]=w74;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #136: output[0][31] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+2604);
   /* #137: output[0][32] = @8 */
@@ -24117,7 +24260,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr04;
   res1[0]=w75;
   res1[1]=w76;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #172: output[1][32] = @75 */
   if (res[1]) casadi_copy(w75, 8, res[1]+3072);
   /* #173: output[2][0] = @12 */
@@ -24200,7 +24343,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_384(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f84(arg, res, iw, w, mem);
+  return casadi_f71(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_384_checkout(void) {
@@ -24279,7 +24422,7 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_384_work_bytes(casadi_int *sz_arg, casad
 }
 
 /* wobbling_trace_576:(u[6],p[8])->(w[7x577],g[8x577],dg[8x577],R[6]) */
-static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w000, *w001=w+353, w002, w003, *w005=w+359, *w006=w+383, w007, *w008=w+388, *w009=w+395, *w010=w+402;
   casadi_real *w011=w+486, *w012=w+582, *w013=w+678, *w014=w+774, *w015=w+870, *w016=w+966, *w017=w+1062, *w018=w+1158, *w019=w+1254, *w020=w+1350, *w021=w+1446, *w022=w+1542;
@@ -24311,8 +24454,9 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:5] */
   for (rr=w006, cs=w001+0; cs!=w001+5; cs+=1) *rr++ = *cs;
-  /* #8: {@1, NULL} = start(@6) */
+  /* #8: {@1, NULL} = start(@6, @4) */
   arg1[0]=w006;
+  arg1[1]=wr004;
   res1[0]=w001;
   res1[1]=0;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
@@ -24332,7 +24476,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w011;
   res1[3]=w012;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w010, 84, res[0]);
   /* #13: @0 = 0.0208333 */
@@ -24349,7 +24493,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w013;
   res1[3]=w014;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+84);
   /* #17: @0 = 0.0416667 */
@@ -24366,7 +24510,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w015;
   res1[3]=w016;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+168);
   /* #21: @0 = 0.0625 */
@@ -24383,7 +24527,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w017;
   res1[3]=w018;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+252);
   /* #25: @0 = 0.0833333 */
@@ -24400,7 +24544,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w019;
   res1[3]=w020;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+336);
   /* #29: @0 = 0.104167 */
@@ -24417,7 +24561,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w021;
   res1[3]=w022;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+420);
   /* #33: @0 = 0.125 */
@@ -24434,7 +24578,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w023;
   res1[3]=w024;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[0][6] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+504);
   /* #37: @0 = 0.145833 */
@@ -24451,7 +24595,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w025;
   res1[3]=w026;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[0][7] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+588);
   /* #41: @0 = 0.166667 */
@@ -24468,7 +24612,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w027;
   res1[3]=w028;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #44: output[0][8] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+672);
   /* #45: @0 = 0.1875 */
@@ -24485,7 +24629,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w029;
   res1[3]=w030;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #48: output[0][9] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+756);
   /* #49: @0 = 0.208333 */
@@ -24502,7 +24646,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w031;
   res1[3]=w032;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[0][10] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+840);
   /* #53: @0 = 0.229167 */
@@ -24519,7 +24663,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w033;
   res1[3]=w034;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #56: output[0][11] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+924);
   /* #57: @0 = 0.25 */
@@ -24536,7 +24680,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w035;
   res1[3]=w036;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #60: output[0][12] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1008);
   /* #61: @0 = 0.270833 */
@@ -24553,7 +24697,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w037;
   res1[3]=w038;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #64: output[0][13] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1092);
   /* #65: @0 = 0.291667 */
@@ -24570,7 +24714,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w039;
   res1[3]=w040;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #68: output[0][14] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1176);
   /* #69: @0 = 0.3125 */
@@ -24587,7 +24731,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w041;
   res1[3]=w042;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #72: output[0][15] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1260);
   /* #73: @0 = 0.333333 */
@@ -24604,7 +24748,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w043;
   res1[3]=w044;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #76: output[0][16] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1344);
   /* #77: @0 = 0.354167 */
@@ -24621,7 +24765,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w045;
   res1[3]=w046;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #80: output[0][17] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1428);
   /* #81: @0 = 0.375 */
@@ -24638,7 +24782,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w047;
   res1[3]=w048;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #84: output[0][18] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1512);
   /* #85: @0 = 0.395833 */
@@ -24655,7 +24799,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w049;
   res1[3]=w050;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #88: output[0][19] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1596);
   /* #89: @0 = 0.416667 */
@@ -24672,7 +24816,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w051;
   res1[3]=w052;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #92: output[0][20] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1680);
   /* #93: @0 = 0.4375 */
@@ -24689,7 +24833,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w053;
   res1[3]=w054;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #96: output[0][21] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1764);
   /* #97: @0 = 0.458333 */
@@ -24706,7 +24850,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w055;
   res1[3]=w056;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #100: output[0][22] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1848);
   /* #101: @0 = 0.479167 */
@@ -24723,7 +24867,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w057;
   res1[3]=w058;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #104: output[0][23] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1932);
   /* #105: @0 = 0.5 */
@@ -24740,7 +24884,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w059;
   res1[3]=w060;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #108: output[0][24] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2016);
   /* #109: @0 = 0.520833 */
@@ -24757,7 +24901,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w061;
   res1[3]=w062;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #112: output[0][25] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2100);
   /* #113: @0 = 0.541667 */
@@ -24774,7 +24918,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w063;
   res1[3]=w064;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #116: output[0][26] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2184);
   /* #117: @0 = 0.5625 */
@@ -24791,7 +24935,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w065;
   res1[3]=w066;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #120: output[0][27] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2268);
   /* #121: @0 = 0.583333 */
@@ -24808,7 +24952,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w067;
   res1[3]=w068;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #124: output[0][28] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2352);
   /* #125: @0 = 0.604167 */
@@ -24825,7 +24969,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w069;
   res1[3]=w070;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #128: output[0][29] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2436);
   /* #129: @0 = 0.625 */
@@ -24842,7 +24986,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w071;
   res1[3]=w072;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #132: output[0][30] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2520);
   /* #133: @0 = 0.645833 */
@@ -24859,7 +25003,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w073;
   res1[3]=w074;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #136: output[0][31] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2604);
   /* #137: @0 = 0.666667 */
@@ -24876,7 +25020,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w075;
   res1[3]=w076;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #140: output[0][32] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2688);
   /* #141: @0 = 0.6875 */
@@ -24893,7 +25037,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w077;
   res1[3]=w078;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #144: output[0][33] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2772);
   /* #145: @0 = 0.708333 */
@@ -24910,7 +25054,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w079;
   res1[3]=w080;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #148: output[0][34] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2856);
   /* #149: @0 = 0.729167 */
@@ -24927,7 +25071,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w081;
   res1[3]=w082;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #152: output[0][35] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2940);
   /* #153: @0 = 0.75 */
@@ -24944,7 +25088,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w083;
   res1[3]=w084;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #156: output[0][36] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3024);
   /* #157: @0 = 0.770833 */
@@ -24961,7 +25105,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w085;
   res1[3]=w086;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #160: output[0][37] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3108);
   /* #161: @0 = 0.791667 */
@@ -24978,7 +25122,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w087;
   res1[3]=w088;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #164: output[0][38] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3192);
   /* #165: @0 = 0.8125 */
@@ -24995,7 +25139,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w089;
   res1[3]=w090;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #168: output[0][39] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3276);
   /* #169: @0 = 0.833333 */
@@ -25012,7 +25156,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w091;
   res1[3]=w092;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #172: output[0][40] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3360);
   /* #173: @0 = 0.854167 */
@@ -25029,7 +25173,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w093;
   res1[3]=w094;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #176: output[0][41] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3444);
   /* #177: @0 = 0.875 */
@@ -25046,7 +25190,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w095;
   res1[3]=w096;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #180: output[0][42] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3528);
   /* #181: @0 = 0.895833 */
@@ -25063,7 +25207,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w097;
   res1[3]=w098;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #184: output[0][43] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3612);
   /* #185: @0 = 0.916667 */
@@ -25080,7 +25224,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w099;
   res1[3]=w100;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #188: output[0][44] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3696);
   /* #189: @0 = 0.9375 */
@@ -25097,7 +25241,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w101;
   res1[3]=w102;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #192: output[0][45] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3780);
   /* #193: @0 = 0.958333 */
@@ -25114,7 +25258,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w103;
   res1[3]=w104;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #196: output[0][46] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3864);
   /* #197: @0 = 0.979167 */
@@ -25131,7 +25275,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w105;
   res1[3]=w106;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #200: output[0][47] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3948);
   /* #201: output[0][48] = @8 */
@@ -25240,7 +25384,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr004;
   res1[0]=w107;
   res1[1]=w108;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #252: output[1][48] = @107 */
   if (res[1]) casadi_copy(w107, 8, res[1]+4608);
   /* #253: output[2][0] = @12 */
@@ -25355,7 +25499,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_576(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f85(arg, res, iw, w, mem);
+  return casadi_f72(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_576_checkout(void) {
@@ -25434,7 +25578,7 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_576_work_bytes(casadi_int *sz_arg, casad
 }
 
 /* wobbling_trace_768:(u[6],p[8])->(w[7x769],g[8x769],dg[8x769],R[6]) */
-static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w000, *w001=w+353, w002, w003, *w005=w+359, *w006=w+383, w007, *w008=w+388, *w009=w+395, *w010=w+402;
   casadi_real *w011=w+486, *w012=w+582, *w013=w+678, *w014=w+774, *w015=w+870, *w016=w+966, *w017=w+1062, *w018=w+1158, *w019=w+1254, *w020=w+1350, *w021=w+1446, *w022=w+1542;
@@ -25468,8 +25612,9 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:5] */
   for (rr=w006, cs=w001+0; cs!=w001+5; cs+=1) *rr++ = *cs;
-  /* #8: {@1, NULL} = start(@6) */
+  /* #8: {@1, NULL} = start(@6, @4) */
   arg1[0]=w006;
+  arg1[1]=wr004;
   res1[0]=w001;
   res1[1]=0;
   if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
@@ -25489,7 +25634,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w011;
   res1[3]=w012;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w010, 84, res[0]);
   /* #13: @0 = 0.015625 */
@@ -25506,7 +25651,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w013;
   res1[3]=w014;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+84);
   /* #17: @0 = 0.03125 */
@@ -25523,7 +25668,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w015;
   res1[3]=w016;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+168);
   /* #21: @0 = 0.046875 */
@@ -25540,7 +25685,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w017;
   res1[3]=w018;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+252);
   /* #25: @0 = 0.0625 */
@@ -25557,7 +25702,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w019;
   res1[3]=w020;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+336);
   /* #29: @0 = 0.078125 */
@@ -25574,7 +25719,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w021;
   res1[3]=w022;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+420);
   /* #33: @0 = 0.09375 */
@@ -25591,7 +25736,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w023;
   res1[3]=w024;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[0][6] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+504);
   /* #37: @0 = 0.109375 */
@@ -25608,7 +25753,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w025;
   res1[3]=w026;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[0][7] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+588);
   /* #41: @0 = 0.125 */
@@ -25625,7 +25770,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w027;
   res1[3]=w028;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #44: output[0][8] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+672);
   /* #45: @0 = 0.140625 */
@@ -25642,7 +25787,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w029;
   res1[3]=w030;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #48: output[0][9] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+756);
   /* #49: @0 = 0.15625 */
@@ -25659,7 +25804,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w031;
   res1[3]=w032;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[0][10] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+840);
   /* #53: @0 = 0.171875 */
@@ -25676,7 +25821,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w033;
   res1[3]=w034;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #56: output[0][11] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+924);
   /* #57: @0 = 0.1875 */
@@ -25693,7 +25838,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w035;
   res1[3]=w036;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #60: output[0][12] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1008);
   /* #61: @0 = 0.203125 */
@@ -25710,7 +25855,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w037;
   res1[3]=w038;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #64: output[0][13] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1092);
   /* #65: @0 = 0.21875 */
@@ -25727,7 +25872,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w039;
   res1[3]=w040;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #68: output[0][14] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1176);
   /* #69: @0 = 0.234375 */
@@ -25744,7 +25889,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w041;
   res1[3]=w042;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #72: output[0][15] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1260);
   /* #73: @0 = 0.25 */
@@ -25761,7 +25906,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w043;
   res1[3]=w044;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #76: output[0][16] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1344);
   /* #77: @0 = 0.265625 */
@@ -25778,7 +25923,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w045;
   res1[3]=w046;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #80: output[0][17] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1428);
   /* #81: @0 = 0.28125 */
@@ -25795,7 +25940,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w047;
   res1[3]=w048;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #84: output[0][18] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1512);
   /* #85: @0 = 0.296875 */
@@ -25812,7 +25957,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w049;
   res1[3]=w050;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #88: output[0][19] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1596);
   /* #89: @0 = 0.3125 */
@@ -25829,7 +25974,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w051;
   res1[3]=w052;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #92: output[0][20] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1680);
   /* #93: @0 = 0.328125 */
@@ -25846,7 +25991,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w053;
   res1[3]=w054;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #96: output[0][21] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1764);
   /* #97: @0 = 0.34375 */
@@ -25863,7 +26008,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w055;
   res1[3]=w056;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #100: output[0][22] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1848);
   /* #101: @0 = 0.359375 */
@@ -25880,7 +26025,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w057;
   res1[3]=w058;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #104: output[0][23] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1932);
   /* #105: @0 = 0.375 */
@@ -25897,7 +26042,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w059;
   res1[3]=w060;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #108: output[0][24] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2016);
   /* #109: @0 = 0.390625 */
@@ -25914,7 +26059,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w061;
   res1[3]=w062;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #112: output[0][25] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2100);
   /* #113: @0 = 0.40625 */
@@ -25931,7 +26076,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w063;
   res1[3]=w064;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #116: output[0][26] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2184);
   /* #117: @0 = 0.421875 */
@@ -25948,7 +26093,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w065;
   res1[3]=w066;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #120: output[0][27] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2268);
   /* #121: @0 = 0.4375 */
@@ -25965,7 +26110,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w067;
   res1[3]=w068;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #124: output[0][28] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2352);
   /* #125: @0 = 0.453125 */
@@ -25982,7 +26127,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w069;
   res1[3]=w070;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #128: output[0][29] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2436);
   /* #129: @0 = 0.46875 */
@@ -25999,7 +26144,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w071;
   res1[3]=w072;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #132: output[0][30] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2520);
   /* #133: @0 = 0.484375 */
@@ -26016,7 +26161,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w073;
   res1[3]=w074;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #136: output[0][31] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2604);
   /* #137: @0 = 0.5 */
@@ -26033,7 +26178,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w075;
   res1[3]=w076;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #140: output[0][32] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2688);
   /* #141: @0 = 0.515625 */
@@ -26050,7 +26195,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w077;
   res1[3]=w078;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #144: output[0][33] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2772);
   /* #145: @0 = 0.53125 */
@@ -26067,7 +26212,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w079;
   res1[3]=w080;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #148: output[0][34] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2856);
   /* #149: @0 = 0.546875 */
@@ -26084,7 +26229,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w081;
   res1[3]=w082;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #152: output[0][35] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2940);
   /* #153: @0 = 0.5625 */
@@ -26101,7 +26246,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w083;
   res1[3]=w084;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #156: output[0][36] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3024);
   /* #157: @0 = 0.578125 */
@@ -26118,7 +26263,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w085;
   res1[3]=w086;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #160: output[0][37] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3108);
   /* #161: @0 = 0.59375 */
@@ -26135,7 +26280,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w087;
   res1[3]=w088;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #164: output[0][38] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3192);
   /* #165: @0 = 0.609375 */
@@ -26152,7 +26297,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w089;
   res1[3]=w090;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #168: output[0][39] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3276);
   /* #169: @0 = 0.625 */
@@ -26169,7 +26314,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w091;
   res1[3]=w092;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #172: output[0][40] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3360);
   /* #173: @0 = 0.640625 */
@@ -26186,7 +26331,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w093;
   res1[3]=w094;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #176: output[0][41] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3444);
   /* #177: @0 = 0.65625 */
@@ -26203,7 +26348,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w095;
   res1[3]=w096;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #180: output[0][42] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3528);
   /* #181: @0 = 0.671875 */
@@ -26220,7 +26365,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w097;
   res1[3]=w098;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #184: output[0][43] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3612);
   /* #185: @0 = 0.6875 */
@@ -26237,7 +26382,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w099;
   res1[3]=w100;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #188: output[0][44] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3696);
   /* #189: @0 = 0.703125 */
@@ -26254,7 +26399,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w101;
   res1[3]=w102;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #192: output[0][45] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3780);
   /* #193: @0 = 0.71875 */
@@ -26271,7 +26416,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w103;
   res1[3]=w104;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #196: output[0][46] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3864);
   /* #197: @0 = 0.734375 */
@@ -26288,7 +26433,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w105;
   res1[3]=w106;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #200: output[0][47] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3948);
   /* #201: @0 = 0.75 */
@@ -26305,7 +26450,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w107;
   res1[3]=w108;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #204: output[0][48] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+4032);
   /* #205: @0 = 0.765625 */
@@ -26322,7 +26467,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w109;
   res1[3]=w110;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #208: output[0][49] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+4116);
   /* #209: @0 = 0.78125 */
@@ -26339,7 +26484,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w111;
   res1[3]=w112;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #212: output[0][50] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+4200);
   /* #213: @0 = 0.796875 */
@@ -26356,7 +26501,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w113;
   res1[3]=w114;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #216: output[0][51] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+4284);
   /* #217: @0 = 0.8125 */
@@ -26373,7 +26518,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w115;
   res1[3]=w116;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #220: output[0][52] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+4368);
   /* #221: @0 = 0.828125 */
@@ -26390,7 +26535,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w117;
   res1[3]=w118;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #224: output[0][53] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+4452);
   /* #225: @0 = 0.84375 */
@@ -26407,7 +26552,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w119;
   res1[3]=w120;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #228: output[0][54] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+4536);
   /* #229: @0 = 0.859375 */
@@ -26424,7 +26569,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w121;
   res1[3]=w122;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #232: output[0][55] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+4620);
   /* #233: @0 = 0.875 */
@@ -26441,7 +26586,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w123;
   res1[3]=w124;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #236: output[0][56] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+4704);
   /* #237: @0 = 0.890625 */
@@ -26458,7 +26603,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w125;
   res1[3]=w126;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #240: output[0][57] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+4788);
   /* #241: @0 = 0.90625 */
@@ -26475,7 +26620,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w127;
   res1[3]=w128;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #244: output[0][58] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+4872);
   /* #245: @0 = 0.921875 */
@@ -26492,7 +26637,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w129;
   res1[3]=w130;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #248: output[0][59] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+4956);
   /* #249: @0 = 0.9375 */
@@ -26509,7 +26654,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w131;
   res1[3]=w132;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #252: output[0][60] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+5040);
   /* #253: @0 = 0.953125 */
@@ -26526,7 +26671,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w133;
   res1[3]=w134;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #256: output[0][61] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+5124);
   /* #257: @0 = 0.96875 */
@@ -26543,7 +26688,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w135;
   res1[3]=w136;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #260: output[0][62] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+5208);
   /* #261: @0 = 0.984375 */
@@ -26560,7 +26705,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w137;
   res1[3]=w138;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #264: output[0][63] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+5292);
   /* #265: output[0][64] = @8 */
@@ -26701,7 +26846,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr004;
   res1[0]=w139;
   res1[1]=w140;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #332: output[1][64] = @139 */
   if (res[1]) casadi_copy(w139, 8, res[1]+6144);
   /* #333: output[2][0] = @12 */
@@ -26848,7 +26993,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_768(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f86(arg, res, iw, w, mem);
+  return casadi_f73(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_768_checkout(void) {
@@ -26927,7 +27072,7 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_768_work_bytes(casadi_int *sz_arg, casad
 }
 
 /* wobbling_advance:(t,w[7],h,p[8])->(w_end[7],g[8],dg[8]) */
-static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f74(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+3, *rr, *w0=w+115, w1, *w3=w+122, w4, *w5=w+124, *w6=w+148, *w7=w+155, *w8=w+161, *w9=w+169;
   const casadi_real **arg1=arg+4, *cs, *wr2;
   /* #0: @0 = input[1][0] */
@@ -26955,7 +27100,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w4);
   arg1[4]=wr2;
   res1[0]=w6;
-  if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #7: output[0][0] = @6 */
   casadi_copy(w6, 7, res[0]);
   /* #8: @1 = (@1+@4) */
@@ -26968,7 +27113,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr2;
   res1[0]=w8;
   res1[1]=w9;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #11: output[1][0] = @8 */
   casadi_copy(w8, 8, res[1]);
   /* #12: output[2][0] = @9 */
@@ -26977,7 +27122,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_advance(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f87(arg, res, iw, w, mem);
+  return casadi_f74(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_advance_checkout(void) {
@@ -27070,10 +27215,10 @@ CASADI_SYMBOL_EXPORT int wobbling_map(wobbling_kernel kernel, const casadi_int* 
     casadi_int n_in, const double* const* in, const casadi_int* in_size,
     casadi_int n_out, double* const* out, const casadi_int* out_size, int* failed)
 {
-    const double** arg = malloc((size_t) work_size[0] * sizeof(double*));
-    double** res = malloc((size_t) work_size[1] * sizeof(double*));
-    casadi_int* iw = malloc((size_t) (work_size[2] + 1) * sizeof(casadi_int));
-    double* w = malloc((size_t) (work_size[3] + 1) * sizeof(double));
+    const double** arg = (const double**) malloc((size_t) work_size[0] * sizeof(double*));
+    double** res = (double**) malloc((size_t) work_size[1] * sizeof(double*));
+    casadi_int* iw = (casadi_int*) malloc((size_t) (work_size[2] + 1) * sizeof(casadi_int));
+    double* w = (double*) malloc((size_t) (work_size[3] + 1) * sizeof(double));
     const int ready = arg && res && iw && w;
     casadi_int i, j;
     if (ready) {

@@ -1,0 +1,331 @@
+"""SI units for a robot of a given size: metres, kilograms and seconds to the units of the models, and back.
+
+The models know no metre: their unit of mass is the upper body's mass M, of length the leg L, of time
+sqrt(L/g). A `Units` is one robot's M, L and g, and every conversion is a product or a quotient with a
+unit formed from these three.
+
+>>> robot = Units(leg_length=0.8, mass=40.0, gravity=9.81)
+>>> robot.from_si(2943.0, "stiffness")  # 2,943 N/m in units of M g / L
+6.0
+>>> round(robot.to_si(0.1, "M g L"), 6)  # N m: any unit formed from M, L and g
+31.392
+"""
+
+import ast
+import difflib
+import math
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from stridemap.errors import InputError
+
+if TYPE_CHECKING:
+    from stridemap.solver.orbit import Orbit
+
+STANDARD_GRAVITY = 9.80665
+"""In m/s^2, exactly, by definition: 3rd General Conference on Weights and Measures, 1901."""
+
+QUANTITIES: Mapping[str, tuple[str, str]] = {
+    "number": ("1", "1"),
+    "angle": ("rad", "rad"),
+    "mass": ("M", "kg"),
+    "length": ("L", "m"),
+    "time": ("sqrt(L/g)", "s"),
+    "angular frequency": ("sqrt(g/L)", "rad/s"),
+    "speed": ("sqrt(g L)", "m/s"),
+    "acceleration": ("g", "m/s^2"),
+    "force": ("M g", "N"),
+    "impulse": ("M sqrt(g L)", "N s"),
+    "stiffness": ("M g / L", "N/m"),
+    "damping": ("M sqrt(g/L)", "N s/m"),
+    "torque": ("M g L", "N m"),
+    "rotational stiffness": ("M g L", "N m/rad"),
+    "rotational damping": ("M g L sqrt(L/g)", "N m s/rad"),
+    "moment of inertia": ("M L^2", "kg m^2"),
+    "energy": ("M g L", "J"),
+    "power": ("M g sqrt(g L)", "W"),
+}
+"""What has a name: its unit in the models, and its SI unit."""
+
+MEASURES: Mapping[str, str] = {
+    "period": "time",
+    "step_length": "length",
+    "speed": "speed",
+    "d_max": "length",
+    "work": "energy",
+    "work_positive": "energy",
+    "work_net": "energy",
+    "cot": "number",
+    "cot_per_speed": "time",  # work over weight and speed: the paper's formula has a dimension
+    "min_vertical_force": "force",
+    "friction": "number",
+    "clearance": "length",
+}
+"""The quantity of each measure of an `Orbit` that has a size."""
+
+# Wide enough for a walking insect and a crane; a leg in millimetres or a mass in grams is outside.
+_RANGES = {"leg_length": (1e-4, 50.0, "m"), "mass": (1e-7, 1e4, "kg"), "gravity": (1e-2, 300.0, "m/s^2")}
+
+
+@dataclass(frozen=True)
+class Units:
+    r"""The units of one robot: what 1 is, of each quantity, in SI units.
+
+    Parameters
+    ----------
+    leg_length : float
+        L, in m: from the hip to the foot.
+    mass : float
+        M, in kg: the **upper body**, hip and wobbling mass together, *without* the feet. The whole walker
+        weighs ``M (1 + 2 beta)``: see `from_total_mass`.
+    gravity : float
+        g, in m/s^2; standard gravity, 9.80665, if it is left out.
+
+    Raises
+    ------
+    InputError
+        For a value that is no finite number, or outside 0.1 mm to 50 m, 0.1 mg to 10 t, 0.01 to 300 m/s^2.
+
+    Notes
+    -----
+    With :math:`M`, :math:`L`, :math:`g` in SI units, a dimensionless :math:`k` is the spring of
+    :math:`k M g / L` newtons per metre, a time :math:`t` is :math:`t \sqrt{L/g}` seconds, and so on through
+    `QUANTITIES`. The equations of motion divided by these units are those of the models, so two robots with
+    equal dimensionless numbers walk alike (their Froude numbers :math:`v^2/(g L)` are equal). The source of
+    this choice of units is Kamimura and Sano (2023), section II, for length, time and torque.
+
+    Examples
+    --------
+    >>> robot = Units(leg_length=0.8, mass=40.0, gravity=9.81)
+    >>> robot.to_si(6.0, "stiffness")
+    2943.0
+    >>> round(robot.to_si(3.0, "angular frequency"), 4)  # rad/s
+    10.5054
+    >>> robot.parameters("wobbling", k=2943.0, beta=6.0)
+    {'k': 6.0, 'beta': 0.15}
+    """
+
+    leg_length: float
+    mass: float
+    gravity: float = STANDARD_GRAVITY
+
+    def __post_init__(self) -> None:
+        for name in _RANGES:
+            object.__setattr__(self, name, _size(name, getattr(self, name)))
+
+    @classmethod
+    def from_total_mass(
+        cls, leg_length: float, total_mass: float, beta: float, gravity: float = STANDARD_GRAVITY
+    ) -> "Units":
+        """Units of a robot whose weight on a scale is known, feet included.
+
+        Parameters
+        ----------
+        leg_length : float
+            L, in m.
+        total_mass : float
+            Upper body and both feet, ``M (1 + 2 beta)``, in kg.
+        beta : float
+            Mass of one foot as a share of M, as in the models.
+        gravity : float
+            g, in m/s^2.
+
+        Raises
+        ------
+        InputError
+            As for `Units`, and for a `beta` that is negative or no finite number.
+
+        Examples
+        --------
+        >>> round(Units.from_total_mass(leg_length=0.8, total_mass=52.0, beta=0.15).mass, 9)
+        40.0
+        """
+        share = _number(beta, "beta")
+        if share < 0:
+            raise InputError(f"beta = {share:g} is not allowed: the mass of a foot is at least 0")
+        return cls(leg_length, _size("mass", total_mass, "total_mass") / (1 + 2 * share), gravity)
+
+    def unit(self, quantity: str) -> float:
+        """What 1 of a quantity is in SI units.
+
+        Parameters
+        ----------
+        quantity : str
+            A name from `QUANTITIES`, or a unit formed from ``M``, ``L``, ``g``, ``rad`` and ``1`` with
+            blanks or ``*`` for products, ``/``, ``^`` and ``sqrt( )``, as the models' parameters have them.
+
+        Raises
+        ------
+        InputError
+            When it is neither.
+
+        Examples
+        --------
+        >>> robot = Units(leg_length=0.8, mass=40.0, gravity=9.81)
+        >>> robot.unit("stiffness") == robot.unit("M g / L") == 40.0 * 9.81 / 0.8
+        True
+        """
+        values = {"M": self.mass, "L": self.leg_length, "g": self.gravity, "rad": 1.0}
+        try:
+            text = QUANTITIES[quantity][0] if quantity in QUANTITIES else quantity
+            # Between two factors a blank means a product.
+            tree = ast.parse(re.sub(r"(?<=[\w)])\s+(?=[\w(])", "*", text.strip()).replace("^", "**"))
+            (statement,) = tree.body
+            return _value(statement.value, values)  # type: ignore[attr-defined]
+        except (
+            ArithmeticError,
+            AttributeError,
+            KeyError,
+            RecursionError,
+            SyntaxError,
+            TypeError,
+            ValueError,
+        ):
+            close = difflib.get_close_matches(str(quantity), QUANTITIES, n=1)
+            hint = f"; did you mean {close[0]!r}?" if close else ""
+            raise InputError(
+                f"{quantity!r} is neither a quantity ({', '.join(QUANTITIES)}) nor a unit formed from "
+                f"M, L, g and rad, such as 'M g / L'{hint}"
+            ) from None
+
+    def to_si(self, value: Any, quantity: str) -> Any:
+        """A number in the models' units, or an array of them, in SI units.
+
+        Parameters
+        ----------
+        value : float or array_like
+        quantity : str
+            As for `unit`.
+
+        Returns
+        -------
+        float or ndarray
+
+        Raises
+        ------
+        InputError
+            For an unknown quantity, or a value that is no finite number.
+
+        Examples
+        --------
+        >>> Units(leg_length=0.8, mass=40.0).to_si([0.0, 1.1837], "time").round(4)  # s
+        array([0.    , 0.3381])
+        """
+        return _finite(value, quantity) * self.unit(quantity)
+
+    def from_si(self, value: Any, quantity: str) -> Any:
+        """A number in SI units, or an array of them, in the models' units; parameters as for `to_si`.
+
+        Examples
+        --------
+        >>> round(Units(leg_length=0.8, mass=40.0, gravity=9.81).from_si(31.392, "torque"), 9)
+        0.1
+        """
+        return _finite(value, quantity) / self.unit(quantity)
+
+    def parameters(self, model: str, **si: float) -> dict[str, float]:
+        """Parameters of a model from SI units, ready for `find_orbits` and its fellows.
+
+        Parameters
+        ----------
+        model : str
+            Name of the model.
+        **si : float
+            Parameters by name, in the SI units that belong to the model's own: for ``wobbling`` a spring
+            ``k`` in N/m, ``omega`` in rad/s, a foot ``beta`` in kg, ``Kp`` in N m/rad, ``Kd`` in N m s/rad,
+            angles in rad, ``alpha`` as it is.
+
+        Raises
+        ------
+        InputError
+            For an unknown model or parameter, or a value that the model does not allow.
+        """
+        units = {p.name: p.unit for p in _load(model).parameters}
+        converted = {
+            name: _number(value, name) / self.unit(units[name]) for name, value in si.items() if name in units
+        }
+        _load(model).point({**si, **converted})  # refuses what it does not know or allow
+        return converted
+
+    def parameters_si(self, model: str, params: Mapping[str, float]) -> dict[str, float]:
+        """Parameters of a model, or an orbit's ``params``, in SI units: the way back from `parameters`.
+
+        Raises
+        ------
+        InputError
+            For an unknown model or parameter, or a value that the model does not allow.
+        """
+        _load(model).point(params)
+        units = {p.name: p.unit for p in _load(model).parameters}
+        return {name: float(value) * self.unit(units[name]) for name, value in params.items()}
+
+    def measures(self, orbit: "Orbit") -> dict[str, float]:
+        """What was measured on a limit cycle, in SI units: m, s, m/s, J, N; pure numbers as they are.
+
+        The keys are those of `MEASURES`; what is NaN in the orbit stays NaN.
+        """
+        return {
+            name: getattr(orbit, name) * self.unit(quantity)
+            for name, quantity in MEASURES.items()
+            if getattr(orbit, name, None) is not None
+        }
+
+
+def _load(model: str) -> Any:
+    # Here and not at the top, so that converting a number does not load CasADi.
+    from stridemap.solver.model import load
+
+    return load(model)
+
+
+def _value(node: ast.expr, values: Mapping[str, float]) -> float:
+    """The value of a parsed unit; raises anything for what is no unit."""
+    match node:
+        case ast.Name(id=name):
+            return values[name]
+        case ast.Constant(value=int(one)) if one == 1 and one is not True:
+            return 1.0
+        case ast.BinOp(left=left, op=ast.Pow(), right=ast.Constant(value=int(power))) if power <= 9:
+            return _value(left, values) ** power
+        case ast.BinOp(left=left, op=ast.Mult(), right=right):
+            return _value(left, values) * _value(right, values)
+        case ast.BinOp(left=left, op=ast.Div(), right=right):
+            return _value(left, values) / _value(right, values)
+        case ast.Call(func=ast.Name(id="sqrt"), args=[radicand], keywords=[]):
+            return math.sqrt(_value(radicand, values))
+    raise ValueError
+
+
+def _number(value: Any, name: str) -> float:
+    """A finite number, or an `InputError` that names it."""
+    if isinstance(value, bool | np.bool_) or not isinstance(value, int | float | np.integer | np.floating):
+        raise InputError(f"{name} = {value!r} is not a number")
+    if not math.isfinite(value):
+        raise InputError(f"{name} = {value} is not a finite number")
+    return float(value)
+
+
+def _size(name: str, value: Any, called: str | None = None) -> float:
+    """A size of a robot within its range."""
+    lower, upper, unit = _RANGES[name]
+    number = _number(value, called or name)
+    if not lower <= number <= upper:
+        raise InputError(
+            f"{called or name} = {number:g} {unit} is outside the allowed range "
+            f"({lower:g} to {upper:g} {unit}); give it in {unit}"
+        )
+    return number
+
+
+def _finite(value: Any, quantity: str) -> Any:
+    """A finite number, or an array of them."""
+    if isinstance(value, list | tuple | np.ndarray):
+        array = np.asarray(value)
+        if array.dtype.kind not in "iuf" or not np.isfinite(array).all():
+            raise InputError(f"{quantity}: not all of the values {value!r} are finite numbers")
+        return array.astype(np.float64)
+    return _number(value, quantity)
