@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from stridemap.solver.motion import Motion, motion
     from stridemap.solver.orbit import Orbit, Status
     from stridemap.solver.search import SearchOptions
+    from stridemap.sweeps.draw.animate import animate
     from stridemap.sweeps.paper.claim import Claim, Verdict
     from stridemap.sweeps.paper.evaluate import claims
     from stridemap.sweeps.run import sweep
@@ -37,6 +38,7 @@ _HOMES = {
     "Status": "stridemap.solver.orbit",
     "Units": "stridemap.units",
     "Verdict": "stridemap.sweeps.paper.claim",
+    "animate": "stridemap.sweeps.draw.animate",
     "claims": "stridemap.sweeps.paper.evaluate",
     "derive_model": "stridemap.build",
     "find_orbits": "stridemap.solver.face",
@@ -59,6 +61,7 @@ __all__ = [
     "Units",
     "Verdict",
     "__version__",
+    "animate",
     "claims",
     "derive_model",
     "find_orbits",

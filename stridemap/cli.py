@@ -1,10 +1,9 @@
-"""The command line: ``stridemap orbit | sweep | simulate | derive | claims | report``.
+"""The command line: ``stridemap orbit | sweep | simulate | derive | claims | figures | animate | report``.
 
 Exit status: 0 found or done, 1 nothing found, 2 unusable input (one sentence on standard error).
 """
 
 import errno
-import itertools
 import json
 import math
 import os
@@ -15,18 +14,22 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, NoReturn
 
 import typer
-import typer.core
 
+from stridemap.commands.animate import animate
 from stridemap.commands.claims import claims
+from stridemap.commands.figures import figures
 from stridemap.commands.report import report
 from stridemap.errors import InputError
 from stridemap.options import (
     FOUND,
     INTERRUPTED,
     NOTHING,
+    PARAMETERS,
     UNUSABLE,
     JsonOption,
+    ModelOption,
     SetOption,
+    WithParameters,
     assign,
     parameters,
     split,
@@ -39,35 +42,6 @@ if TYPE_CHECKING:
 # The base of all complaints about the command line; typer has it under varying module names.
 _UsageError: Any = next(c for c in typer.BadParameter.__mro__ if c.__name__ == "ClickException")
 
-# Model parameters are options of the commands that take a model (--k 6): which there are depends on the
-# model, so they are taken from what is left on the command line.
-_PARAMETERS = {"allow_extra_args": True, "ignore_unknown_options": True}
-
-
-class _WithParameters(typer.core.TyperCommand):
-    """A command whose help lists the parameters of the model that is named beside ``--help``."""
-
-    def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
-        """Keep the words, because the help is printed before the options are read."""
-        ctx.meta["words"] = list(args)
-        return super().parse_args(ctx, args)
-
-    def format_epilog(self, ctx: Any, formatter: Any) -> None:
-        """Write the model's parameters below the options."""
-        from stridemap.solver.model import load
-
-        words = ctx.meta.get("words", [])
-        named = [w.partition("=")[2] for w in words if w.startswith("--model=")]
-        named += [after for word, after in itertools.pairwise(words) if word == "--model"]
-        model = load(named[-1] if named else "wobbling")
-        rows = []
-        for a in model.parameters:
-            default = f"{a.default:.6g}"
-            rows.append((f"--{a.name} NUMBER", f"{a.meaning} [{a.unit}]; {a.allowed}; preset {default}"))
-        with formatter.section(f"Parameters of the model {model.name} (also --set NAME=VALUE)"):
-            formatter.write_dl(rows)
-
-
 app = typer.Typer(
     help="Limit cycles, Floquet multipliers and parameter sweeps of walking models.",
     add_completion=False,
@@ -76,11 +50,9 @@ app = typer.Typer(
 )
 
 app.command()(claims)
+app.command()(figures)
+app.command(cls=WithParameters, context_settings=PARAMETERS)(animate)
 app.command()(report)
-
-ModelOption = Annotated[
-    str, typer.Option("--model", help="Name of a built-in model, a model file (.py), or a derived folder.")
-]
 
 
 def main() -> NoReturn:
@@ -120,7 +92,7 @@ def _discard_output() -> None:
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
-@app.command(cls=_WithParameters, context_settings=_PARAMETERS)
+@app.command(cls=WithParameters, context_settings=PARAMETERS)
 def orbit(
     context: typer.Context,
     model: ModelOption = "wobbling",
@@ -146,7 +118,7 @@ def orbit(
     return FOUND if orbits else NOTHING
 
 
-@app.command(cls=_WithParameters, context_settings=_PARAMETERS)
+@app.command(cls=WithParameters, context_settings=PARAMETERS)
 def simulate(
     context: typer.Context,
     model: ModelOption = "wobbling",

@@ -1,13 +1,44 @@
-"""What the options of several commands have in common: parameters, whole numbers, exit statuses."""
+"""What the options of several commands have in common: model, parameters, whole numbers, exit statuses."""
 
+import itertools
 from typing import Annotated, Any
 
 import typer
+import typer.core
 
 from stridemap.errors import InputError
 
 FOUND, NOTHING, UNUSABLE, INTERRUPTED = 0, 1, 2, 130
 """Exit statuses."""
+
+
+# Model parameters are options of the commands that take a model (--k 6): which there are depends on the
+# model, so they are taken from what is left on the command line.
+PARAMETERS = {"allow_extra_args": True, "ignore_unknown_options": True}
+
+
+class WithParameters(typer.core.TyperCommand):
+    """A command whose help lists the parameters of the model that is named beside ``--help``."""
+
+    def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
+        """Keep the words, because the help is printed before the options are read."""
+        ctx.meta["words"] = list(args)
+        return super().parse_args(ctx, args)
+
+    def format_epilog(self, ctx: Any, formatter: Any) -> None:
+        """Write the model's parameters below the options."""
+        from stridemap.solver.model import load
+
+        words = ctx.meta.get("words", [])
+        named = [w.partition("=")[2] for w in words if w.startswith("--model=")]
+        named += [after for word, after in itertools.pairwise(words) if word == "--model"]
+        model = load(named[-1] if named else "wobbling")
+        rows = []
+        for a in model.parameters:
+            default = f"{a.default:.6g}"
+            rows.append((f"--{a.name} NUMBER", f"{a.meaning} [{a.unit}]; {a.allowed}; preset {default}"))
+        with formatter.section(f"Parameters of the model {model.name} (also --set NAME=VALUE)"):
+            formatter.write_dl(rows)
 
 
 def _count(text: str) -> int:
@@ -22,6 +53,9 @@ def whole(meaning: str) -> Any:
     return typer.Option(parser=_count, metavar="N", help=meaning)
 
 
+ModelOption = Annotated[
+    str, typer.Option("--model", help="Name of a built-in model, a model file (.py), or a derived folder.")
+]
 SetOption = Annotated[list[str] | None, typer.Option("--set", metavar="NAME=VALUE", help="Set a parameter.")]
 JsonOption = Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")]
 

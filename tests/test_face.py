@@ -179,8 +179,8 @@ def test_public_names():
     assert dir(stridemap) == sorted(stridemap.__all__)
     assert set(stridemap.__all__) == {
         "Claim", "InputError", "Model", "Motion", "Orbit", "SearchOptions", "Status", "Units",
-        "Verdict", "__version__", "claims", "derive_model", "find_orbits", "load", "motion",
-        "read_cells", "read_orbits", "simulate", "sweep",
+        "Verdict", "__version__", "animate", "claims", "derive_model", "find_orbits", "load",
+        "motion", "read_cells", "read_orbits", "simulate", "sweep",
     }  # fmt: skip
     for name in stridemap.__all__:
         value = getattr(stridemap, name)

@@ -1,0 +1,24 @@
+"""The packages that drawing needs and nothing else does."""
+
+from importlib.util import find_spec
+
+from stridemap.errors import InputError
+
+PACKAGES = {"matplotlib": "matplotlib", "PIL": "Pillow"}
+"""Import name and name of each."""
+
+
+def require_pictures() -> None:
+    """Refuse to draw where a package is missing, before anything is computed.
+
+    Raises
+    ------
+    InputError
+        When matplotlib or Pillow is not installed.
+    """
+    missing = [name for module, name in PACKAGES.items() if find_spec(module) is None]
+    if missing:
+        raise InputError(
+            f"drawing needs {' and '.join(missing)}, which is not installed here: run `pip install "
+            '"stridemap[pictures]"`, or `make figures` in a checkout'
+        )

@@ -1,0 +1,129 @@
+"""How all figures look: colours, sizes, line styles, and how they are written.
+
+Colours are from the set of Okabe and Ito (jfly.uni-koeln.de/color), which people with any colour vision tell
+apart. Nothing is told by colour alone: classes of the map differ in luminance, curves in width or dashes.
+"""
+
+import io
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import matplotlib as mpl
+from matplotlib.axes import Axes
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+
+from stridemap.errors import InputError
+
+MM = 1 / 25.4
+COLUMN = 80 * MM
+"""Width of a single column of the paper, in inches."""
+DPI = 200
+
+BLACK, WHITE = "#000000", "#ffffff"
+BLUE, VERMILION, GREEN, PURPLE, SKY = "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9"
+DARK, GREY, PALE = "#404040", "#b4b4b4", "#e6e6e6"
+
+STABLE, UNSTABLE, NONE = BLUE, GREY, WHITE
+"""Classes of the map."""
+
+STABLE_LINE: dict[str, Any] = {"color": BLUE, "linewidth": 2.2, "linestyle": "-", "solid_capstyle": "butt"}
+UNSTABLE_LINE: dict[str, Any] = {"color": DARK, "linewidth": 0.7, "linestyle": "-"}
+COMPASS_LINE: dict[str, Any] = {"color": BLACK, "linewidth": 0.9, "linestyle": (0, (5, 2.5))}
+
+SOLUTIONS: dict[str, dict[str, Any]] = {
+    "a": {"color": VERMILION, "linewidth": 1.3, "linestyle": "-"},
+    "b": {"color": GREEN, "linewidth": 1.3, "linestyle": (0, (6, 1.5))},
+    "c": {"color": BLUE, "linewidth": 1.3, "linestyle": (0, (5, 1.2, 1, 1.2))},
+    "compass": COMPASS_LINE,
+}
+"""The typical solutions, and the compass walker, each with a colour and dashes of its own."""
+
+RC = {
+    "font.family": "sans-serif",
+    "font.sans-serif": ["DejaVu Sans"],  # comes with matplotlib: the same on every machine
+    "mathtext.fontset": "dejavusans",
+    "font.size": 7.5,
+    "axes.labelsize": 8,
+    "axes.titlesize": 8,
+    "xtick.labelsize": 7,
+    "ytick.labelsize": 7,
+    "legend.fontsize": 7,
+    "axes.linewidth": 0.6,
+    "axes.labelpad": 2.5,
+    "axes.titlepad": 3.5,
+    "xtick.major.width": 0.6,
+    "ytick.major.width": 0.6,
+    "xtick.major.size": 2.5,
+    "ytick.major.size": 2.5,
+    "xtick.direction": "in",
+    "ytick.direction": "in",
+    "legend.frameon": False,
+    "legend.handlelength": 2.2,
+    "legend.borderaxespad": 0.3,
+    "svg.fonttype": "none",  # text stays text
+    "svg.hashsalt": "stridemap",
+    "figure.dpi": DPI,
+    "savefig.dpi": DPI,
+    "image.interpolation": "none",
+}
+
+
+@contextmanager
+def styled() -> Iterator[None]:
+    """The style, for as long as the context lasts: from the making of a figure to its writing."""
+    with mpl.rc_context({**mpl.rcParamsDefault, "backend": mpl.rcParams["backend"], **RC}):
+        yield
+
+
+def new_figure(width: float, height: float) -> Figure:
+    """An empty figure of a size in inches, which no window and no other figure knows of."""
+    figure = Figure(figsize=(width, height), layout="constrained")
+    FigureCanvasAgg(figure)
+    figure.get_layout_engine().set(w_pad=0.02, h_pad=0.02, wspace=0.03, hspace=0.03)
+    return figure
+
+
+def panel_label(axes: Axes, text: str) -> None:
+    """A bold label in the upper left corner outside of a panel."""
+    axes.set_title(text, loc="left", fontweight="bold")
+
+
+def write(figure: Figure, folder: Path, name: str) -> list[Path]:
+    """Write a figure as SVG and PNG, without a date, so that the same figure is the same bytes.
+
+    Returns
+    -------
+    list of pathlib.Path
+
+    Raises
+    ------
+    InputError
+        When a file cannot be written.
+    """
+    paths = []
+    for kind, metadata in (("svg", {"Date": None, "Creator": None}), ("png", {"Software": None})):
+        content = io.BytesIO()
+        figure.savefig(content, format=kind, metadata=metadata)
+        paths.append(put(folder / f"{name}.{kind}", content.getvalue()))
+    return paths
+
+
+def put(path: Path, content: bytes) -> Path:
+    """Write a file, whose folder is made if it is not there.
+
+    Raises
+    ------
+    InputError
+        When that cannot be done.
+    """
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(content)
+    except OSError as error:
+        raise InputError(
+            f"cannot write {path} ({error.strerror or error}); give a path that can be written"
+        ) from None
+    return path
