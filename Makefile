@@ -30,7 +30,7 @@ SOUND := $(shell [ -x $(BIN)/python ] && [ "$$(cat $(MADE) 2>/dev/null)" = "$$(p
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help derive sweep claims report test lint format bench recall docs lock clean FORCE
+.PHONY: help derive sweep claims figures images report test lint format bench recall docs lock clean FORCE
 
 help: ## this list
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "make %-8s %s\n", $$1, $$2 }' Makefile
@@ -43,6 +43,12 @@ sweep: $(RUN) ## find all limit cycles of a grid, or go on with what is unfinish
 
 claims: $(RUN) ## decide the paper's statements by computation (WORKERS=, ARGS=--json)
 	@$(BIN)/stridemap claims $(if $(WORKERS),--workers $(WORKERS)) $(ARGS)
+
+figures: $(PICTURES) ## draw the paper's figures from computed data, as SVG and PNG, into results/paper-figures (WORKERS=)
+	$(BIN)/stridemap figures $(if $(WORKERS),--workers $(WORKERS)) $(ARGS)
+
+images: figures ## remake the pictures of the README, in docs/images
+	$(BIN)/python docs/pictures.py
 
 report: $(RUN) ## write the sweep and the claims as one HTML page to explore, after both if need be (CONFIG=, OUT=, REPORT=)
 	@[ -e "$(OUT)/orbits.parquet" ] && [ -e "$(OUT)/cells.parquet" ] && [ ! -e "$(OUT)/parts" ] || \

@@ -101,6 +101,16 @@ def test_is_my_spring_in_group_b(example):
     assert "-16.5 % and +54.8 %" in out  # "softer by a sixth or stiffer by half"
 
 
+def test_swinging_torso(example):
+    names, out = example(6)
+    undamped, damped, compass = names["undamped"], names["damped"], names["compass"]
+    # The sentences: stable only with a spring ten times what holds the torso up; cheaper than the compass.
+    assert min(undamped[undamped.stable].k.min(), damped[damped.stable].k.min()) > 10 * 0.125
+    assert names["gait"].stable
+    assert names["gait"].cot < compass.cot
+    assert "cost of transport 0.294, compass 0.308" in out
+
+
 def push(names, spring):
     """By what factor 40 steps change a small distance from the cycle; the spring in N/m."""
     point = names["robot"].parameters("wobbling", **(names["si"] | {"k": spring}))

@@ -183,7 +183,7 @@ K = "[grid]\nk = "
 BAD = {
     "no model": ("[grid]\nk = [1]", ["model is missing"]),
     "misspelt model key": ("modle = 'wobbling'", ["unknown key modle (did you mean model?)", "max_cells"]),
-    "model is a number": ("model = 3", ["model = 3", "name of a model"]),
+    "model is a number": ("model = 3", ["model = 3", "name or path of a model"]),
     "unknown model": ("model = 'wobling'\n" + K + "[1]", ["'wobling'", "wobbling", "compass"]),
     "unknown key": (K + "[1]\n[serach]\nstarts = 1", ["unknown key serach (did you mean search?)"]),
     "params no table": ("params = 3\n" + K + "[1]", ["params = 3", "table"]),

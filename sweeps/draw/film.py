@@ -12,10 +12,10 @@ from PIL import Image
 from stridemap.sweeps.draw import style, walker
 from stridemap.sweeps.draw.scene import Scene
 
-VIEW = (-0.5, 0.5, -0.16, 1.12)
-"""Left, right, bottom and top of a panel, in leg lengths around the walker and from the ground."""
+VIEW = (-0.75, 0.75, -0.16, 1.34)
+"""A square: left, right, bottom and top of a panel, in heights of the walker, around it and from the ground."""
 FORCE = 0.3
-"""Length of the force's arrow for a force M g, in leg lengths."""
+"""Length of the force's arrow for a force like the weight, in heights of the walker."""
 HATCHES = 3
 """Hatches of the ground in a step, a whole number so that the ground repeats with the steps."""
 COLOURS = 32
@@ -72,11 +72,10 @@ def draw_frame(axes: Axes, of: Scene, step: int, i: int) -> None:
     left, right, bottom, top = VIEW
     middle = of.middle[i]
     axes.set(xlim=(middle + left, middle + right), ylim=(bottom, top))
-    axes.set_aspect("equal", adjustable="datalim", anchor="S")
+    axes.set_aspect("equal")
     axes.axis("off")
-    slope = of.step[1] / of.step[0]
     reach = 0.2 + right - left  # more than is seen
-    walker.draw_ground(axes, middle - reach, middle + reach, of.step[0] / HATCHES, 0.0, slope)
+    walker.draw_ground(axes, middle - reach, middle + reach, of.step / HATCHES)
     stance, swing = (walker.LEFT, walker.RIGHT) if step % 2 == 0 else (walker.RIGHT, walker.LEFT)
     _draw_prints(axes, of, stance, swing)
     for name, line in of.lines.items():
@@ -90,21 +89,19 @@ def draw_frame(axes: Axes, of: Scene, step: int, i: int) -> None:
         else:
             axes.plot(*points.T, color=style.DARK, linewidth=2, zorder=2)
     feet = {"stance foot": stance, "swing foot": swing}
-    walker.draw_masses(axes, of.names, of.positions[i], of.seen.masses, feet)
+    walker.draw_masses(axes, of.names, of.positions[i], of.masses, feet)
     arrow = {"arrowstyle": "-|>,head_width=0.25,head_length=0.5", "color": style.GREEN, "linewidth": 1.5}
+    foot = np.array([of.contact[i], 0.0])
     axes.annotate(
-        "", FORCE * of.seen.force[i], (0, 0), arrowprops={**arrow, "shrinkA": 0, "shrinkB": 0}, zorder=6
+        "", foot + FORCE * of.force[i], foot, arrowprops={**arrow, "shrinkA": 0, "shrinkB": 0}, zorder=6
     )
-    zmp = -of.seen.d[i]
-    axes.plot(zmp, zmp * slope - 0.035, "^", color=style.VERMILION, markersize=6, mew=0, zorder=6)
+    axes.plot(of.zmp[i], -0.035, "^", color=style.VERMILION, markersize=6, mew=0, zorder=6)
 
 
 def _draw_prints(axes: Axes, of: Scene, stance: str, swing: str) -> None:
     """Where the feet stood before, in the colours of their legs."""
-    reach = int(np.ceil(1 / of.step[0]))
-    for back in range(1, reach + 1):
-        x, y = -back * of.step
-        axes.plot(x, y, "_", color=stance if back % 2 == 0 else swing, markersize=7, mew=2, zorder=1)
+    for back in range(1, int(np.ceil(1 / of.step)) + 1):
+        axes.plot(-back * of.step, 0, "_", color=stance if back % 2 == 0 else swing, markersize=7, mew=2, zorder=1)
 
 
 def _gif(images: Sequence[Image.Image], hundredths: int) -> bytes:

@@ -16,7 +16,8 @@ Array = NDArray[np.float64]
 class Scene:
     """One step of a limit cycle in n frames, the next touchdown not among them.
 
-    Positions are from the stance foot, in leg lengths.
+    Positions are from the stance foot, in terms of the walker's height; so walkers in any units fit the
+    picture.
 
     Parameters
     ----------
@@ -24,7 +25,13 @@ class Scene:
         n + 1 samples.
     positions : ndarray, shape (n + 1, n_masses, 2)
     lines : dict of str to ndarray, shape (n + 1, n_points, 2)
-    step : ndarray, shape (2,)
+    masses : ndarray, shape (n_masses,)
+        As shares of the whole.
+    force : ndarray, shape (n + 1, 2)
+        Ground force in terms of the weight.
+    contact, zmp : ndarray, shape (n + 1,)
+        Horizontal places of the contact with the ground and of the zero moment point.
+    step : float
         From one contact point to the next.
     middle : ndarray, shape (n + 1,)
         Horizontal place that the view is centred on; it moves evenly, and by a step in a step.
@@ -33,7 +40,11 @@ class Scene:
     seen: Motion
     positions: Array
     lines: dict[str, Array]
-    step: Array
+    masses: Array
+    force: Array
+    contact: Array
+    zmp: Array
+    step: float
     middle: Array
 
     @property
@@ -67,10 +78,23 @@ def scene(orbit: Orbit, frames: int, magnify: float = 1.0) -> Scene:
     positions, lines = seen.positions, seen.lines
     if magnify != 1:
         positions, lines = _magnified(seen, orbit, magnify)
-    p = seen.model.point(orbit.params)
-    step = np.array(next(iter(seen.model.evaluate("swing_foot", q=seen.q[-1], p=p).values())))
-    share = np.linspace(0, 1, frames + 1)
-    return Scene(seen, positions, lines, step, step[0] * (share - 0.5))
+    model = seen.model
+    height = max(float(points[..., 1].max()) for points in (positions, *lines.values()))
+    load = model.evaluate("total_mass", p=model.point(orbit.params))
+    # The zero moment point is where the line of the ground force through the centre of mass meets the ground.
+    zmp = seen.com[:, 0] - seen.force[:, 0] / seen.force[:, 1] * seen.com[:, 1]
+    step = orbit.step_length / height
+    return Scene(
+        seen,
+        positions / height,
+        {name: points / height for name, points in lines.items()},
+        seen.masses / load["mass"],
+        seen.force / load["weight"],
+        (zmp + seen.d) / height,
+        zmp / height,
+        step,
+        step * (np.linspace(0, 1, frames + 1) - 0.5),
+    )
 
 
 def _magnified(seen: Motion, orbit: Orbit, magnify: float) -> tuple[Array, dict[str, Array]]:

@@ -27,7 +27,7 @@ def draw(data: Data | None = None) -> Figure:
     axes.set(xlim=(-1.05, 0.62), ylim=(-0.2, 1.3))
     axes.set_aspect("equal")
     axes.axis("off")
-    walker.draw_ground(axes, -1.0, 0.55, 0.06, 0.0, 0.0)
+    walker.draw_ground(axes, -1.0, 0.55, 0.06)
     foot, hip, swing = drawn["legs"]
     walker.draw_leg(axes, np.array([hip, swing]), walker.RIGHT)
     walker.draw_leg(axes, np.array([foot, hip]), walker.LEFT)

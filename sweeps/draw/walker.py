@@ -11,8 +11,8 @@ from stridemap.sweeps.draw import style
 
 Array = NDArray[np.float64]
 
-RADIUS = 0.085
-"""Radius of a disc of mass M, in leg lengths; areas are as masses."""
+RADIUS = 0.095
+"""Radius of a disc of the whole walker's mass, in its heights; areas are as masses."""
 LEFT, RIGHT = style.DARK, style.SKY
 MASS_COLOURS = {"hip": style.DARK, "wobbling mass": style.VERMILION}
 COILS = 5
@@ -49,12 +49,11 @@ def draw_spring(axes: Axes, points: Array, width: float = 0.03, **line: Any) -> 
     axes.plot(*spring_line(points, width).T, **look)
 
 
-def draw_ground(axes: Axes, left: float, right: float, spacing: float, shift: float, slope: float) -> None:
-    """The ground through the origin with hatches at multiples of `spacing` past `shift`."""
-    axes.plot([left, right], [left * slope, right * slope], color=style.BLACK, linewidth=1, zorder=1)
-    first = np.ceil((left - shift) / spacing)
-    at = shift + spacing * np.arange(first, np.floor((right - shift) / spacing) + 1)
+def draw_ground(axes: Axes, left: float, right: float, spacing: float) -> None:
+    """The ground through the origin with hatches at multiples of `spacing`."""
+    axes.plot([left, right], [0, 0], color=style.BLACK, linewidth=1, zorder=1)
+    at = spacing * np.arange(np.ceil(left / spacing), np.floor(right / spacing) + 1)
     ends = np.full_like(at, np.nan)
     x = np.column_stack([at, at - 0.03, ends]).ravel()
-    y = np.column_stack([at * slope, at * slope - 0.04, ends]).ravel()
+    y = np.column_stack([0 * at, 0 * at - 0.04, ends]).ravel()
     axes.plot(x, y, color=style.GREY, linewidth=0.8, zorder=1)
