@@ -1,4 +1,4 @@
-"""The report in a browser, opened by double-click: no network, no complaints, the right numbers, the walker moves."""
+"""The report in a browser, opened as a file: no network, no complaints, right numbers, the walker moves."""
 
 import shutil
 import time
@@ -144,7 +144,8 @@ def test_motions_are_those_of_the_solver(report, open_page):
     )
     found = page.evaluate(
         """samples => Array.from({ length: stridemap.orbits.length }, (_, row) => {
-        const path = stridemap.Path.ofRow(row); return { closing: path.closing, seen: path.samples(samples) }; })""",
+        const path = stridemap.Path.ofRow(row);
+        return { closing: path.closing, seen: path.samples(samples) }; })""",
         samples,
     )
     for i, one in enumerate(found):
