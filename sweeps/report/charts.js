@@ -59,7 +59,7 @@ function lineChart({ title, unit, series, measure, zero }, times, row) {
   const bound = measure && orbits.has(measure) ? orbits.entry(measure, row) : null;
   const values = series.flatMap((s) => s.values).concat(zero ? [0] : [], bound === null ? [] : [0]).filter(Number.isFinite);
   let [low, high] = [Math.min(...values), Math.max(...values)];
-  const pad = 0.06 * (high - low) || 0.5;
+  const pad = high - low > 1e-12 ? 0.06 * (high - low) : 0.5; // what is zero but for rounding is a flat line
   [low, high] = [low - pad, high + pad];
   const x = (t) => left + (t / period) * (width - left - right);
   const y = (v) => height - bottom - ((v - low) / (high - low)) * (height - top - bottom);

@@ -87,14 +87,14 @@ def claims(model: Model, verdicts: Sequence[Mapping[str, Any]] | None) -> str:
         f'<tr><th scope="row">{text(claim["id"])}</th><td>{text(claim.get("statement", ""))}</td>'
         f'<td class="verdict" data-verdict="{text(claim["verdict"])}">'
         f'<span aria-hidden="true">{VERDICTS[claim["verdict"]]}</span> {text(claim["verdict"])}</td>'
-        f"<td>{_evidence(claim.get('evidence'))}</td></tr>"
+        f"<td>{_numbers(claim)}</td></tr>"
         for claim in verdicts
     )
     return _section(
         f"<p>{len(verdicts)} statements: {', '.join(counts)}.</p>"
         '<div class="wide" tabindex="0" role="region" aria-label="Verdicts"><table class="claims"><thead><tr>'
         '<th scope="col">id</th><th scope="col">statement</th><th scope="col">verdict</th>'
-        f'<th scope="col">evidence</th></tr></thead><tbody>{rows}</tbody></table></div>'
+        f'<th scope="col">deciding numbers</th></tr></thead><tbody>{rows}</tbody></table></div>'
     )
 
 
@@ -140,6 +140,14 @@ def _listed(words: Sequence[str]) -> str:
 
 def _plain(value: Any) -> str:
     return value if isinstance(value, str) else json.dumps(value)
+
+
+def _numbers(claim: Mapping[str, Any]) -> str:
+    """The deciding numbers in a few words, if there are, and all of them to be unfolded."""
+    evidence = _evidence(claim.get("evidence"))
+    if not claim.get("numbers"):
+        return evidence
+    return f"{text(claim['numbers'])}<details><summary>all numbers</summary>{evidence}</details>"
 
 
 def _evidence(value: Any) -> str:
