@@ -186,8 +186,9 @@ def test_a_reserved_word_is_renamed():
     "line",
     [
         "y = q[0]**2", "y = q[0]//2", "y = q[0] % 2", "y = xp.arcsin(q[0])", "y = abs(q[0])", "y = q.real",
-        "y = q[1:]", "y = q[-1]", "y = True", "y = 1j", "y = 1 if q[0] else 2", "y = q[0] < 2", "y = (q[0], 1)",
-        "y = xp.sin(q[0], 1)", "y += 1", "for y in q: pass", "y, z = q", "return y", "y = lambda: 1", "y: int = 1",
+        "y = q[1:]", "y = q[-1]", "y = True", "y = 1j", "y = 1 if q[0] else 2", "y = q[0] < 2",
+        "y = (q[0], 1)", "y = xp.sin(q[0], 1)", "y += 1", "for y in q: pass", "y, z = q", "return y",
+        "y = lambda: 1", "y: int = 1",
     ],
 )  # fmt: skip
 def test_what_could_mean_something_else_is_refused(line):

@@ -24,24 +24,24 @@ const CHART = { width: 340, height: 184, left: 52, right: 46, top: 10, bottom: 4
 function chartsOf(samples) {
   const named = (label, value, cls) => ({ label, values: samples.map(value), cls });
   const charts = [];
-  for (const [kind, of, symbol, inverse] of [["", "q", "symbol", ""], ["rate of ", "v", "rate_symbol", " √(g/L)"]]) {
-    for (const [unit, members] of grouped(model.coordinates, (c) => c.unit)) {
+  for (const [kind, of, symbol, unitOf] of [["", "q", "symbol", "unit"], ["rate of ", "v", "rate_symbol", "rate_unit"]]) {
+    for (const [unit, members] of grouped(model.coordinates, (c) => c[unitOf])) {
       const series = members.map((c, i) => named(c[symbol], (s) => s[of][model.coordinates.indexOf(c)], `series-${i}`));
       const title = kind + members.map((c) => c.symbol).join(", ");
-      charts.push({ title, unit: (unit + inverse).trim(), series });
+      charts.push({ title, unit, series });
     }
   }
   const has = (name) => samples[0][name] !== null;
-  if (has("d")) charts.push({ title: "d: stance foot minus zero moment point", unit: "L", series: [named("d", (s) => s.d, "series-0")], measure: "d_max" });
+  if (has("d")) charts.push({ title: "d: stance foot minus zero moment point", unit: model.units.length, series: [named("d", (s) => s.d, "series-0")], measure: "d_max" });
   if (has("force")) {
     charts.push({
-      title: "ground force on the stance foot", unit: "M g", zero: true,
+      title: "ground force on the stance foot", unit: model.units.force, zero: true,
       series: [named("Fy", (s) => s.force[1], "series-0"), named("Fx", (s) => s.force[0], "series-1")],
     });
   }
   if (has("torque")) {
     const series = model.actuated.map((name, i) => named(name, (s) => s.torque[i], `series-${i}`));
-    charts.push({ title: series.length > 1 ? "torques of the motors" : "torque of the motor", unit: "M g L", series });
+    charts.push({ title: series.length > 1 ? "torques of the motors" : "torque of the motor", unit: model.units.energy, series });
   }
   return charts;
 }
@@ -59,7 +59,7 @@ function lineChart({ title, unit, series, measure, zero }, times, row) {
   const bound = measure && orbits.has(measure) ? orbits.entry(measure, row) : null;
   const values = series.flatMap((s) => s.values).concat(zero ? [0] : [], bound === null ? [] : [0]).filter(Number.isFinite);
   let [low, high] = [Math.min(...values), Math.max(...values)];
-  const pad = 0.06 * (high - low) || 0.5;
+  const pad = high - low > 1e-12 ? 0.06 * (high - low) : 0.5; // what is zero but for rounding is a flat line
   [low, high] = [low - pad, high + pad];
   const x = (t) => left + (t / period) * (width - left - right);
   const y = (v) => height - bottom - ((v - low) / (high - low)) * (height - top - bottom);
@@ -71,7 +71,7 @@ function lineChart({ title, unit, series, measure, zero }, times, row) {
   for (const value of ticks(0, period, 4)) {
     root.append(svg("text", { x: x(value), y: height - bottom + 15, class: "tick middle" }, brief(value)));
   }
-  root.append(svg("text", { x: width - right, y: height - 9, class: "tick end" }, "t [√(L/g)]"));
+  root.append(svg("text", { x: width - right, y: height - 9, class: "tick end" }, withUnit("t", model.units.time)));
   for (const side of bound === null ? [] : [-bound, bound].filter((v) => v > low && v < high)) {
     root.append(svg("line", { x1: left, x2: width - right, y1: y(side), y2: y(side), class: "bound" }));
     root.append(svg("text", { x: width - right + 4, y: y(side), class: "tick" }, side < 0 ? `${MINUS}max` : "d_max"));

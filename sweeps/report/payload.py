@@ -14,7 +14,7 @@ import pandas as pd
 from scipy.integrate import DOP853
 
 from stridemap.solver.model import Model, Parameter
-from stridemap.sweeps.report.quantities import MEASURES, Quantity, rate_symbol, symbol
+from stridemap.sweeps.report.quantities import MEASURES, Quantity, printed, rate_symbol, symbol, units
 
 NEEDED = ("section_state", "state_derivative", "impact_map", "swing_foot", "drawing")
 """Generated functions without which no walker can be shown."""
@@ -43,7 +43,7 @@ def payload(model: Model, configuration: Mapping[str, Any], orbits: pd.DataFrame
             {
                 "name": parameter.name,
                 "symbol": symbol(parameter.name),
-                "unit": _unit(parameter.unit),
+                "unit": printed(parameter.unit),
                 "meaning": parameter.meaning,
                 "values": configuration["grid"][parameter.name],
                 "preset": parameter.default,
@@ -84,22 +84,30 @@ def _model(model: Model) -> dict[str, Any]:
         "coordinates": [
             {
                 **c,
-                "unit": _unit(c["unit"]),
+                "unit": printed(c["unit"]),
                 "symbol": symbol(c["name"]),
                 "rate_symbol": rate_symbol(c["name"]),
+                "rate_unit": printed(rate["unit"]),
             }
-            for c in manifest["coordinates"]
+            for c, rate in zip(manifest["coordinates"], _rates(manifest), strict=True)
         ],
         "section": [
             {"name": name, "symbol": _section_symbol(name, model.coordinates)} for name in model.section
         ],
         "actuated": [symbol(name) for name in manifest["actuated"]],
+        "units": units(manifest["units"]),
         "masses": manifest["masses"],
         "lines": manifest["lines"],
         "inputs": {
             name: [a["name"] for a in manifest["functions"][name]["inputs"]] for name in functions(model)
         },
     }
+
+
+def _rates(manifest: Mapping[str, Any]) -> Any:
+    """The rates of the coordinates, as the manifest describes them where they are an input."""
+    inputs = manifest["functions"]["state_derivative"]["inputs"]
+    return next(entry["entries"] for entry in inputs if entry["name"] == "v")
 
 
 def _section_symbol(name: str, coordinates: tuple[str, ...]) -> str:
@@ -116,8 +124,9 @@ def _measures(model: Model, orbits: pd.DataFrame, hidden: set[str]) -> list[dict
     known = [name for name in MEASURES if name in shown]
     rest = [name for name in shown if name not in MEASURES]
     quantities = {name: MEASURES.get(name, Quantity(name.replace("_", " "))) for name in known + rest}
+    unit = units(model.manifest["units"])
     return [
-        {"name": name, "label": quantity.label, "unit": quantity.unit, "meaning": quantity.meaning}
+        {"name": name, "label": quantity.label, "unit": unit[quantity.kind], "meaning": quantity.meaning}
         for name, quantity in quantities.items()
         if not orbits[name].isna().all()
     ]
@@ -145,8 +154,3 @@ def _column(values: pd.Series) -> dict[str, Any]:
 
 def _base64(values: Any, kind: str) -> str:
     return base64.b64encode(np.ascontiguousarray(values, dtype=kind).tobytes()).decode("ascii")
-
-
-def _unit(unit: str) -> str:
-    """A unit as it is printed: empty for a pure number."""
-    return "" if unit == "1" else unit.replace("sqrt(g/L)", "√(g/L)").replace("sqrt(L/g)", "√(L/g)")

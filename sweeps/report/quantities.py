@@ -1,13 +1,11 @@
-"""Symbols, units and meanings of what the report shows, in the units M, L and sqrt(L/g)."""
+"""Symbols, units and meanings of what the report shows."""
 
 import re
+from collections.abc import Mapping
 from dataclasses import dataclass
 
-_GREEK = {
-    "alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ε", "zeta": "ζ", "eta": "η", "theta": "θ",
-    "kappa": "κ", "lambda": "λ", "mu": "μ", "nu": "ν", "xi": "ξ", "rho": "ρ", "sigma": "σ", "tau": "τ", "phi": "φ",
-    "chi": "χ", "psi": "ψ", "omega": "ω",
-}  # fmt: skip
+_NAMES = "alpha beta gamma delta epsilon zeta eta theta kappa lambda mu nu xi rho sigma tau phi chi psi omega"
+_GREEK = dict(zip(_NAMES.split(), "αβγδεζηθκλμνξρστφχψω", strict=True))
 _SUBSCRIPTS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 _DOT = "\u0307"
 
@@ -20,14 +18,14 @@ class Quantity:
     ----------
     label : str
         What it is, in a few words.
-    unit : str
-        Empty for a pure number.
+    kind : str
+        A name of `units`; empty for a pure number.
     meaning : str
         The definition in one sentence.
     """
 
     label: str
-    unit: str = ""
+    kind: str = ""
     meaning: str = ""
 
 
@@ -35,27 +33,29 @@ MEASURES = {
     "spectral_radius": Quantity(
         "largest multiplier", "", "Largest modulus of a Floquet multiplier; the cycle is stable below 1."
     ),
-    "period": Quantity("period T", "√(L/g)", "Time from one touchdown to the next."),
-    "step_length": Quantity("step length", "L", "Distance from the stance foot to the next."),
-    "speed": Quantity("speed", "√(g L)", "Step length over period."),
+    "period": Quantity("period T", "time", "Time from one touchdown to the next."),
+    "step_length": Quantity("step length", "length", "Distance from the stance foot to the next."),
+    "speed": Quantity("speed", "speed", "Step length over period."),
     "d_max": Quantity(
-        "d_max", "L", "Largest distance between stance foot and zero moment point during the step."
+        "d_max", "length", "Largest distance between stance foot and zero moment point during the step."
     ),
-    "work": Quantity("work", "M g L", "Integral of the absolute power of the hip over a step."),
-    "work_positive": Quantity("positive work", "M g L", "Integral of the positive part of the hip's power."),
-    "work_net": Quantity("net work", "M g L", "Integral of the hip's power; what the impact takes."),
+    "work": Quantity("work", "energy", "Integral of the absolute power of the motors over a step."),
+    "work_positive": Quantity(
+        "positive work", "energy", "Integral of the positive part of the motors' power."
+    ),
+    "work_net": Quantity("net work", "energy", "Integral of the motors' power over a step."),
     "cot": Quantity("cost of transport", "", "Work per weight and step length."),
     "cot_per_speed": Quantity(
-        "cost per speed", "√(L/g)", "Work per weight and mean speed, the formula that the paper prints."
+        "cost per speed", "time", "Work per weight and mean speed, the formula that the paper prints."
     ),
     "min_vertical_force": Quantity(
         "least ground force",
-        "M g",
+        "force",
         "Smallest vertical ground force; where it is negative the foot would lift.",
     ),
     "friction": Quantity("friction needed", "", "Largest ratio of horizontal to vertical ground force."),
     "clearance": Quantity(
-        "foot clearance", "L", "Lowest height of the swing foot; negative where it scuffs."
+        "foot clearance", "length", "Lowest height of the swing foot; negative where it scuffs."
     ),
     "peaks": Quantity("peaks", "", "Local maxima of the stance angle's rate within the step."),
     "x_zero_crossings": Quantity(
@@ -72,6 +72,33 @@ MEASURES = {
     ),
 }
 """Known columns; a column that is not here is shown under its own name."""
+
+
+def units(names: Mapping[str, str]) -> dict[str, str]:
+    """Return the units of all kinds of quantities, as they are printed.
+
+    Parameters
+    ----------
+    names : mapping
+        What a model calls its units of mass, length, time and energy.
+    """
+    time = printed(names["time"])
+    scaled = time == "√(L/g)"  # in units of gravity and leg length, or in units of their own
+    per_length = f"{names['energy']}/{names['length']}"
+    return {
+        "": "",
+        "mass": names["mass"],
+        "length": names["length"],
+        "time": time,
+        "energy": names["energy"],
+        "speed": "√(g L)" if scaled else f"{names['length']}/{time}",
+        "force": f"{names['mass']} g" if scaled else "N" if per_length == "J/m" else per_length,
+    }
+
+
+def printed(unit: str) -> str:
+    """Return a unit of a manifest as it is printed: with a root sign, and empty for a pure number."""
+    return "" if unit == "1" else unit.replace("sqrt(", "√(")
 
 
 def symbol(name: str) -> str:

@@ -11,10 +11,13 @@ import pandas as pd
 from stridemap.errors import InputError
 from stridemap.solver.model import Model
 from stridemap.sweeps.report.payload import axes
-from stridemap.sweeps.report.quantities import symbol
+from stridemap.sweeps.report.quantities import symbol, units
 
 VERDICTS = {"holds": "✓", "in part": "◐", "differs": "✗"}
 """What a verdict may be, each with the mark that tells it from the others without colour."""
+
+OF_THE_PAPER = ("wobbling", "compass")
+"""The models that the paper's statements are about, and from which their preset was identified."""
 
 _NO_CLAIMS = (
     "<p>No verdicts were given to this report. <code>stridemap claims --json</code> prints them; "
@@ -33,11 +36,12 @@ def lead(model: Model, provenance: Mapping[str, Any], orbits: pd.DataFrame, cell
         f"<i>{text(symbol(axis.name))}</i> ({text(axis.meaning.split(';')[0])})"
         for axis in axes(model, provenance["configuration"])
     ]
+    named = [f"{kind} {text(units(model.manifest['units'])[kind])}" for kind in ("mass", "length", "time")]
     return (
         f"<p>All limit cycles found in a sweep over {_listed(varied)}: <b>{len(orbits):,}</b> cycles, "
         f"<b>{int(orbits['stable'].sum()):,}</b> of them stable, in <b>{len(cells):,}</b> grid cells. "
         "Choose a cell of the map to see its cycles walk.</p>"
-        f'<p class="note">Units: mass M, length L, time √(L/g). {text(model.manifest["reference"])}.</p>'
+        f'<p class="note">Units: {_listed(named)}. {text(model.manifest["reference"])}.</p>'
     )
 
 
@@ -70,10 +74,10 @@ def read_claims(path: str | Path) -> list[dict[str, Any]]:
     return claims
 
 
-def claims(verdicts: Sequence[Mapping[str, Any]] | None) -> str:
-    """Return the table of verdicts, or a sentence that says how to get them."""
+def claims(model: Model, verdicts: Sequence[Mapping[str, Any]] | None) -> str:
+    """Return the table of verdicts, or a sentence that says how to get them; nothing for another walker."""
     if not verdicts:
-        return _NO_CLAIMS
+        return _section(_NO_CLAIMS) if model.name in OF_THE_PAPER else ""
     counts = [
         f"{sum(claim['verdict'] == verdict for claim in verdicts)} {verdict}"
         for verdict in VERDICTS
@@ -83,15 +87,19 @@ def claims(verdicts: Sequence[Mapping[str, Any]] | None) -> str:
         f'<tr><th scope="row">{text(claim["id"])}</th><td>{text(claim.get("statement", ""))}</td>'
         f'<td class="verdict" data-verdict="{text(claim["verdict"])}">'
         f'<span aria-hidden="true">{VERDICTS[claim["verdict"]]}</span> {text(claim["verdict"])}</td>'
-        f"<td>{_evidence(claim.get('evidence'))}</td></tr>"
+        f"<td>{_numbers(claim)}</td></tr>"
         for claim in verdicts
     )
-    return (
+    return _section(
         f"<p>{len(verdicts)} statements: {', '.join(counts)}.</p>"
         '<div class="wide" tabindex="0" role="region" aria-label="Verdicts"><table class="claims"><thead><tr>'
         '<th scope="col">id</th><th scope="col">statement</th><th scope="col">verdict</th>'
-        f'<th scope="col">evidence</th></tr></thead><tbody>{rows}</tbody></table></div>'
+        f'<th scope="col">deciding numbers</th></tr></thead><tbody>{rows}</tbody></table></div>'
     )
+
+
+def _section(body: str) -> str:
+    return f'<section id="claims" class="card"><h2>Statements of the paper</h2>{body}</section>'
 
 
 def provenance(model: Model, found: Mapping[str, Any]) -> str:
@@ -110,12 +118,14 @@ def provenance(model: Model, found: Mapping[str, Any]) -> str:
         "commit": f"<code>{text(found['commit'])}</code>" if found["commit"] else "not from a checkout",
     }
     listed = "".join(f"<dt>{text(term)}</dt><dd>{value}</dd>" for term, value in terms.items())
+    preset = "Parameters that the sweep did not set have the model's preset values"
+    if model.name in OF_THE_PAPER:
+        preset += ", which were <b>identified by search, not published</b>"
     return (
         f'<dl class="terms">{listed}</dl>'
-        "<p>Parameters that the sweep did not set have the model's preset values, which were <b>identified by "
-        "search, not published</b>. State, period, multipliers and measures are those of the sweep's tables, "
-        "in double precision. Motions are integrated in this page, from the tables' section points, with the "
-        "model's equations and a Runge-Kutta method of order 8.</p>"
+        f"<p>{preset}. State, period, multipliers and measures are those of the sweep's tables, in double "
+        "precision. Motions are integrated in this page, from the tables' section points, with the model's "
+        "equations and a Runge-Kutta method of order 8.</p>"
     )
 
 
@@ -130,6 +140,14 @@ def _listed(words: Sequence[str]) -> str:
 
 def _plain(value: Any) -> str:
     return value if isinstance(value, str) else json.dumps(value)
+
+
+def _numbers(claim: Mapping[str, Any]) -> str:
+    """The deciding numbers in a few words, if there are, and all of them to be unfolded."""
+    evidence = _evidence(claim.get("evidence"))
+    if not claim.get("numbers"):
+        return evidence
+    return f"{text(claim['numbers'])}<details><summary>all numbers</summary>{evidence}</details>"
 
 
 def _evidence(value: Any) -> str:

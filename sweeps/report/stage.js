@@ -16,8 +16,13 @@ class Stage {
   load(path) {
     this.path = path;
     this.stride = path.seen(path.period).foot;
-    const extents = path.samples(49).flatMap(({ lines }) => model.lines.filter((l) => l.spring).map((l) => distance(lines[l.name][0], lines[l.name].at(-1))));
-    this.extent = Math.max(0, ...extents);
+    const samples = path.samples(49);
+    const heights = samples.flatMap(({ positions, lines }) => [positions, ...Object.values(lines)].flat().map(([, y]) => y));
+    const springs = samples.flatMap(({ lines }) => model.lines.filter((l) => l.spring).map((l) => distance(lines[l.name][0], lines[l.name].at(-1))));
+    const forces = samples.map(({ force }) => (force === null ? 0 : Math.hypot(...force))).sort((a, b) => a - b);
+    this.size = Math.max(...heights);
+    this.extent = Math.max(0, ...springs);
+    this.usualForce = forces[24] || 1;
     [this.time, this.step] = [0, 0];
     this.show();
   }
@@ -57,11 +62,11 @@ class Stage {
   draw() {
     if (!this.path) return;
     const { pen, width, height } = prepared(this.canvas);
-    const scale = Math.min(width / 1.5, height / 1.4);
+    const scale = Math.min(width / 1.5, height / 1.4) / this.size;
     // The camera follows at the mean speed; the world lies from the present stance foot.
     const share = this.time / this.path.period - 0.5;
     const centre = [share * this.stride[0], share * this.stride[1]];
-    const place = ([x, y]) => [width / 2 + (x - centre[0]) * scale, height - 0.2 * scale - (y - centre[1]) * scale];
+    const place = ([x, y]) => [width / 2 + (x - centre[0]) * scale, height - 0.2 * this.size * scale - (y - centre[1]) * scale];
     this.place = place;
     this.ground(pen, place, width, scale);
     this.measures(pen, place, scale);
@@ -81,10 +86,10 @@ class Stage {
     segment(pen, ...at(-reach), ...at(reach));
     pen.strokeStyle = styled("line");
     pen.lineWidth = 1;
-    const gap = 0.05;
+    const gap = 0.05 * this.size;
     const walked = this.step * length;
     for (let i = Math.floor((walked - reach) / gap); i * gap < walked + reach; i++) {
-      segment(pen, ...at(i * gap - walked), ...at(i * gap - walked - 0.03, 0.035));
+      segment(pen, ...at(i * gap - walked), ...at(i * gap - walked - 0.6 * gap, 0.7 * gap));
     }
     pen.fillStyle = styled("ink-soft");
     for (let i = -Math.ceil(reach / length); i <= 0; i++) disc(pen, at(i * length), 2.5);
@@ -94,7 +99,7 @@ class Stage {
     const { lines, positions, masses, foot } = this.seen;
     pen.lineCap = "round";
     pen.lineJoin = "round";
-    const isFoot = (point) => foot !== null && distance(point, foot) < 1e-9;
+    const isFoot = (point) => foot !== null && distance(point, foot) < 1e-9 * this.size;
     for (const { name, spring } of model.lines) {
       const points = lines[name];
       for (let i = 1; i < points.length; i++) {
@@ -106,8 +111,9 @@ class Stage {
       }
     }
     const coiled = new Set(model.lines.filter((l) => l.spring).map((l) => String(lines[l.name].at(-1))));
+    const heaviest = Math.max(...masses.map(Math.abs));
     positions.forEach((position, i) => {
-      const radius = Math.max(3, 0.05 * scale * Math.sqrt(Math.abs(masses[i])));
+      const radius = Math.max(3, 0.045 * this.size * scale * Math.sqrt(Math.abs(masses[i] / heaviest)));
       pen.fillStyle = styled(coiled.has(String(position)) ? "spring" : isFoot(position) ? "swing" : "ink");
       disc(pen, place(position), radius);
       pen.strokeStyle = styled("card");
@@ -164,7 +170,7 @@ class Stage {
       triangle(pen, [point[0], point[1] + 4], 8);
     }
     if (force !== null) {
-      const tip = place(force.map((f) => 0.4 * f));
+      const tip = place(force.map((f) => (0.5 * this.size * f) / this.usualForce));
       pen.strokeStyle = pen.fillStyle = styled("force");
       pen.lineWidth = 3;
       arrow(pen, footAt, tip, 9);

@@ -90,7 +90,8 @@ def write_report(
         title=sections.text(f"Limit cycles: {loaded.title}"),
         heading=sections.text(loaded.title),
         lead=sections.lead(loaded, provenance, orbits, cells),
-        claims=sections.claims(verdicts),
+        claims=(verdict_section := sections.claims(loaded, verdicts)),
+        claims_link='<a href="#claims">Statements of the paper</a>' if verdict_section else "",
         provenance=sections.provenance(loaded, provenance),
         # A `<` could end the element that holds the data.
         data=json.dumps(data, separators=(",", ":"), allow_nan=False).replace("<", "\\u003c"),
@@ -98,8 +99,8 @@ def write_report(
     ).encode()
     if len(page) > LARGEST:
         raise InputError(
-            f"the page would be {len(page) / 1e6:,.0f} MB, more than the {LARGEST / 1e6:.0f} MB that browsers "
-            "open well; report a sweep of fewer cells"
+            f"the page would be {len(page) / 1e6:,.0f} MB, more than the {LARGEST / 1e6:.0f} MB that "
+            "browsers open well; report a sweep of fewer cells"
         )
     path = Path(out)
     _write(path, page)
@@ -111,8 +112,8 @@ def _check_model(folder: str | Path, provenance: Mapping[str, str], model: Model
     if provenance["model_hash"] != model.hash:
         raise InputError(
             f"the sweep in {folder} is of another version of the model {model.name} (hash "
-            f"{provenance['model_hash'][:12]} there, {model.hash[:12]} here); sweep again, or use the stridemap "
-            "that computed it"
+            f"{provenance['model_hash'][:12]} there, {model.hash[:12]} here); sweep again, or use the "
+            "stridemap that computed it"
         )
     if missing := [name for name in NEEDED if name not in model.manifest["functions"]]:
         raise InputError(f"the model {model.name} cannot be shown: it has no {' and no '.join(missing)}")
