@@ -68,7 +68,8 @@ def scene(orbit: Orbit, frames: int, magnify: float = 1.0) -> Scene:
     if magnify != 1:
         positions, lines = _magnified(seen, orbit, magnify)
     p = seen.model.point(orbit.params)
-    step = np.array(next(iter(seen.model.evaluate("swing_foot", q=seen.q[-1], p=p).values())))
+    last = {"t": seen.t[-1], "q": seen.q[-1], "v": seen.v[-1], "p": p}
+    step = seen.model.evaluate("swing_foot", **last)["position"]
     share = np.linspace(0, 1, frames + 1)
     return Scene(seen, positions, lines, step, step[0] * (share - 0.5))
 
