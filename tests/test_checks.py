@@ -99,8 +99,14 @@ RANGES = [
         "the default 2 of the parameter k is not in its own range [3, inf)",
     ),
     (more(parameter("k", 2.0, 0.0, 1.0)), "the default 2 of the parameter k is not in its own range [0, 1]"),
-    (more(parameter("k", 0.0, 0.0, 1.0, True)), "the default 0 of the parameter k is not in its own range (0, 1]"),
-    (more(parameter("k", 1.0, 0.0, 1.0, False, True)), "the default 1 of the parameter k is not in its own range [0, 1)"),
+    (
+        more(parameter("k", 0.0, 0.0, 1.0, True)),
+        "the default 0 of the parameter k is not in its own range (0, 1]",
+    ),
+    (
+        more(parameter("k", 1.0, 0.0, 1.0, False, True)),
+        "the default 1 of the parameter k is not in its own range [0, 1)",
+    ),
     (more(parameter("k", math.nan)), "the default nan of the parameter k is no finite number"),
     (more(parameter("k", "1")), "the default '1' of the parameter k is no finite number"),
 ]

@@ -101,7 +101,9 @@ def draw_frame(axes: Axes, of: Scene, step: int, i: int) -> None:
 def _draw_prints(axes: Axes, of: Scene, stance: str, swing: str) -> None:
     """Where the feet stood before, in the colours of their legs."""
     for back in range(1, int(np.ceil(1 / of.step)) + 1):
-        axes.plot(-back * of.step, 0, "_", color=stance if back % 2 == 0 else swing, markersize=7, mew=2, zorder=1)
+        axes.plot(
+            -back * of.step, 0, "_", color=stance if back % 2 == 0 else swing, markersize=7, mew=2, zorder=1
+        )
 
 
 def _gif(images: Sequence[Image.Image], hundredths: int) -> bytes:
