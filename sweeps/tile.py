@@ -37,8 +37,8 @@ SAME_BRANCH = 1e-3
 and need not be followed back to where the branch came from. Too small a value costs time only."""
 
 PULL = 1.0
-"""Of the foot at the ground, in units of M g. A cycle that needs more is far from every physical one: it is a
-row as any other, but its branch is not followed."""
+"""Of the foot at the ground, in terms of the weight. A cycle that needs more is far from every physical one:
+it is a row as any other, but its branch is not followed."""
 
 NO_GAIT = (Status.NOT_A_STEP, Status.LATER_TOUCHDOWN)
 """Solutions that are no gait, but whose branch may become one again in another cell, and is followed."""
@@ -232,6 +232,8 @@ class _Search:
         if not len(cells):
             return []
         orbits = self.solver.complete(u, self._points(cells), self.task.options.wider_period_range)
+        loads = self.solver.model.evaluate("total_mass", p=self._points(cells))["weight"]
+        weight = dict(zip(cells.tolist(), loads.tolist(), strict=True))
         new: list[tuple[int, Floats]] = []
         for cell, x, orbit in zip(cells.tolist(), u, orbits, strict=True):
             if orbit.status != Status.NOT_CONVERGED:
@@ -247,7 +249,7 @@ class _Search:
                 if _unlike(point, self._cycles[cell], DUPLICATE):
                     self._cycles[cell].append(point)
                     self.new.setdefault(cell, []).append(orbit)
-                    if not orbit.min_vertical_force < -PULL:
+                    if not orbit.min_vertical_force < -PULL * weight[cell]:
                         new.append((cell, point))
         return new
 

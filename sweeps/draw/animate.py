@@ -55,7 +55,8 @@ def animate(
     Raises
     ------
     InputError
-        For an orbit that is none, a setting out of range, a missing package, or a path that cannot be written.
+        For an orbit that is none, a setting out of range, a missing package, or a path that cannot be
+        written.
     """
     shown = [orbits] if isinstance(orbits, Orbit) else list(orbits)
     _check_range("orbits", len(shown), (1, WALKERS), "walkers side by side")

@@ -100,7 +100,7 @@ class Data:
         return Table(config, orbits if everything else on_the_ground(orbits))
 
 
-def _stable(model: str, group: str | None, **params: float) -> Orbit:
+def _stable(model: str, group: str | None, **params: Any) -> Orbit:
     """The most stable cycle of a group (of a model without groups: of all) at a point."""
     found = [orbit for orbit in find_orbits(model, **params) if orbit.stable and orbit.group == group]
     if not found:

@@ -13,7 +13,7 @@ from stridemap.sweeps.draw import style, walker
 from stridemap.sweeps.draw.scene import Scene
 
 VIEW = (-0.75, 0.75, -0.16, 1.34)
-"""A square: left, right, bottom and top of a panel, in heights of the walker, around it and from the ground."""
+"""A square: left, right, bottom and top of a panel, in heights of the walker."""
 FORCE = 0.3
 """Length of the force's arrow for a force like the weight, in heights of the walker."""
 HATCHES = 3

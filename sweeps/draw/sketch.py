@@ -49,15 +49,16 @@ def _disc(place: Array, name: str, feet: dict[str, str]) -> Circle:
 def _draw_wobbling(axes: Axes, hip: Array, mass: Array) -> None:
     """Rail, spring, and the distance of the wobbling mass ahead of the hip."""
     axes.plot([hip[0], mass[0] + 0.2], [hip[1] - 0.075] * 2, color=style.GREY, linewidth=1.2, zorder=1)
-    ends = np.array([hip + [0.07, 0], mass - [0.055, 0]])
+    ends = np.array([hip + np.array([0.07, 0]), mass - np.array([0.055, 0])])
     walker.draw_spring(axes, ends, linewidth=1.0)
-    axes.text(*(ends.mean(axis=0) + [0, 0.045]), "$k$", ha="center", va="bottom")
+    x, y = ends.mean(axis=0)
+    axes.text(x, y + 0.045, "$k$", ha="center", va="bottom")
     above = 0.2
     for place in (hip, mass):
         axes.plot(
             [place[0]] * 2, [place[1] + 0.08, place[1] + above + 0.03], color=style.BLACK, linewidth=0.5
         )
-    tips = hip + [0, above], mass + [0, above]
+    tips = [(x, y + above) for x, y in (hip, mass)]
     axes.annotate(
         "",
         *tips,
@@ -68,7 +69,7 @@ def _draw_wobbling(axes: Axes, hip: Array, mass: Array) -> None:
             "shrinkB": 0,
         },
     )
-    axes.text(*((tips[0] + tips[1]) / 2 + [0, 0.015]), "$x$", ha="center", va="bottom")
+    axes.text((hip[0] + mass[0]) / 2, hip[1] + above + 0.015, "$x$", ha="center", va="bottom")
 
 
 def _draw_angles(axes: Axes, foot: Array, hip: Array) -> None:
@@ -92,12 +93,14 @@ def _arc(axes: Axes, centre: Array, radius: float, first: float, last: float, te
 
 def _draw_names(axes: Axes, positions: dict[str, Array]) -> None:
     hip, mass, foot, swing = positions.values()
-    axes.text(*(hip + [-0.09, 0.03]), r"$m_1=(1-\alpha)M$", ha="right", va="center")
-    axes.text(*(mass + [0.03, -0.11]), r"$m_3=\alpha M$", ha="center", va="top")
-    axes.text(*(foot + [0.06, 0.03]), r"$m_2=\beta M$", ha="left", va="bottom")
-    axes.text(*(swing + [-0.05, 0.0]), "$m_2$", ha="right", va="center")
+    axes.text(*(hip + np.array([-0.09, 0.03])), r"$m_1=(1-\alpha)M$", ha="right", va="center")
+    axes.text(*(mass + np.array([0.03, -0.11])), r"$m_3=\alpha M$", ha="center", va="top")
+    axes.text(*(foot + np.array([0.06, 0.03])), r"$m_2=\beta M$", ha="left", va="bottom")
+    axes.text(*(swing + np.array([-0.05, 0.0])), "$m_2$", ha="right", va="center")
     axes.text(*((foot + hip) / 2 + [0.04, -0.12]), "$L$", ha="left", va="center")
     axes.annotate(
         "walking", (0.5, 1.22), (0.1, 1.22), va="center", fontsize=7,
-        arrowprops={"arrowstyle": "-|>,head_width=0.15,head_length=0.35", "linewidth": 0.8, "color": style.BLACK},
+        arrowprops={
+            "arrowstyle": "-|>,head_width=0.15,head_length=0.35", "linewidth": 0.8, "color": style.BLACK,
+        },
     )  # fmt: skip
