@@ -97,7 +97,7 @@ def _draw_names(axes: Axes, positions: dict[str, Array]) -> None:
     axes.text(*(mass + np.array([0.03, -0.11])), r"$m_3=\alpha M$", ha="center", va="top")
     axes.text(*(foot + np.array([0.06, 0.03])), r"$m_2=\beta M$", ha="left", va="bottom")
     axes.text(*(swing + np.array([-0.05, 0.0])), "$m_2$", ha="right", va="center")
-    axes.text(*((foot + hip) / 2 + [0.04, -0.12]), "$L$", ha="left", va="center")
+    axes.text(*((foot + hip) / 2 + [0.07, -0.12]), "$L$", ha="left", va="center")
     axes.annotate(
         "walking", (0.5, 1.22), (0.1, 1.22), va="center", fontsize=7,
         arrowprops={
