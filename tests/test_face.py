@@ -174,8 +174,9 @@ def test_a_model_says_what_it_is():
 def test_public_names():
     assert dir(stridemap) == sorted(stridemap.__all__)
     assert set(stridemap.__all__) == {
-        "Claim", "InputError", "Model", "Motion", "Orbit", "SearchOptions", "Status", "Verdict", "__version__",
-        "claims", "find_orbits", "load", "motion", "read_cells", "read_orbits", "simulate", "sweep",
+        "Claim", "InputError", "Model", "Motion", "Orbit", "SearchOptions", "Status", "Verdict",
+        "__version__", "claims", "find_orbits", "load", "motion", "read_cells", "read_orbits", "simulate",
+        "sweep",
     }  # fmt: skip
     for name in stridemap.__all__:
         value = getattr(stridemap, name)
