@@ -83,11 +83,7 @@ class PaperData:
         }.items():
             require(getattr(self, name), columns, name)
         for name in ("compass", "lines", "map"):
-            if getattr(self, name).empty:
-                raise InputError(
-                    f"the sweep {name} holds no limit cycle that walks, so that nothing can be decided; "
-                    "choose other parameters, or sweep into another folder"
-                )
+            require_cycles(getattr(self, name), name)
 
 
 def require(table: pd.DataFrame, columns: Sequence[str], name: str) -> None:
@@ -103,6 +99,21 @@ def require(table: pd.DataFrame, columns: Sequence[str], name: str) -> None:
             raise InputError(
                 f"the table {name} has no column {column}; give tables of the sweeps that belong here"
             )
+
+
+def require_cycles(table: pd.DataFrame, name: str) -> None:
+    """Refuse a table without a cycle that counts; only at the typical solutions there may be none.
+
+    Raises
+    ------
+    InputError
+        Naming the sweep.
+    """
+    if table.empty and name != "typical":
+        raise InputError(
+            f"the sweep {name} holds no limit cycle that walks, so that nothing can be decided; "
+            "choose other parameters, or sweep into another folder"
+        )
 
 
 def configurations(params: Mapping[str, Any] | None = None, thin: int = 1) -> dict[str, SweepConfig]:
@@ -178,6 +189,7 @@ def collect(
         sweep(config, folder, workers=workers, executor=executor, resume=True, progress=report)
         orbits = read_orbits(folder)
         found[name] = orbits[walks(orbits)].reset_index(drop=True)
+        require_cycles(found[name], name)
         cells[name] = read_cells(folder)
     return tables(found, cells)
 
