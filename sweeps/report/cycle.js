@@ -79,7 +79,7 @@ class CycleView {
     );
     byId("measures").querySelector('[data-name="period"] .number').textContent = exact(orbits.numbers("period")[row], 12);
     byId("state").replaceChildren(
-      ...model.section.map((s) => line(s.symbol, exact(orbits.numbers(s.name)[row], 12), { title: s.name, name: s.name })),
+      ...model.section.map((s) => line(s.symbol, signed(orbits.numbers(s.name)[row].toFixed(12)), { title: s.name, name: s.name })),
     );
     const pairs = multipliers(row);
     byId("circle").replaceChildren(unitCircle(pairs));

@@ -62,7 +62,7 @@ class CellScale {
   // Pairs of place and text.
   ticks(count) {
     const [low, high] = [this.values[0], this.values.at(-1)];
-    if (this.kind === "list") {
+    if (this.kind === "list" || this.values.length <= count) {
       const every = Math.ceil(this.values.length / count);
       return this.values.flatMap((value, i) => (i % every ? [] : [[this.place(i), brief(value)]]));
     }

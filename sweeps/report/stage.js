@@ -18,10 +18,13 @@ class Stage {
     this.stride = path.seen(path.period).foot;
     const samples = path.samples(49);
     const heights = samples.flatMap(({ positions, lines }) => [positions, ...Object.values(lines)].flat().map(([, y]) => y));
-    const springs = samples.flatMap(({ lines }) => model.lines.filter((l) => l.spring).map((l) => distance(lines[l.name][0], lines[l.name].at(-1))));
+    const pulls = samples.flatMap(({ lines }) => model.lines.filter((l) => l.spring).map((l) => [l.name, lines[l.name].at(-1).map((v, i) => v - lines[l.name][0][i])]));
+    // The direction of a spring is that in which it is longest: its length may pass through zero.
+    this.springs = new Map();
+    for (const [name, pull] of pulls) if (Math.hypot(...pull) > Math.hypot(...(this.springs.get(name) ?? [0, 0]))) this.springs.set(name, pull);
     const forces = samples.map(({ force }) => (force === null ? 0 : Math.hypot(...force))).sort((a, b) => a - b);
     this.size = Math.max(...heights);
-    this.extent = Math.max(0, ...springs);
+    this.extent = Math.max(0, ...[...this.springs.values()].map((pull) => Math.hypot(...pull)));
     this.usualForce = forces[24] || 1;
     [this.time, this.step] = [0, 0];
     this.show();
@@ -122,27 +125,32 @@ class Stage {
     });
   }
 
-  // Springs move little: each is drawn once more under a magnifying glass, in the upper corner.
+  // Springs move little: each is drawn once more under a magnifying glass, in the upper corner. The mark in
+  // the middle is where it is fixed; a spring on either side of the mass stands for the one that has no length.
   lenses(pen, width, height, scale) {
     const radius = Math.min(0.16 * height, 0.16 * width, 60);
-    const larger = lensPower((0.72 * radius) / (scale * this.extent));
+    const larger = lensPower((0.6 * radius) / (scale * this.extent));
     if (!(larger > 1)) return;
-    model.lines.filter((line) => line.spring).forEach(({ name }, i) => {
+    [...this.springs].forEach(([name, pull], i) => {
       const points = this.seen.lines[name];
       const middle = [width - radius - 6 - i * (2 * radius + 12), radius + 6];
-      const tip = points.at(-1).map((v, j) => middle[j] + (j ? -1 : 1) * larger * scale * (v - points[0][j]));
+      const along = [pull[0] / Math.hypot(...pull), pull[1] / Math.hypot(...pull)];
+      const length = points.at(-1).reduce((sum, v, j) => sum + (v - points[0][j]) * along[j], 0);
+      const at = (s, aside = 0) => [middle[0] + s * along[0] + aside * along[1], middle[1] - s * along[1] + aside * along[0]];
+      const tip = at(larger * scale * length);
       pen.fillStyle = styled("card");
       pen.strokeStyle = styled("line");
       pen.lineWidth = 1.5;
       disc(pen, middle, radius);
       pen.stroke();
+      pen.strokeStyle = styled("ink");
+      segment(pen, ...at(0, -0.35 * radius), ...at(0, 0.35 * radius));
       pen.strokeStyle = styled("spring");
-      pen.lineWidth = 2;
-      coil(pen, middle, tip);
-      pen.fillStyle = styled("ink");
-      disc(pen, middle, 5);
+      pen.lineWidth = 1.5;
+      coil(pen, at(-radius), tip, 5, 4);
+      coil(pen, tip, at(radius), 5, 4);
       pen.fillStyle = styled("spring");
-      disc(pen, tip, 6);
+      disc(pen, tip, 7);
       pen.fillStyle = styled("ink-soft");
       pen.font = `12px ${styled("font")}`;
       pen.textAlign = "center";
