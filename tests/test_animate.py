@@ -6,8 +6,10 @@ import pytest
 import stridemap
 from stridemap.errors import InputError
 
-Image = pytest.importorskip("PIL.Image")
 pytest.importorskip("matplotlib")
+pytest.importorskip("PIL")
+
+from PIL import Image
 
 from stridemap.sweeps.draw.animate import choose
 from stridemap.sweeps.draw.scene import scene

@@ -119,7 +119,7 @@ def test_a_branch_is_cut_where_its_stability_changes():
             "min_vertical_force": [1.0, 1.0, 1.0],
         }
     )
-    (first, x1, y1), (second, x2, y2) = curves.pieces(rows, "cot")
+    (first, x1, y1), (second, x2, _) = curves.pieces(rows, "cot")
     assert (first, second) == (True, False)
     assert x1.tolist() == pytest.approx([1.0, 2.0, 2.5])  # the multiplier is 1 half way
     assert y1.tolist() == pytest.approx([1.0, 2.0, 3.0])
