@@ -7,6 +7,7 @@ import pandas as pd
 import pytest
 from sweep_support import Inline
 
+import stridemap
 from stridemap.solver.model import load
 from stridemap.sweeps.config import parse_config
 from stridemap.sweeps.run import sweep
@@ -19,7 +20,9 @@ from matplotlib.colors import to_rgb
 
 from stridemap.sweeps.draw import curves, maps, profiles, sketch, style
 from stridemap.sweeps.draw.branches import branches
-from stridemap.sweeps.draw.data import Data, on_the_ground
+from stridemap.sweeps.draw.data import Data
+from stridemap.sweeps.draw.raster import NONE, STABLE, UNSTABLE, class_of
+from stridemap.sweeps.paper.branch import walks
 
 K = [float(k) for k in np.round(np.linspace(4.5, 12.0, 16), 3)]
 ALPHA = [0.2, 0.25, 0.3]
@@ -43,23 +46,38 @@ def data(configs, tmp_path_factory):
 
 
 def test_the_map_is_the_table(data):
-    orbits = on_the_ground(read_orbits(data.folder / "map"))
+    orbits = read_orbits(data.folder / "map")
+    orbits = orbits[walks(orbits)]
     with style.styled():
         axes = maps.draw(data).axes[0]
     image = axes.images[0]
-    shown = np.asarray(image.get_array())
-    assert shown.shape == (len(ALPHA), len(K))
+    fine = np.asarray(image.get_array())
+    assert fine.shape == (4 * (len(ALPHA) - 1) + 1, 4 * (len(K) - 1) + 1)
+    shown = fine[::4, ::4]
     for i, alpha in enumerate(ALPHA):
         for j, k in enumerate(K):
             here = orbits[(orbits["alpha"] == alpha) & (orbits["k"] == k)]
-            wanted = maps.NONE if here.empty else maps.STABLE if here["stable"].any() else maps.UNSTABLE
+            wanted = NONE if here.empty else STABLE if here["stable"].any() else UNSTABLE
             assert shown[i, j] == wanted, (k, alpha)
-    assert {maps.STABLE, maps.UNSTABLE} <= set(shown.ravel().tolist())
+    assert {STABLE, UNSTABLE} <= set(shown.ravel().tolist())
     left, right, bottom, top = image.get_extent()
     assert (left + right) / 2 == pytest.approx((K[0] + K[-1]) / 2)
     assert (bottom + top) / 2 == pytest.approx(0.25)
     marks = {line.get_gid(): line.get_xydata()[0].tolist() for line in axes.lines if line.get_gid()}
     assert marks == {"a": [0.5, 0.25], "b": [6.0, 0.25], "c": [22.5, 0.25]}
+
+
+def test_edges_run_where_a_search_finds_them(data):
+    with style.styled():
+        image = maps.draw(data).axes[0].images[0]
+    fine = np.asarray(image.get_array())
+    ks, alphas = (np.linspace(v[0], v[-1], n) for v, n in ((K, fine.shape[1]), (ALPHA, fine.shape[0])))
+    row = 4  # alpha = 0.25
+    edges = np.flatnonzero(fine[row, 1:] != fine[row, :-1])
+    assert len(edges)
+    for j in sorted({*edges.tolist(), *(edges + 1).tolist()})[:8]:
+        found = stridemap.find_orbits("wobbling", k=float(ks[j]), alpha=float(alphas[row]), omega=3.0)
+        assert fine[row, j] == class_of([orbit for orbit in found if walks(orbit)]), ks[j]
 
 
 def test_classes_differ_in_grey():

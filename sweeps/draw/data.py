@@ -15,6 +15,7 @@ from stridemap.solver.model import load
 from stridemap.solver.orbit import Orbit
 from stridemap.sweeps.config import SweepConfig, load_config
 from stridemap.sweeps.draw.branches import branches
+from stridemap.sweeps.paper.branch import walks
 from stridemap.sweeps.run import sweep
 from stridemap.sweeps.store import read_orbits
 
@@ -33,15 +34,10 @@ def config_of(name: str) -> SweepConfig:
 
 @dataclass(frozen=True)
 class Table:
-    """A finished sweep: its configuration, and the limit cycles whose foot stays on the ground."""
+    """A finished sweep: its configuration and its limit cycles."""
 
     config: SweepConfig
     orbits: pd.DataFrame
-
-
-def on_the_ground(orbits: pd.DataFrame) -> pd.DataFrame:
-    """Those cycles that push on the ground throughout: the others are no gaits."""
-    return orbits[orbits["min_vertical_force"] > 0]
 
 
 @dataclass
@@ -97,7 +93,7 @@ class Data:
         folder = self.folder / name
         sweep(config, folder, workers=self.workers, resume=True, progress=self.progress)
         orbits = read_orbits(folder)
-        return Table(config, orbits if everything else on_the_ground(orbits))
+        return Table(config, orbits if everything else orbits[walks(orbits)])
 
 
 def _stable(model: str, group: str | None, **params: Any) -> Orbit:
