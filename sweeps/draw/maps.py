@@ -32,13 +32,15 @@ def draw(data: Data) -> Figure:
             letter, (k, alpha), ha="center", va="center", fontsize=10, fontweight="bold", bbox=_backed()
         )
     for letter, (_, k) in TYPICAL.items():
-        axes.plot(k, PLANE["alpha"], "o", ms=4, mfc=style.WHITE, mec=style.BLACK, mew=0.9, gid=letter)
+        axes.plot(
+            k, PLANE["alpha"], "o", ms=4, mfc=style.WHITE, mec=style.BLACK, mew=0.9, gid=letter, clip_on=False
+        )
         axes.annotate(
             letter, (k, PLANE["alpha"]), (3.5, -3.5), textcoords="offset points", ha="left", va="top",
             fontstyle="italic", bbox=_backed(),
         )  # fmt: skip
     axes.set(xlabel="spring stiffness $k$  [$Mg/L$]", ylabel=r"mass ratio $\alpha$  [–]")
-    axes.set(xlim=(0, of.extent[1]), ylim=(0, of.extent[3]))
+    axes.set(xlim=of.extent[:2], ylim=of.extent[2:])  # beyond, nothing was searched
     handles = [
         Patch(facecolor=colour, edgecolor=style.BLACK, linewidth=0.5, label=text)
         for colour, text in (
