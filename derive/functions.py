@@ -340,7 +340,7 @@ class Functions:
             return sp.Matrix.vstack(*(m.held(point).T.applyfunc(simplified) for point in points))
 
         bodies = self.walker.bodies
-        masses = sp.Matrix([m._vanished(sp.sympify(body.mass)) for body in bodies])
+        masses = sp.Matrix([m.without_massless(sp.sympify(body.mass)) for body in bodies])
         outputs = [
             Output(
                 "positions", rows(body.position for body in bodies), "bodies from the stance foot, a row each"

@@ -144,7 +144,7 @@ class Mechanics:
                 result[i, j] = entry.coeff(massless.mass, 1)
         return result
 
-    def _vanished(self, expr: sp.Matrix | sp.Expr) -> sp.Matrix | sp.Expr:
+    def without_massless(self, expr: sp.Matrix | sp.Expr) -> sp.Matrix | sp.Expr:
         """`expr` with the mass that vanishes, where nothing is divided by it, set to zero."""
         massless = self.walker.massless
         return expr if massless is None else expr.subs(massless.mass, 0)
@@ -194,7 +194,7 @@ class Mechanics:
     @cached_property
     def applied_torques(self) -> sp.Matrix:
         """Torques of the actuators, shape (n_actuators, 1)."""
-        return sp.Matrix([self._vanished(u) for u in self.walker.torques.values()])
+        return sp.Matrix([self.without_massless(u) for u in self.walker.torques.values()])
 
     @cached_property
     def controller(self) -> sp.Matrix:
@@ -219,14 +219,14 @@ class Mechanics:
             inertia += self.floating_mass_matrix[:BASE, :BASE] * rolling
         weight = -self.walker.gravity * sum(body.mass for body in self.walker.bodies)
         total = inertia + self.floating_velocity_terms[:BASE, :] + weight
-        return self._vanished(total).applyfunc(simplified)
+        return self.without_massless(total).applyfunc(simplified)
 
     # -- what is measured --------------------------------------------------------------------------------
 
     @cached_property
     def total_mass(self) -> sp.Expr:
         """Mass of the whole walker."""
-        return self._vanished(sp.expand(sum(body.mass for body in self.walker.bodies)))
+        return self.without_massless(sp.expand(sum(body.mass for body in self.walker.bodies)))
 
     @cached_property
     def weight(self) -> sp.Expr:
@@ -252,7 +252,7 @@ class Mechanics:
     def centre_of_mass(self) -> sp.Matrix:
         """Centre of mass, shape (2, 1)."""
         total = sum((b.mass * b.position for b in self.walker.bodies), sp.zeros(2, 1))
-        return (self._vanished(self.held(total)) / self.total_mass).applyfunc(simplified)
+        return (self.without_massless(self.held(total)) / self.total_mass).applyfunc(simplified)
 
     @cached_property
     def swing_foot(self) -> sp.Matrix:
@@ -264,12 +264,12 @@ class Mechanics:
         """Kinetic energy of the swing phase."""
         if self.symmetric and self.walker.phase is None:
             return (self.walker.v.T * self.mass_matrix * self.walker.v)[0] / 2
-        return self._vanished(sp.expand(self.held(self.floating_kinetic)))
+        return self.without_massless(sp.expand(self.held(self.floating_kinetic)))
 
     @cached_property
     def potential_energy(self) -> sp.Expr:
         """Potential energy of the swing phase, of gravity and all the rest."""
-        return self._vanished(self.held(sum(self.potentials.values())))
+        return self.without_massless(self.held(sum(self.potentials.values())))
 
     # -- touchdown ---------------------------------------------------------------------------------------
 
@@ -343,4 +343,4 @@ class Mechanics:
         """Impulse on the swing foot for given rates after the impact, in the new names, shape (2, 1)."""
         change = self.released * after - self.standing * self.walker.v
         rows = self.held(self.floating_mass_matrix[:BASE, :])
-        return self._vanished(rows * change).applyfunc(simplified)
+        return self.without_massless(rows * change).applyfunc(simplified)

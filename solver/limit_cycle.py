@@ -104,17 +104,9 @@ class Solver:
             closed[at] = np.abs(residual).max(axis=1) < SEARCH_RESIDUAL
         with np.errstate(invalid="ignore"):
             closed &= np.isfinite(u).all(axis=1) & (u[:, -1] > 0)
-        u = self._wrapped(u)
+        u = self.model.wrapped(u)
         closed[closed] = self._can_be_a_step(u[closed], params[closed])
         return u, closed
-
-    def _wrapped(self, u: Array) -> Array:
-        """Section points with the phase of a clock within one turn."""
-        phase = self.model.manifest["phase"]
-        if phase is not None:
-            column = self.model.section.index(phase)
-            u[:, column] = np.mod(u[:, column], 2 * np.pi)
-        return u
 
     def _can_be_a_step(self, u: Array, params: Array) -> NDArray[np.bool_]:
         """Whether the swing foot lands on the admissible side, with the stance leg above the ground."""

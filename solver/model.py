@@ -223,6 +223,18 @@ class Model:
             result = getattr(self.equations, name)(np, *split)
         return {key: _stacked(value, shape) for key, value in result.items()}
 
+    def wrapped(self, z: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Section points, shape (..., nz or more), with the phase of a clock within one turn.
+
+        A phase that lacks less than 1e-6 of a turn is given from below zero, so that rounding makes no two
+        cycles of one.
+        """
+        if self.manifest["phase"] is None:
+            return z
+        out, column = z.copy(), self.section.index(self.manifest["phase"])
+        out[..., column] = np.mod(z[..., column] + 1e-6, 2 * np.pi) - 1e-6
+        return out
+
     @property
     def preset(self) -> dict[str, float]:
         """The preset's value of every parameter (identified by search, not published)."""

@@ -184,9 +184,7 @@ class _Walker:
         values = dict(zip(self.model.coordinates, out["q_plus"], strict=True))
         rates = {f"d{c}": v for c, v in zip(self.model.coordinates, out["v_plus"], strict=True)}
         z = np.array([(values | rates)[name] for name in self.model.section])
-        if (phase := self.model.manifest["phase"]) is not None:
-            z[self.model.section.index(phase)] %= 2 * math.pi
-        return z
+        return self.model.wrapped(z)
 
     def advance(self, t: float, y: Array, to: float, rtol: float, atol: float) -> Array:
         """State at the time `to`, integrated from `t`."""

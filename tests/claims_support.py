@@ -27,10 +27,12 @@ def made_up():
             for w in (2.0, 3.0)
         ]
     )  # fmt: skip
+    lines = pd.DataFrame([row for a in (0.25, 0.5) for w in (2.0, 3.0) for row in _line(a, w)])
     return PaperData(
         typical=pd.DataFrame([_typical(g, k) for g, k in (("A", 0.5), ("B", 6.0), ("C", 22.5))]),
         compass=compass,
-        lines=pd.DataFrame([row for a in (0.25, 0.5) for w in (2.0, 3.0) for row in _line(a, w)]),
+        lines=lines,
+        between=lines.iloc[:0],
         edges=pd.DataFrame({n: [] for n in ("alpha", "omega", "group", "k_grid", "side", "k")}),
         map=pd.DataFrame([row for w in (2.0, 3.0) for a in MAP_ALPHA for row in _map_row(a, w)]),
         line_k=LINE_K,
@@ -101,7 +103,7 @@ def changed(data, table, where=None, **columns):
     return replace(data, **{table: rows})
 
 
-def swapped(data, one, other, column="group", tables=("typical", "lines", "edges", "map")):
+def swapped(data, one, other, column="group", tables=("typical", "lines", "between", "edges", "map")):
     """The data with two values of a column swapped in all tables."""
     for table in tables:
         rows = getattr(data, table)

@@ -47,7 +47,11 @@ CORRUPTED = {
     "C5": lambda d: changed(d, "typical", peaks=lambda r: r["peaks"] + 1),
     "C6": lambda d: replace(d, compass=pd.concat([d.compass] * 2, ignore_index=True)),
     "C7": lambda d: changed(d, "lines", lambda r: r.index == 7, spectral_radius=0.5),
-    "C8": lambda d: changed(d, "lines", spectral_radius=lambda r: 1 / r["k"]),
+    "C8": lambda d: changed(
+        changed(d, "lines", spectral_radius=lambda r: 1 / r["k"]),
+        "between",
+        spectral_radius=lambda r: 1 / r["k"].astype(float),
+    ),
     "C9": lambda d: swapped(swapped(d, 2.0, 3.0, "omega", ("lines",)), 2.0, 3.0, "omega", ("edges",)),
     "C10": lambda d: changed(d, "map", lambda r: (r["alpha"] < 0.4) | (r["alpha"] > 0.6), stable=False),
     "C11": lambda d: swapped(d, "A", "B"),
@@ -98,6 +102,26 @@ def test_edges_are_where_an_independent_search_finds_them(data):
         for k, expected in ((edge.k, True), (beyond, False)):
             found = stridemap.find_orbits("wobbling", k=k, alpha=0.25, omega=3.0)
             assert any(o.stable and o.group == edge.group for o in found) == expected, (edge, k)
+
+
+def test_smallest_values_are_those_that_fresh_searches_find_around_them(data):
+    rows = at(data.between, alpha=0.5, omega=2.0)
+    rows = rows[rows["stable"].astype(bool) & (rows["group"] == "A")]
+    grid = at(data.lines, alpha=0.5, omega=2.0)
+    grid = stable(grid, "A")
+    for measure in ("spectral_radius", "cot"):
+        least, on_grid = rows[measure].astype(float).min(), grid[measure].min()
+        k = float(rows["k"][rows[measure].astype(float).idxmin()])
+        best = min(least, on_grid)
+        around = np.clip(np.linspace(k - 0.01, k + 0.01, 9), data.line_k[0], data.line_k[-1])
+        for near in (k, *around):
+            found = stridemap.find_orbits("wobbling", k=float(near), alpha=0.5, omega=2.0)
+            values = [getattr(o, measure) for o in found if o.stable and o.group == "A"]
+            assert values
+            assert min(values) > best - 1e-5
+            assert near != k or min(values) == pytest.approx(least, abs=1e-9)
+    # Two multipliers pass each other in modulus there, between the springs of the grid.
+    assert rows["spectral_radius"].astype(float).min() < grid["spectral_radius"].min() - 0.01
 
 
 def test_profiles_agree_with_what_was_located_in_continuous_time(data):

@@ -175,5 +175,9 @@ def test_a_clock_that_is_not_reset_sets_the_pace():
     assert orbit.stable
     assert orbit.period == pytest.approx(2 * np.pi / 5.0, abs=1e-11)
     assert 0 <= orbit.state["phase"] < 2 * np.pi
+    section = np.array([[*orbit.state.values()]] * 3)
+    section[:, -1] = [-1e-9, 2 * np.pi - 1e-9, 7.0]  # rounding at the seam makes no second cycle
+    wrapped = derived("locked").wrapped(section)[:, -1]
+    assert wrapped == pytest.approx([-1e-9, -1e-9, 7.0 - 2 * np.pi], abs=1e-12)
     assert len(orbit.multipliers) == 4
     assert min(abs(o.period - orbit.period) for o in cycles(load("compass"), omega=5.0)) > 1e-3

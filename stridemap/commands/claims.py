@@ -23,10 +23,6 @@ if TYPE_CHECKING:
 _ORDER = (
     "Where four numbers stand in a row they are at alpha, omega = (0.25, 2), (0.5, 2), (0.25, 3), (0.5, 3)."
 )
-_SMALLEST = (
-    "Smallest values are those of the springs that were searched, 0.1 apart in k; between two of them, at "
-    "folds and where two multipliers meet, they can be a few percent smaller."
-)
 
 
 def claims(
@@ -66,7 +62,6 @@ def claims(
     else:
         _print(decided)
         print(_ORDER)
-        print(_SMALLEST)
         if thin > 1:
             print(f"Searched at every {thin}th value of k and alpha only: what is narrow may be missing.")
         values = ", ".join(f"{name} = {value:g}" for name, value in used.items())

@@ -1,9 +1,9 @@
 """Limit cycles joined to branches: curves of cycles over one parameter, through folds, never across gaps.
 
 Cycles at neighbouring values of the parameter are of one branch if they are each other's nearest, close
-together and of the same parity (see `parity`), or if continuation leads from one to the other. Where a branch
-ends between two values, its end is followed; two ends of different parity that meet there are the two sides
-of a fold.
+together and of the same index (see `fixed_point_index`), or if continuation leads from one to the other.
+Where a branch ends between two values, its end is followed; two ends of different index that meet there are
+the two sides of a fold.
 """
 
 from collections.abc import Sequence
@@ -13,7 +13,8 @@ import pandas as pd
 from numpy.typing import NDArray
 
 from stridemap.solver.model import Model
-from stridemap.sweeps.draw.follow import LIKE, follow, parity, state_columns
+from stridemap.sweeps.draw.follow import LIKE, follow, state_columns
+from stridemap.sweeps.paper.branch import fixed_point_index
 
 Floats = NDArray[np.float64]
 Piece = list[int]
@@ -56,13 +57,13 @@ def branches(
 
 def _linked(rows: pd.DataFrame, parameter: str, grid: Floats) -> list[Piece]:
     """Pieces that go on from each value to the next."""
-    u, odd = rows[state_columns(rows)].to_numpy(), parity(rows)
+    u, index = rows[state_columns(rows)].to_numpy(), fixed_point_index(rows)
     place = np.searchsorted(grid, rows[parameter].to_numpy())
     pieces: list[Piece] = []
     reaching: list[Piece] = []  # the value before
     for i in range(len(grid)):
         here = np.flatnonzero(place == i)
-        gone_on = _matches(reaching, here, u, odd)
+        gone_on = _matches(reaching, here, u, index)
         reaching = []
         for row in here.tolist():
             if row in gone_on:
@@ -74,9 +75,7 @@ def _linked(rows: pd.DataFrame, parameter: str, grid: Floats) -> list[Piece]:
     return pieces
 
 
-def _matches(
-    pieces: list[Piece], here: NDArray[np.int64], u: Floats, odd: NDArray[np.bool_]
-) -> dict[int, Piece]:
+def _matches(pieces: list[Piece], here: NDArray[np.int64], u: Floats, index: Floats) -> dict[int, Piece]:
     """The piece that each of the cycles at one value goes on with, nearest first, one to one."""
     if not pieces or not len(here):
         return {}
@@ -84,7 +83,7 @@ def _matches(
     expected = np.array([2 * u[p[-1]] - u[p[-2]] if len(p) > 1 else u[p[-1]] for p in pieces])
     distance = np.abs(expected[:, None] - u[here][None]).max(axis=2)
     change = np.abs(u[ends][:, None] - u[here][None]).max(axis=2)
-    distance[(odd[ends][:, None] != odd[here][None]) | (change > LIKE)] = np.inf
+    distance[(index[ends][:, None] != index[here][None]) | (change > LIKE)] = np.inf
     out: dict[int, Piece] = {}
     while distance.min() < np.inf:
         piece, row = np.unravel_index(distance.argmin(), distance.shape)
@@ -157,11 +156,11 @@ def _fold(pieces: list[pd.DataFrame], parameter: str) -> tuple[tuple[int, int], 
     """The two ends that meet most closely, as (piece, side) each, if any do."""
     ends = [(i, side) for i in range(len(pieces)) for side in (0, -1)]
     last = pd.concat([pieces[i].iloc[[side]] for i, side in ends])
-    u, odd, at = last[state_columns(last)].to_numpy(), parity(last), last[parameter].to_numpy()
+    u, index, at = last[state_columns(last)].to_numpy(), fixed_point_index(last), last[parameter].to_numpy()
     owner = np.array([i for i, _ in ends])
     distance = np.abs(u[:, None] - u[None]).max(axis=2)
     beside = np.abs(at[:, None] - at[None]) < MEETING**2
-    distance[(odd[:, None] == odd[None]) | (owner[:, None] == owner[None]) | ~beside] = np.inf
+    distance[(index[:, None] == index[None]) | (owner[:, None] == owner[None]) | ~beside] = np.inf
     if not distance.min() < MEETING:
         return None
     first, second = np.unravel_index(distance.argmin(), distance.shape)

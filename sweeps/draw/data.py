@@ -16,13 +16,14 @@ from stridemap.solver.orbit import Orbit
 from stridemap.sweeps.config import SweepConfig, load_config
 from stridemap.sweeps.draw.branches import branches
 from stridemap.sweeps.paper.branch import walks
+from stridemap.sweeps.paper.select import TYPICAL as SPRINGS
 from stridemap.sweeps.run import sweep
 from stridemap.sweeps.store import read_orbits
 
 PLANE = {"alpha": 0.25, "omega": 3.0}
 """Where the paper's typical solutions are."""
 
-TYPICAL = {"a": ("A", 0.5), "b": ("B", 6.0), "c": ("C", 22.5)}
+TYPICAL = dict(zip("abc", SPRINGS.items(), strict=True))
 """Its typical solutions: their letter, group and spring stiffness."""
 
 

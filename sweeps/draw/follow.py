@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from stridemap.solver.model import Model
 from stridemap.solver.search import offer
+from stridemap.sweeps.paper.branch import fixed_point_index
 from stridemap.sweeps.tables import orbit_row
 
 Floats = NDArray[np.float64]
@@ -35,18 +36,6 @@ class Path:
     arrived: bool = False
 
 
-def parity(rows: pd.DataFrame) -> NDArray[np.bool_]:
-    """Whether the number of real multipliers above 1 is odd, shape (n,).
-
-    Along a branch it changes in folds only (there one multiplier passes through 1): not where a pair of
-    complex multipliers or one through -1 makes the cycle unstable.
-    """
-    above = np.zeros(len(rows), dtype=np.int64)
-    for name in [c for c in rows.columns if c.startswith("multiplier_") and c.endswith("_re")]:
-        above += (rows[name].to_numpy() > 1) & (rows[name.replace("_re", "_im")].to_numpy() == 0)
-    return above % 2 == 1
-
-
 def state_columns(rows: pd.DataFrame) -> list[str]:
     """The section coordinates and the period: the columns between the status and the multipliers."""
     columns = list(rows.columns)
@@ -56,7 +45,8 @@ def state_columns(rows: pd.DataFrame) -> list[str]:
 def follow(model: Model, starts: pd.DataFrame, parameter: str, targets: Floats) -> list[Path]:
     """Follow each of n cycles towards a value of its own of a parameter.
 
-    A step is taken if it leads to a cycle of the same parity that differs little, and halved if not.
+    A step is taken if it leads to a cycle of the same index (see `fixed_point_index`) that differs little,
+    and halved if not.
 
     Parameters
     ----------
@@ -70,7 +60,7 @@ def follow(model: Model, starts: pd.DataFrame, parameter: str, targets: Floats) 
     -------
     list of Path, length n
     """
-    names, odd = state_columns(starts), parity(starts)
+    names, index = state_columns(starts), fixed_point_index(starts)
     points = starts[[p.name for p in model.parameters]].to_numpy(copy=True)
     column = [p.name for p in model.parameters].index(parameter)
     begin, u = points[:, column].copy(), starts[names].to_numpy(copy=True)
@@ -91,7 +81,7 @@ def follow(model: Model, starts: pd.DataFrame, parameter: str, targets: Floats) 
             if (
                 row is not None
                 and np.abs(now - u[i]).max() < LIKE
-                and parity(pd.DataFrame([row]))[0] == odd[i]
+                and fixed_point_index(pd.DataFrame([row]))[0] == index[i]
             ):
                 paths[i].rows.append(row)
                 done[i] += step[i]

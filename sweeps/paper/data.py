@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 from stridemap.errors import InputError
 from stridemap.solver.model import Model, load
 from stridemap.sweeps.config import SweepConfig, parse_config
+from stridemap.sweeps.paper.between import between
 from stridemap.sweeps.paper.branch import on_main_branch, walks
 from stridemap.sweeps.paper.edges import COLUMNS as EDGE_COLUMNS
 from stridemap.sweeps.paper.edges import bisected
@@ -56,6 +57,8 @@ class PaperData:
     lines : DataFrame
         Cycles over `k` at the pairs of alpha and omega. ``main`` tells whether one is on the main branch; the
         columns of time profiles are filled for stable cycles.
+    between : DataFrame
+        Cycles between the springs of `lines`, where measures are smallest.
     edges : DataFrame
         Bisected edges of the ranges with stable cycles.
     map : DataFrame
@@ -67,6 +70,7 @@ class PaperData:
     typical: pd.DataFrame
     compass: pd.DataFrame
     lines: pd.DataFrame
+    between: pd.DataFrame
     edges: pd.DataFrame
     map: pd.DataFrame
     line_k: NDArray[np.float64]
@@ -78,6 +82,7 @@ class PaperData:
             "typical": (*_WALKER, *PROFILE_COLUMNS, *BESIDE),
             "compass": (*MEASURES, "omega"),
             "lines": (*_WALKER, *PROFILE_COLUMNS, "main"),
+            "between": (*_WALKER, "main"),
             "edges": EDGE_COLUMNS,
             "map": _WALKER,
         }.items():
@@ -205,13 +210,14 @@ def tables(found: Mapping[str, pd.DataFrame], cells: Mapping[str, pd.DataFrame])
         Grid cells, by sweep.
     """
     walker, compass = load("wobbling"), load("compass")
-    lines = found["lines"]
+    lines = _lines(walker, found["lines"])
     line_k = np.sort(cells["lines"]["k"].unique())
     return PaperData(
         typical=_typical(walker, found["typical"], compass, found["compass"]),
         compass=found["compass"],
-        lines=_lines(walker, lines),
-        edges=bisected(walker, lines, line_k),
+        lines=lines,
+        between=between(walker, lines, line_k),
+        edges=bisected(walker, found["lines"], line_k),
         map=found["map"],
         line_k=line_k,
         map_k=np.sort(cells["map"]["k"].unique()),

@@ -18,6 +18,7 @@ from stridemap.sweeps.paper.select import (
     span,
     stable,
     typical,
+    with_between,
 )
 
 Rule = Callable[[PaperData, str], tuple[Parts, str]]
@@ -26,7 +27,7 @@ Rule = Callable[[PaperData, str], tuple[Parts, str]]
 def least_is_largest_in_a(data: PaperData, column: str) -> tuple[Parts, str]:
     """At each alpha and omega, the smallest value over stable A is above those over stable B and stable C."""
     parts, texts = Parts(), []
-    for name, _, _, orbits in slices(data):
+    for name, _, _, orbits in slices(with_between(data)):
         found = {g: extremes(stable(orbits, g), column) for g in "ABC"}
         least = {g: found[g].get("least", np.nan) for g in "ABC"}
         for g in "BC":
@@ -38,7 +39,7 @@ def least_is_largest_in_a(data: PaperData, column: str) -> tuple[Parts, str]:
 def a_is_above_the_compass(data: PaperData, column: str) -> tuple[Parts, str]:
     """Every stable cycle of A is above the compass, at each alpha and omega."""
     parts, texts = Parts(), []
-    for name, _, omega, orbits in slices(data):
+    for name, _, omega, orbits in slices(with_between(data)):
         reference, found = compass(data, omega, column), extremes(stable(orbits, "A"), column)
         parts.add(name, found.get("least", np.nan) > reference, compass=reference, **found)
         texts.append(f"{shown(found.get('least', np.nan), '.4g')} (compass {shown(reference, '.4g')})")

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -26,6 +27,18 @@ def slices(data: PaperData) -> Iterator[tuple[str, float, float, pd.DataFrame]]:
                 omega,
                 at(data.lines, alpha=alpha, omega=omega),
             )
+
+
+def with_between(data: PaperData) -> PaperData:
+    """The data with the cycles between the springs that were searched among the lines.
+
+    For smallest values and where they are; not for what is counted or averaged, or seen from one spring to
+    the next.
+    """
+    lines = pd.concat(
+        [data.lines.assign(between=False), data.between.assign(between=True)], ignore_index=True
+    )
+    return replace(data, lines=lines)
 
 
 def at(table: pd.DataFrame, **values: Any) -> pd.DataFrame:
@@ -68,13 +81,16 @@ def span(orbits: pd.DataFrame) -> list[float]:
 
 
 def extremes(orbits: pd.DataFrame, column: str) -> dict[str, Any]:
-    """Least and greatest value of a column, and at which `k`; nothing for no cycles."""
+    """Least and greatest value of a column, and at which `k`; nothing for no cycles.
+
+    The number of cycles is that of the springs that were searched.
+    """
     values = orbits[column]
     if not values.notna().any():
         return {}
     low, high = values.idxmin(), values.idxmax()
     return {
-        "cycles": len(orbits),
+        "cycles": len(orbits) - int(orbits["between"].sum() if "between" in orbits else 0),
         "least": values[low],
         "least_at_k": orbits["k"][low],
         "greatest": values[high],

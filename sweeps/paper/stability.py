@@ -8,14 +8,23 @@ import pandas as pd
 from stridemap.sweeps.paper.claim import Decided, Parts, shown, statement
 from stridemap.sweeps.paper.data import ALPHAS, OMEGAS, PaperData
 from stridemap.sweeps.paper.edges import Run, stable_runs
-from stridemap.sweeps.paper.select import GROUPS, at, compass, extremes, main_branch, slices, stable
+from stridemap.sweeps.paper.select import (
+    GROUPS,
+    at,
+    compass,
+    extremes,
+    main_branch,
+    slices,
+    stable,
+    with_between,
+)
 
 
 @statement("C7", "The largest multiplier of every cycle is larger than the compass's")
 def c7(data: PaperData) -> Decided:
     """A part for each alpha and omega: so for every cycle that walks, stable or not."""
     parts, texts = Parts(), []
-    for name, _, omega, orbits in slices(data):
+    for name, _, omega, orbits in slices(with_between(data)):
         reference, found = compass(data, omega, "spectral_radius"), extremes(orbits, "spectral_radius")
         least = found.get("least", np.nan)
         below = int((orbits["spectral_radius"] <= reference).sum())
@@ -33,7 +42,7 @@ def c8(data: PaperData) -> Decided:
     cycles.
     """
     parts, places = Parts(), []
-    for name, _, _, orbits in slices(data):
+    for name, _, _, orbits in slices(with_between(data)):
         for group in "BCD":
             if stable(orbits, group).empty:
                 continue
