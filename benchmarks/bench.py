@@ -34,9 +34,9 @@ import numpy as np
 from scipy.integrate import solve_ivp
 from scipy.optimize import fsolve
 
-from stridemap.solver.limit_cycle import Solver
-from stridemap.solver.model import Model, load
-from stridemap.solver.search import find_orbits, section_point
+from stridemap.solver.cycles.search import find_orbits, section_point
+from stridemap.solver.cycles.solver import Solver
+from stridemap.solver.model.model import Model, load
 
 POINTS = (
     {"k": 0.5, "alpha": 0.25, "omega": 3.0},

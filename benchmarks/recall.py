@@ -14,10 +14,10 @@ import numpy as np
 import pandas as pd
 
 import stridemap
-from stridemap.solver.limit_cycle import Solver
-from stridemap.solver.model import Model, load
-from stridemap.solver.orbit import Orbit
-from stridemap.solver.search import DUPLICATE, distinct, merge, section_point
+from stridemap.solver.cycles.orbit import Orbit
+from stridemap.solver.cycles.search import DUPLICATE, distinct, merge, section_point
+from stridemap.solver.cycles.solver import Solver
+from stridemap.solver.model.model import Model, load
 from stridemap.sweeps.config import SweepConfig, load_config
 
 WIDER = 2.0

@@ -8,7 +8,7 @@ floating base; `functions` names each quantity that is emitted, as a straight-li
 The names below are what a model file needs.
 """
 
-from stridemap.derive.declaration import (
+from stridemap.derive.walker import (
     SI,
     STANCE_FOOT,
     TIME,

@@ -6,11 +6,13 @@ from typing import Any
 
 import sympy as sp
 
-from stridemap.derive import print_c, print_example, print_python
-from stridemap.derive.declaration import Walker
 from stridemap.derive.functions import Functions
+from stridemap.derive.printers import c as print_c
+from stridemap.derive.printers import docs as print_example
+from stridemap.derive.printers import python as print_python
 from stridemap.derive.program import Program
-from stridemap.derive.trials import check_rates
+from stridemap.derive.validate.mechanics import check_rates
+from stridemap.derive.walker import Walker
 from stridemap.errors import InputError
 
 

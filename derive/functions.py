@@ -5,9 +5,9 @@ from dataclasses import dataclass, field
 
 import sympy as sp
 
-from stridemap.derive.declaration import TIME, Walker
 from stridemap.derive.mechanics import Mechanics, simplified
 from stridemap.derive.program import Argument, Builder, Entry, Factors, Output, Program
+from stridemap.derive.walker import TIME, Walker
 
 DEFAULT_SOURCES = {
     "mass_matrix": "M ddq + h + v = Q",

@@ -10,7 +10,7 @@ from functools import cache, cached_property
 
 import sympy as sp
 
-from stridemap.derive.declaration import STANCE_FOOT, Walker
+from stridemap.derive.walker import STANCE_FOOT, Walker
 from stridemap.errors import InputError
 
 BASE = 2

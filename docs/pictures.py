@@ -4,7 +4,7 @@ import shutil
 from pathlib import Path
 
 import stridemap
-from stridemap.sweeps.draw.data import PLANE, TYPICAL
+from stridemap.paper.figures.material import PLANE, TYPICAL
 
 IMAGES = Path(__file__).parent / "images"
 FIGURES = Path("results/paper-figures")

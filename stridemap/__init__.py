@@ -12,41 +12,41 @@ from importlib.metadata import version
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from stridemap.build import derive_model
+    from stridemap.codegen import derive_model
     from stridemap.errors import InputError
-    from stridemap.solver.face import find_orbits, simulate
-    from stridemap.solver.model import Model, load
-    from stridemap.solver.motion import Motion, motion
-    from stridemap.solver.orbit import Orbit, Status
-    from stridemap.solver.search import SearchOptions
-    from stridemap.sweeps.draw.animate import animate
-    from stridemap.sweeps.paper.claim import Claim, Verdict
-    from stridemap.sweeps.paper.evaluate import claims
+    from stridemap.paper.claim import Claim, Verdict
+    from stridemap.paper.evaluate import claims
+    from stridemap.solver.api import find_orbits, simulate
+    from stridemap.solver.cycles.orbit import Orbit, Status
+    from stridemap.solver.cycles.search import SearchOptions
+    from stridemap.solver.model.model import Model, load
+    from stridemap.solver.observables.motion import Motion, motion
     from stridemap.sweeps.run import sweep
     from stridemap.sweeps.store import read_cells, read_orbits
     from stridemap.units import Units
+    from stridemap.views.animate import animate
 
 __version__ = version("stridemap")
 
 _HOMES = {
-    "Claim": "stridemap.sweeps.paper.claim",
+    "Claim": "stridemap.paper.claim",
     "InputError": "stridemap.errors",
-    "Model": "stridemap.solver.model",
-    "Motion": "stridemap.solver.motion",
-    "Orbit": "stridemap.solver.orbit",
-    "SearchOptions": "stridemap.solver.search",
-    "Status": "stridemap.solver.orbit",
+    "Model": "stridemap.solver.model.model",
+    "Motion": "stridemap.solver.observables.motion",
+    "Orbit": "stridemap.solver.cycles.orbit",
+    "SearchOptions": "stridemap.solver.cycles.search",
+    "Status": "stridemap.solver.cycles.orbit",
     "Units": "stridemap.units",
-    "Verdict": "stridemap.sweeps.paper.claim",
-    "animate": "stridemap.sweeps.draw.animate",
-    "claims": "stridemap.sweeps.paper.evaluate",
-    "derive_model": "stridemap.build",
-    "find_orbits": "stridemap.solver.face",
-    "load": "stridemap.solver.model",
-    "motion": "stridemap.solver.motion",
+    "Verdict": "stridemap.paper.claim",
+    "animate": "stridemap.views.animate",
+    "claims": "stridemap.paper.evaluate",
+    "derive_model": "stridemap.codegen",
+    "find_orbits": "stridemap.solver.api",
+    "load": "stridemap.solver.model.model",
+    "motion": "stridemap.solver.observables.motion",
     "read_cells": "stridemap.sweeps.store",
     "read_orbits": "stridemap.sweeps.store",
-    "simulate": "stridemap.solver.face",
+    "simulate": "stridemap.solver.api",
     "sweep": "stridemap.sweeps.run",
 }
 

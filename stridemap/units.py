@@ -24,7 +24,7 @@ import numpy as np
 from stridemap.errors import InputError
 
 if TYPE_CHECKING:
-    from stridemap.solver.orbit import Orbit
+    from stridemap.solver.cycles.orbit import Orbit
 
 STANDARD_GRAVITY = 9.80665
 """In m/s^2, exactly, by definition: 3rd General Conference on Weights and Measures, 1901."""
@@ -277,7 +277,7 @@ class Units:
 
 def _load(model: str) -> Any:
     # Here and not at the top, so that converting a number does not load CasADi.
-    from stridemap.solver.model import load
+    from stridemap.solver.model.model import load
 
     return load(model)
 

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 if TYPE_CHECKING:
-    from stridemap.solver.model import Model
+    from stridemap.solver.model.model import Model
 
 Ints = NDArray[np.int64]
 Floats = NDArray[np.float64]

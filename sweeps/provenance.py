@@ -5,8 +5,8 @@ import subprocess
 from importlib.metadata import version
 from typing import Any
 
-from stridemap.solver.library import Kernels
-from stridemap.solver.model import Model
+from stridemap.solver.backends.library import Kernels
+from stridemap.solver.model.model import Model
 
 PACKAGES = ("stridemap", "numpy", "scipy", "casadi", "pyarrow")
 

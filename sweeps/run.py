@@ -27,15 +27,15 @@ import pyarrow.compute
 from numpy.typing import NDArray
 
 from stridemap.errors import InputError
-from stridemap.solver.library import LockstepKernels, load_kernels
-from stridemap.solver.model import Model, load
-from stridemap.solver.search import SearchOptions
+from stridemap.solver.backends.library import LockstepKernels, load_kernels
+from stridemap.solver.cycles.search import SearchOptions
+from stridemap.solver.model.model import Model, load
 from stridemap.sweeps.config import SweepConfig, load_config
 from stridemap.sweeps.grid import Grid, tiles
 from stridemap.sweeps.provenance import provenance
 from stridemap.sweeps.store import Store, read_cells
 from stridemap.sweeps.tables import cell_table, orbit_schema, orbit_table
-from stridemap.sweeps.tile import Offer, Result, Task, work
+from stridemap.sweeps.tiles import Offer, Result, Task, work
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]

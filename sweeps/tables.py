@@ -12,8 +12,8 @@ import pyarrow as pa
 from numpy.typing import ArrayLike
 
 if TYPE_CHECKING:
-    from stridemap.solver.model import Model
-    from stridemap.solver.orbit import Orbit
+    from stridemap.solver.cycles.orbit import Orbit
+    from stridemap.solver.model.model import Model
 
 # Measures of an orbit after its multipliers: the attributes of `Orbit` and the columns, in this order.
 _MEASURES: tuple[tuple[str, pa.DataType], ...] = (

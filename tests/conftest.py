@@ -5,10 +5,10 @@ import sys
 import warnings
 
 import pytest
-from sweep_support import SMALL, Inline
 
-from stridemap.cli import main
+from stridemap.cli.app import main
 from stridemap.sweeps.run import sweep
+from tests.oracles.sweeping import SMALL, Inline
 
 
 @pytest.fixture

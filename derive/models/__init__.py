@@ -1,7 +1,7 @@
 """The walkers that come with stridemap, each a short declaration in a file of its own."""
 
-from stridemap.derive.declaration import Walker
 from stridemap.derive.models import compass, goswami_compass, rimless_wheel, simplest_walker, wobbling
+from stridemap.derive.walker import Walker
 
 WALKERS: dict[str, Walker] = {
     module.WALKER.name: module.WALKER

@@ -4,7 +4,7 @@ import typer
 from docutils import nodes
 from sphinx.util.docutils import SphinxDirective
 
-from stridemap.cli import app as command_line
+from stridemap.cli.app import app as command_line
 
 WIDTH = 96
 """Characters in a line of the pages."""

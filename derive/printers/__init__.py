@@ -1,0 +1,1 @@
+"""What prints a straight-line program, one language a file."""

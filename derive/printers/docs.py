@@ -1,0 +1,154 @@
+"""A worked C program and a README for the generated folder of one walker."""
+
+from collections.abc import Iterable
+
+from stridemap.derive.printers.c import signature
+from stridemap.derive.program import Program
+from stridemap.derive.walker import Walker
+
+CALLED = (
+    "section_state", "mass_matrix", "kinetic_energy", "potential_energy", "ground_force", "state_derivative",
+    "impact_map",
+)  # fmt: skip
+"""The functions that the example calls."""
+
+
+CALLED = (
+    "section_state", "mass_matrix", "kinetic_energy", "potential_energy", "ground_force", "state_derivative",
+    "impact_map",
+)  # fmt: skip
+"""The functions that the example calls."""
+
+
+def example(walker: Walker, programs: list[Program], first_lines: list[str]) -> str:
+    """A C program that takes one Euler step and one touchdown with the readable functions."""
+    name, n = walker.name, len(walker.coordinates)
+    by_name = {p.name: p for p in programs}
+    preset = ", ".join(repr(a.default) for a in walker.parameters)
+    names = ", ".join(a.name for a in walker.parameters)
+    used = {a.name for function in CALLED for a in by_name[function].arguments}
+    # A compiler complains of what is never read.
+    parameters = [
+        f"    /* the preset: {names} */",
+        f"    const double p[{len(walker.parameters)}] = {{{preset}}};",
+    ]
+    start = [_inside(walker.search_box[s]) for s in walker.section_names]
+
+    def call(function: str, *outputs: str) -> str:
+        inputs = [a.name for a in by_name[function].arguments]
+        return f"    {name}_{function}({', '.join([*inputs, *outputs])});"
+
+    lines = [
+        *first_lines,
+        "/* How to call the equations from C. Build and run:",
+        f" *   cc -std=c99 example.c {name}.c -lm -o example && ./example",
+        " */",
+        f'#include "{name}.h"',
+        "",
+        "#include <stdio.h>",
+        "",
+        "int main(void)",
+        "{",
+        *(parameters if "p" in used else []),
+        f"    /* a state just after touchdown: {', '.join(walker.section_names)} */",
+        f"    const double z[{len(walker.section_names)}] = {{{', '.join(f'{v:g}' for v in start)}}};",
+        f"    const double {'t = 0.0, ' if 't' in used else ''}dt = 1e-3;",
+        f"    double q[{n}], v[{n}], M[{n * n}], dq[{n}], dv[{n}], kinetic[1], potential[1];",
+        f"    double force[2], q_plus[{n}], v_plus[{n}];",
+        "    int i, j;",
+        "",
+        call("section_state", "q", "v"),
+        call("mass_matrix", "M"),
+        f"    for (i = 0; i < {n}; i++) {{",
+        '        printf("M(%d,:) =", i + 1);',
+        f"        for (j = 0; j < {n}; j++)",
+        f'            printf(" % .6f", M[{n} * i + j]);',
+        '        printf("\\n");',
+        "    }",
+        "",
+        call("kinetic_energy", "kinetic"),
+        call("potential_energy", "potential"),
+        '    printf("energy = %.9f\\n", kinetic[0] + potential[0]);',
+        call("ground_force", "force"),
+        '    printf("ground force = %.6f %.6f\\n", force[0], force[1]);',
+        "",
+        "    /* one explicit Euler step of the swing phase */",
+        call("state_derivative", "dq", "dv"),
+        f"    for (i = 0; i < {n}; i++) {{",
+        "        q[i] += dt * dq[i];",
+        "        v[i] += dt * dv[i];",
+        "    }",
+        "",
+        "    /* what a touchdown at this instant would do */",
+        call("impact_map", "q_plus", "v_plus"),
+        f"    for (i = 0; i < {n}; i++)",
+        '        printf("q_plus[%d] = % .9f   v_plus[%d] = % .9f\\n", i, q_plus[i], i, v_plus[i]);',
+        "    return 0;",
+        "}",
+        "",
+    ]
+    return "\n".join(lines)
+
+
+def readme(walker: Walker, programs: list[Program], generator: str) -> str:
+    """What each file is and how to call the C."""
+    name = walker.name
+    lines = [
+        f"# {walker.title}: generated code",
+        "",
+        f"Written by {generator} (`make derive`); do not edit. Source of the model: {walker.reference}.",
+        "",
+        "| file | what it is |",
+        "| --- | --- |",
+        f"| `{name}.h`, `{name}.c` | readable C99: one function a quantity, documented in the header |",
+        "| `example.c` | a complete C program that calls them |",
+        f"| `{name}.py` | the same equations for any Python namespace (NumPy, CasADi, mpmath) |",
+        f"| `{name}_kernels.c` | what the solver runs, from CasADi: step map, Newton search, measures |",
+        "| `manifest.json` | functions, argument order, shapes, units, parameters, hashes |",
+        "",
+        "## Call it from C",
+        "",
+        "```sh",
+        f"cc -std=c99 example.c {name}.c -lm -o example && ./example",
+        "```",
+        "",
+        "Vectors are plain arrays, matrices are row-major, a scalar result is an array of one. There is no",
+        "allocation and no global state, so every function may be called from any thread. The header also",
+        "compiles as C++.",
+        "",
+        "## Arguments",
+        "",
+        "| argument | entries, in order |",
+        "| --- | --- |",
+        f"| `q[{len(walker.coordinates)}]` | {_list(c.name for c in walker.coordinates)} |",
+        f"| `v[{len(walker.coordinates)}]` | {_list('d' + c.name for c in walker.coordinates)} |",
+        f"| `p[{len(walker.parameters)}]` | {_list(a.name for a in walker.parameters)} |",
+        f"| `z[{len(walker.section_names)}]` | {_list(walker.section_names)} (just after touchdown) |",
+        "| `t` | time since touchdown |",
+        "",
+        "## Functions",
+        "",
+        "| function | operations | what it computes |",
+        "| --- | --- | --- |",
+        *(f"| `{name}_{p.name}` | {p.operations} | {_lower(p.summary)} |" for p in programs),
+        "",
+        "```c",
+        *(line for p in programs for line in signature(name, p, ";")),
+        "```",
+        "",
+    ]
+    return "\n".join(lines)
+
+
+def _list(names: Iterable[str]) -> str:
+    return ", ".join(f"`{n}`" for n in names)
+
+
+def _lower(sentence: str) -> str:
+    return sentence[0].lower() + sentence[1:]
+
+
+def _inside(box: tuple[float, float]) -> float:
+    """A plain number near the middle of a box, not in it, because the middle is often zero."""
+    middle, half_width = box
+    return round(middle + half_width / 6, 3)

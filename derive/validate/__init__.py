@@ -1,0 +1,1 @@
+"""A declaration that contradicts itself is refused in one sentence."""

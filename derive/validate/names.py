@@ -1,0 +1,308 @@
+"""Declarations that contradict themselves are refused, with what is wrong and how to mend it.
+
+Here is what can be seen from names and shapes; what the mechanics need is in `trials`.
+"""
+
+import keyword
+import math
+from collections.abc import Iterable, Iterator, Mapping
+from typing import TYPE_CHECKING, Any, NoReturn
+
+import sympy as sp
+
+from stridemap.errors import InputError
+
+if TYPE_CHECKING:
+    from stridemap.derive.walker import Coordinate, Parameter, Walker
+
+RESERVED = frozenset(
+    "t q v p z u xp M h dh side d com foot force zmp mass weight pull length positions masses kinetic "
+    "potential auto break case char const continue default do double else enum extern float for goto if "
+    "inline int long register restrict return short signed sizeof static struct switch typedef union "
+    "unsigned void volatile while sin cos tan sqrt exp log pow abs main period status stable model params "
+    "state".split()
+) | frozenset(keyword.kwlist)
+"""Names that mean something else in generated code or in tables."""
+
+BREAKING = ("*/", "/*", '"""', "\\")
+"""What ends or bends comments."""
+
+
+def check(walker: "Walker") -> None:
+    """Look for contradictions in a declaration.
+
+    Parameters
+    ----------
+    walker : Walker
+
+    Raises
+    ------
+    InputError
+        For the first one found.
+    """
+    _kinds(walker)
+    _names(walker)
+    _texts(walker)
+    _parameters(walker.parameters, walker.name)
+    _references(walker)
+    _shapes(walker)
+    _symbols(walker)
+    _translation(walker)
+    _search(walker)
+
+
+def refuse(walker: "Walker", sentence: str) -> NoReturn:
+    """Raise an InputError that names the walker."""
+    one_line = " ".join(sentence.split())  # matrices have several
+    raise InputError(f"model {walker.name}: {one_line}")
+
+
+# -- kinds, names and shapes -----------------------------------------------------------------------------
+
+
+def _kinds(walker: "Walker") -> None:
+    """Fields hold what they are for; a lone entry in brackets without a comma is no tuple."""
+    from stridemap.derive import walker as d
+
+    lists = {"coordinates": d.Coordinate, "parameters": d.Parameter, "bodies": d.Body, "drawing": d.Line}
+    for field, kind in lists.items():
+        entries = getattr(walker, field)
+        if not isinstance(entries, tuple):
+            refuse(walker, f"{field} is no tuple; write ({kind.__name__}(...),) even for a single one")
+        for entry in entries:
+            if not isinstance(entry, kind):
+                refuse(walker, f"{field} holds {entry!r}, which is no {kind.__name__}")
+    if not isinstance(walker.locks, tuple):
+        refuse(walker, "locks is no tuple; write (expression,) even for a single one")
+    for field in ("relabel", "search_box", "potentials", "torques", "section", "sources"):
+        if not isinstance(getattr(walker, field), Mapping):
+            refuse(walker, f"{field} is {getattr(walker, field)!r}, and must be a dict")
+    single = {"touchdown": d.Touchdown, "clock": d.Clock, "massless": d.Massless}
+    single |= {"stance_angle": d.Coordinate, "wobbling": d.Coordinate}
+    for field, kind in single.items():
+        value = getattr(walker, field)
+        if not isinstance(value, kind) and not (value is None and field != "touchdown"):
+            refuse(walker, f"{field} is {value!r}, which is no {kind.__name__}")
+    for coordinate in walker.torques:
+        if not isinstance(coordinate, d.Coordinate):
+            refuse(walker, f"torques names {coordinate!r}, which is no Coordinate")
+
+
+def _texts(walker: "Walker") -> None:
+    """Texts stand in comments of generated code, which they must not end."""
+    texts = [walker.title, walker.reference, *vars(walker.units).values(), *walker.sources.values()]
+    described: list[Coordinate | Parameter] = [*walker.coordinates, *walker.parameters]
+    texts += [text for x in described for text in (x.unit, x.meaning)]
+    texts += [body.name for body in walker.bodies]
+    for text in texts:
+        if not isinstance(text, str) or not text.isprintable() or any(x in text for x in BREAKING):
+            refuse(
+                walker, f"the text {text!r} cannot stand in a comment of generated code; write plain words"
+            )
+
+
+def _names(walker: "Walker") -> None:
+    kinds = [("model", walker.name)]
+    kinds += [("coordinate", c.name) for c in walker.coordinates]
+    kinds += [("rate of a coordinate", c.rate.name) for c in walker.coordinates]
+    kinds += [("parameter", a.name) for a in walker.parameters]
+    kinds += [("line", line.name) for line in walker.drawing]
+    kinds += [("potential", f"v_{name}") for name in walker.potentials]
+    if "gravity" in walker.potentials:
+        refuse(walker, "the potential gravity is there already, from the bodies' masses; leave it out")
+    seen: dict[str, str] = {}
+    for kind, name in kinds:
+        if not isinstance(name, str) or not name.isidentifier() or not name.isascii() or name.startswith("_"):
+            refuse(
+                walker,
+                f"the {kind} {name!r} is no name for generated code; use letters, digits and underscores",
+            )
+        if name in RESERVED and kind != "model":
+            refuse(
+                walker, f"the {kind} {name} has a name that generated code needs itself; call it otherwise"
+            )
+        if kind != "model" and name in seen:
+            if {kind, seen[name]} == {"parameter", "coordinate"}:
+                refuse(walker, f"the parameter {name} shadows the coordinate {name}; rename one of them")
+            refuse(walker, f"there is a {seen[name]} and a {kind} called {name}; rename one of them")
+        seen[name] = kind
+    if not walker.coordinates:
+        refuse(walker, "it has no coordinates; give at least one")
+    if not walker.bodies:
+        refuse(walker, "it has no bodies; give at least one with a mass")
+
+
+def _parameters(parameters: "Iterable[Parameter]", model: str) -> None:
+    for a in parameters:
+        if not isinstance(a.default, int | float) or not math.isfinite(a.default):
+            raise InputError(
+                f"model {model}: the default {a.default!r} of the parameter {a.name} is no finite number"
+            )
+        below = a.lower is not None and (a.default < a.lower or (a.default == a.lower and a.lower_open))
+        above = a.upper is not None and (a.default > a.upper or (a.default == a.upper and a.upper_open))
+        if below or above:
+            low = "(" if a.lower_open or a.lower is None else "["
+            high = ")" if a.upper_open or a.upper is None else "]"
+            ends = [str(end) if x is None else f"{x:g}" for x, end in ((a.lower, "-inf"), (a.upper, "inf"))]
+            raise InputError(
+                f"model {model}: the default {a.default:g} of the parameter {a.name} is not in its own range "
+                f"{low}{', '.join(ends)}{high}; change one of them"
+            )
+
+
+def _references(walker: "Walker") -> None:
+    """What names coordinates names those of the model."""
+    symbols, rates = list(walker.q), list(walker.v)
+    named: list[tuple[str, Coordinate | None]] = [("torques", c) for c in walker.torques]
+    named += [("massless", c) for c in (walker.massless.coordinates if walker.massless else ())]
+    named += [("stance_angle", walker.stance_angle), ("wobbling", walker.wobbling)]
+    for where, coordinate in named:
+        if coordinate is not None and coordinate not in walker.coordinates:
+            known = ", ".join(c.name for c in walker.coordinates)
+            name = getattr(coordinate, "name", coordinate)
+            refuse(walker, f"{where} names {name}, which is no coordinate of it; its coordinates are {known}")
+    for symbol in walker.relabel:
+        if symbol not in symbols:
+            cure = "take Coordinate(...).symbol" if str(symbol) in map(str, symbols) else "leave it out"
+            refuse(walker, f"relabel gives {symbol} a new value, but that is no coordinate of it; {cure}")
+    for symbol in symbols:
+        if symbol not in walker.relabel:
+            refuse(walker, f"relabel says nothing of {symbol}; write {{{symbol}: {symbol}}} if it stays")
+    for symbol in walker.section:
+        if symbol not in symbols and symbol not in rates:
+            twin = str(symbol) in map(str, symbols + rates)
+            cure = "take .symbol or .rate of a Coordinate" if twin else "leave it out"
+            refuse(walker, f"section fixes {symbol}, which is neither a coordinate nor a rate of it; {cure}")
+
+
+def _shapes(walker: "Walker") -> None:
+    from stridemap.derive.walker import Coordinate, Parameter
+
+    vectors = [(f"the position of the body {b.name}", b.position) for b in walker.bodies]
+    vectors += [("swing_foot", walker.swing_foot), ("gravity", walker.gravity), ("stance", walker.stance)]
+    vectors += [(f"a point of the line {line.name}", p) for line in walker.drawing for p in line.points]
+    for what, value in vectors:
+        shape = getattr(value, "shape", None)
+        if shape != (2, 1):
+            refuse(walker, f"{what} has shape {shape}; a point has shape (2, 1), as sympy.Matrix([x, y])")
+    for what, value in _scalars(walker):
+        if isinstance(value, Parameter | Coordinate):
+            kind = type(value).__name__
+            refuse(walker, f"{what} is the {kind} {value.name} itself; take its symbol, {kind}(...).symbol")
+        if not isinstance(value, sp.Expr) or isinstance(value, sp.MatrixBase):
+            refuse(walker, f"{what} is {value!r}, and must be one SymPy expression")
+    for symbol, value in walker.section.items():
+        if twice := value.free_symbols & walker.section.keys():
+            refuse(walker, f"section gives {symbol} in terms of {min(map(str, twice))}, which it fixes too")
+
+
+def _scalars(walker: "Walker") -> Iterator[tuple[str, Any]]:
+    for body in walker.bodies:
+        yield f"the mass of the body {body.name}", body.mass
+        yield f"the inertia of the body {body.name}", body.inertia
+        yield f"the angle of the body {body.name}", body.angle
+    yield "the touchdown's condition", walker.touchdown.condition
+    yield "the touchdown's region", walker.touchdown.region
+    yield "the dissipation", walker.dissipation
+    for name, value in walker.potentials.items():
+        yield f"the potential {name}", value
+    for coordinate, value in walker.torques.items():
+        yield f"the torque on {coordinate.name}", value
+    for symbol, value in walker.relabel.items():
+        yield f"the new value of {symbol} in relabel", value
+    for symbol, value in walker.section.items():
+        yield f"the value of {symbol} in section", value
+    for i, value in enumerate(walker.locks, 1):
+        yield f"lock {i}", value
+    if walker.clock is not None:
+        yield "the rate of the clock", walker.clock.rate
+    if walker.spring_mode is not None:
+        yield "spring_mode", walker.spring_mode
+
+
+def _symbols(walker: "Walker") -> None:
+    """Every symbol is a parameter, or something else that may stand there."""
+    from stridemap.derive.walker import STANCE_FOOT, TIME
+
+    parameters = {a.symbol for a in walker.parameters}
+    q, v, base = set(walker.q), set(walker.v), set(STANCE_FOOT)
+    massless = {walker.massless.mass} if walker.massless is not None else set()
+    if walker.massless is not None and massless & parameters:
+        refuse(walker, f"{walker.massless.mass} goes to zero, so it cannot be a parameter; take it out")
+    allowed = {
+        "mass": parameters | massless,
+        "inertia": parameters | massless,
+        "angle": parameters | q,
+        "potential": parameters | q | base | massless,
+        "dissipation": parameters | q | v | massless,
+        "torque": parameters | q | v | {TIME} | massless,
+        "touchdown": parameters | q,
+        "new": parameters | q,
+        "value": parameters | q | v,
+        "lock": parameters | q,
+        "rate": parameters,
+        "spring_mode": parameters,
+    }
+    checked = []
+    for what, value in _scalars(walker):
+        kind = next(k for k in allowed if what.removeprefix("the ").startswith(k))
+        checked.append((what, value, allowed[kind]))
+    checked += [
+        (f"the position of the body {b.name}", b.position, parameters | q | base) for b in walker.bodies
+    ]
+    checked += [("swing_foot", walker.swing_foot, parameters | q | base)]
+    checked += [("gravity", walker.gravity, parameters), ("stance", walker.stance, parameters | q)]
+    checked += [
+        (f"a point of the line {line.name}", p, parameters | q | base)
+        for line in walker.drawing
+        for p in line.points
+    ]
+    elsewhere = base | massless | {TIME}
+    names = {s.name: s for s in elsewhere | parameters | q | v}
+    for what, value, known in checked:
+        for symbol in sorted(value.free_symbols - known, key=str):
+            twin = names.get(symbol.name)
+            if twin is not None and twin != symbol:
+                cure = (
+                    f"it is not the declared {symbol}: take Parameter(...).symbol or Coordinate(...).symbol"
+                )
+            elif twin is not None:
+                cure = "that may not stand there"
+            else:
+                cure = f'declare Parameter("{symbol}", ...), or write what it stands for'
+            refuse(walker, f"{what} has the symbol {symbol}, which is no parameter; {cure}")
+
+
+def _translation(walker: "Walker") -> None:
+    """Points move along with the stance foot."""
+    from stridemap.derive.walker import STANCE_FOOT
+
+    points = [(f"the position of the body {b.name}", b.position) for b in walker.bodies]
+    points += [("swing_foot", walker.swing_foot)]
+    for what, point in points:
+        if (point - STANCE_FOOT).applyfunc(sp.expand).free_symbols & set(STANCE_FOOT):
+            refuse(walker, f"{what} does not move along with the stance foot; write STANCE_FOOT + ...")
+
+
+def _two_numbers(value: Any) -> bool:
+    if not isinstance(value, tuple | list) or len(value) != 2:
+        return False
+    return all(isinstance(x, int | float) and math.isfinite(x) for x in value)
+
+
+def _search(walker: "Walker") -> None:
+    names = walker.section_names
+    for name in names:
+        if name not in walker.search_box:
+            refuse(walker, f"search_box lacks {name}; give its middle and half-width")
+    known = {s.name for s in (*walker.q, *walker.v)}
+    for name, box in walker.search_box.items():
+        if name not in known:
+            refuse(walker, f"search_box names {name}, which is neither a coordinate nor a rate of it")
+        if not _two_numbers(box) or box[1] < 0:
+            refuse(
+                walker, f"search_box gives {name} {box}; a middle and a half-width of at least 0 are needed"
+            )
+    low, high = walker.period_range if _two_numbers(walker.period_range) else (0, 0)
+    if not 0 < low < high:
+        refuse(walker, f"period_range = {walker.period_range} is not allowed; 0 < shortest < longest")

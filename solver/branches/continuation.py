@@ -1,0 +1,231 @@
+"""Branches of limit cycles followed from one parameter point to another, around folds, on arrays of points.
+
+Pseudo-arclength continuation (H. B. Keller 1977; E. L. Allgower and K. Georg, Introduction to Numerical
+Continuation Methods, 2003, chapters 2 and 6): a branch is a curve in the space of section point, period
+and the fraction `s` of the way between the points. A step along its tangent is corrected by Newton's method
+in the plane across it, so that a fold, where the curve turns back in `s`, is passed like any other point.
+
+A branch ends where it arrives (s = 1), or back where it began (s = 0): there it has led around a fold to
+the other cycle of a pair.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from stridemap.solver.cycles.solver import Solver
+
+Array = NDArray[np.float64]
+Index = NDArray[np.int64]
+Mask = NDArray[np.bool_]
+
+STEPS_MAX = 24
+"""Steps along a branch, failed ones included."""
+DS_MIN, DS_MAX = 1e-3, 1.5
+"""Length of a step; 1 is the way between the points, or the half width of the search box."""
+GROWTH, SHRINKING = 2.0, 0.35
+"""Of the step length after a step that was easily corrected, and after one that failed."""
+CORRECTIONS = 4
+TOLERANCE = 1e-4
+"""Correction that is the last: what comes out is a guess, to be completed."""
+CONTRACTION = 0.5
+"""Largest ratio of one correction to the one before."""
+NEAR, ALIGNED = 0.5, 0.7
+"""Largest first correction, in terms of the step; smallest cosine of the angle that the tangent turns by."""
+DIFFERENCE = 1e-6
+"""Of `s`, for the derivative with respect to it."""
+
+
+@dataclass(frozen=True)
+class Ends:
+    """Where branches ended; those that ended nowhere are left out.
+
+    Parameters
+    ----------
+    branch : ndarray of int, shape (k,)
+        Row of each branch among those that were followed, ascending.
+    u : ndarray, shape (k, nz + 1)
+        Section point and period: a guess.
+    arrived : ndarray of bool, shape (k,)
+        Whether at the other parameter point, or back at its own.
+    """
+
+    branch: Index
+    u: Array
+    arrived: Mask
+
+
+def follow(
+    solver: Solver, u: Array, params: Array, towards: Array, period_range: tuple[float, float]
+) -> Ends:
+    """Follow branches from limit cycles towards other parameter points.
+
+    Parameters
+    ----------
+    solver : Solver
+    u : ndarray, shape (m, nz + 1)
+        Section points and periods of limit cycles.
+    params, towards : ndarray, shape (m, n_params)
+        Their parameters, and where to go.
+    period_range : (float, float)
+        A branch that leaves it is given up.
+
+    Returns
+    -------
+    Ends
+    """
+    if not len(u):
+        return Ends(np.empty(0, dtype=np.int64), u, np.empty(0, dtype=bool))
+    return _Branches(solver, u, params, towards).follow(period_range)
+
+
+class _Branches:
+    """Branches on their way. Points on them are (u, s), shape (m, nz + 2)."""
+
+    def __init__(self, solver: Solver, u: Array, params: Array, towards: Array) -> None:
+        box = solver.model.manifest["section"]["search_box"]
+        self.kernels = solver.kernels
+        self.u, self.params, self.way = u, params, towards - params
+        self.scale = np.array([*(box[name][1] for name in solver.model.section), 1.0, 1.0])
+        self.resolution = np.maximum(
+            solver.search_steps(u[:, -1], params), solver.search_steps(u[:, -1], towards)
+        )
+
+    def follow(self, period_range: tuple[float, float]) -> Ends:
+        """Follow all of them to their ends."""
+        at, x = np.arange(len(self.u)), np.column_stack([self.u, np.zeros(len(self.u))])
+        ahead = np.zeros_like(x)
+        ahead[:, -1] = 1.0
+        tangent = self._tangent(self._first_system(at, x), ahead)
+        ds = np.where(np.isfinite(tangent).all(axis=1), DS_MAX, 0.0)
+        ends = [(at[:0], x[:0, :-1], np.empty(0, dtype=bool))]
+        for _ in range(STEPS_MAX):
+            go_on = ds >= DS_MIN
+            at, x, tangent, ds = at[go_on], x[go_on], tangent[go_on], ds[go_on]
+            if not len(at):
+                break
+            y, new, good, easy = self._step(at, x, tangent, ds)
+            s0, s1 = x[:, -1], y[:, -1]
+            arrived, back = good & (s1 >= 1), good & (s1 <= 0)
+            over = arrived | back
+            # Where the plane across the tangent has led beyond: the point in between.
+            part = (arrived[over] - s0[over]) / (s1[over] - s0[over])
+            ends.append((at[over], x[over, :-1] + part[:, None] * (y - x)[over, :-1], arrived[over]))
+            x, tangent = np.where(good[:, None], y, x), np.where(good[:, None], new, tangent)
+            ds = np.minimum(np.where(good, np.where(easy, GROWTH, 1.0), SHRINKING) * ds, DS_MAX)
+            inside = (x[:, -2] > period_range[0]) & (x[:, -2] <= period_range[1])
+            ds[over | ~inside] = 0.0
+        branch, u, arrived = (np.concatenate(column) for column in zip(*ends, strict=True))
+        order = np.argsort(branch, kind="stable")
+        return Ends(branch[order], u[order], arrived[order])
+
+    def _step(self, at: Index, x: Array, tangent: Array, ds: Array) -> tuple[Array, Array, Mask, Mask]:
+        """One step along the tangent, corrected: new points and tangents, whether they hold, and easily.
+
+        The derivative at the predicted point serves for all corrections, and for the new tangent.
+        """
+        y, across, length = self._predicted(x, tangent, ds)
+        matrix, residual = self._system(at, y)
+        new = self._tangent(matrix, tangent)
+        matrix[:, -1, :] = across
+        change = _solved(matrix, np.column_stack([-residual, np.zeros(len(at))]))
+        y += change
+        size = self._norm(change)
+        with np.errstate(invalid="ignore"):
+            near = (size < NEAR * length) & ((new * tangent / self.scale**2).sum(axis=1) > ALIGNED)
+        good, easy = near & (size < TOLERANCE), np.zeros(len(at), dtype=bool)
+        open_ = np.flatnonzero(near & ~good)
+        for turn in range(CORRECTIONS):
+            if not len(open_):
+                break
+            residual = self._residual(at[open_], y[open_, :-1], y[open_, -1:])
+            change = _solved(matrix[open_], np.column_stack([-residual, np.zeros(len(open_))]))
+            y[open_] += change
+            now = self._norm(change)
+            done = now < TOLERANCE
+            good[open_[done]] = True
+            easy[open_[done]] = turn < CORRECTIONS - 1
+            with np.errstate(invalid="ignore"):
+                shrinking = now < CONTRACTION * size[open_]
+            size[open_] = now
+            open_ = open_[~done & shrinking]
+        return y, new, good, easy
+
+    def _predicted(self, x: Array, tangent: Array, ds: Array) -> tuple[Array, Array, Array]:
+        """Points along the tangents, the directions that corrections keep, and the lengths of the steps.
+
+        A step does not go beyond an end: to arrive there, corrections keep s and not the tangent's plane.
+        """
+        s, slope = x[:, -1], tangent[:, -1]
+        with np.errstate(divide="ignore", invalid="ignore"):
+            left = np.where(slope > 0, (1 - s) / slope, np.where(slope < 0, -s / slope, np.inf))
+        at_end = ds >= left
+        length = np.minimum(ds, left)
+        y = x + length[:, None] * tangent
+        y[at_end, -1] = np.where(slope[at_end] > 0, 1.0, 0.0)
+        across = tangent / self.scale**2
+        across[at_end] = np.eye(x.shape[1])[-1]
+        return y, across, length
+
+    def _system(self, at: Index, x: Array) -> tuple[Array, Array]:
+        """Derivative of the residual with a last row to be filled in, shape (m, nz + 2, nz + 2); residual."""
+        u, s = x[:, :-1], x[:, -1:]
+        n = u.shape[1]
+        jacobian, residual = self._evaluate("jacobian", at, u, s)
+        beside = self._residual(at, u, s + DIFFERENCE)
+        matrix = np.zeros((len(x), n + 1, n + 1))
+        matrix[:, :n, :n] = jacobian.transpose(0, 2, 1)  # a matrix comes column by column
+        matrix[:, :n, n] = (beside - residual) / DIFFERENCE
+        return matrix, residual
+
+    def _first_system(self, at: Index, x: Array) -> Array:
+        """The same where branches begin: those that leave one cycle have one derivative in common."""
+        _, first, same = np.unique(
+            np.hstack([self.u, self.params, self.resolution[:, None]]),
+            axis=0, return_index=True, return_inverse=True,
+        )  # fmt: skip
+        matrix, residual = (part[same.ravel()] for part in self._system(at[first], x[first]))
+        beside = self._residual(at, x[:, :-1], x[:, -1:] + DIFFERENCE)
+        matrix[:, :-1, -1] = (beside - residual) / DIFFERENCE
+        return matrix
+
+    def _residual(self, at: Index, u: Array, s: Array) -> Array:
+        return self._evaluate("residual", at, u, s)[0]
+
+    def _evaluate(self, kind: str, at: Index, u: Array, s: Array) -> list[Array]:
+        """A kernel at points of branches, each at its own resolution."""
+        params = self.params[at] + s * self.way[at]
+        resolution = self.resolution[at]
+        groups = [np.flatnonzero(resolution == n) for n in np.unique(resolution)]
+        parts = [self.kernels(f"{kind}_{resolution[rows[0]]}", u[rows], params[rows]) for rows in groups]
+        back = np.argsort(np.concatenate(groups), kind="stable")
+        return [np.concatenate(part)[back] for part in zip(*parts, strict=True)]
+
+    def _tangent(self, matrix: Array, ahead: Array) -> Array:
+        """Unit tangents that point the way of `ahead`."""
+        matrix = matrix.copy()
+        matrix[:, -1, :] = ahead / self.scale**2
+        right = np.zeros(ahead.shape)
+        right[:, -1] = 1.0
+        tangent = _solved(matrix, right)
+        return tangent / self._norm(tangent)[:, None]
+
+    def _norm(self, x: Array) -> Array:
+        """Lengths in units of the scale."""
+        return np.sqrt(((x / self.scale) ** 2).sum(axis=1))
+
+
+def _solved(matrix: Array, right: Array) -> Array:
+    """Solutions of linear systems; NaN where there is none."""
+    finite = np.isfinite(matrix).all(axis=(1, 2)) & np.isfinite(right).all(axis=1)
+    out = np.full(right.shape, np.nan)
+    try:
+        out[finite] = np.linalg.solve(matrix[finite], right[finite][:, :, None])[:, :, 0]
+    except np.linalg.LinAlgError:  # one of them is singular to the last bit: none of its neighbours is
+        for i in np.flatnonzero(finite):
+            try:
+                out[i] = np.linalg.solve(matrix[i], right[i])
+            except np.linalg.LinAlgError:
+                continue
+    return out

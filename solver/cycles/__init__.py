@@ -1,0 +1,1 @@
+"""Limit cycles: Newton's method, acceptance, multipliers, search."""

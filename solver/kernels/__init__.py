@@ -1,0 +1,1 @@
+"""The straight-line functions that the solver runs, and their C."""

@@ -1,0 +1,159 @@
+"""What is observed along a step, with time derivatives, as straight-line CasADi functions."""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import casadi as ca
+
+from stridemap.solver.kernels.runge_kutta import STAGES
+from stridemap.solver.kernels.step_map import BLOCK, StepMap
+from stridemap.solver.model.model import Model
+
+OBSERVABLES = ("d", "vertical_force", "friction", "foot_height", "peak", "touchdown", "wobble")
+"""Row order of the observables.
+
+`d`, stance foot minus zero moment point; vertical ground force; horizontal over vertical ground force;
+height of the swing foot; acceleration of the stance angle (its falling zeros are peaks of the rate);
+touchdown condition; position of the wobbling mass. Zero where a model has no such angle or mass. The power
+of each actuator follows.
+"""
+
+
+def observables(model: Model) -> tuple[str, ...]:
+    """Names of the rows: `OBSERVABLES`, then ``power_<coordinate>`` for each actuator."""
+    return (*OBSERVABLES, *(f"power_{name}" for name in model.actuated))
+
+
+@dataclass(frozen=True)
+class Observation:
+    """Builds the observing functions of one model.
+
+    Parameters
+    ----------
+    step_map : StepMap
+    """
+
+    step_map: StepMap
+
+    @property
+    def width(self) -> int:
+        """Length of the state with the net work of each actuator."""
+        return 2 * self.step_map.n + len(self.step_map.model.actuated)
+
+    def _values(self, t: ca.SX, y: ca.SX, p: ca.SX) -> ca.SX:
+        sm, manifest = self.step_map, self.step_map.model.manifest
+        values = {"t": t, "q": y[: sm.n], "v": y[sm.n :], "p": p}
+        coordinates = sm.model.coordinates
+        force = sm.call("ground_force", **values)["force"]
+        wobbling, stance = manifest["wobbling"], manifest["stance_angle"]
+        rows = {
+            "d": sm.call("zmp", **values)["d"],
+            "vertical_force": force[1],
+            "friction": force[0] / force[1],
+            "foot_height": sm.call("swing_foot", **values)["foot"][1],
+            "peak": sm.rate(t, y, p)[sm.n + coordinates.index(stance)] if stance else ca.SX(0),
+            "touchdown": sm.call("touchdown_condition", **values)["h"],
+            "wobble": y[coordinates.index(wobbling)] if wobbling else ca.SX(0),
+        }
+        return ca.vertcat(*[rows[name] for name in OBSERVABLES], self._powers(t, y, p))
+
+    def _powers_of(self, torque: ca.SX, y: ca.SX) -> ca.SX:
+        sm = self.step_map
+        rates = [y[sm.n + sm.model.coordinates.index(name)] for name in sm.model.actuated]
+        return torque * ca.vertcat(*rates)
+
+    def _powers(self, t: ca.SX, y: ca.SX, p: ca.SX) -> ca.SX:
+        """Power of each actuator."""
+        sm = self.step_map
+        if not sm.model.actuated:
+            return ca.SX(0, 1)
+        return self._powers_of(sm.call("controller_torque", t=t, q=y[: sm.n], v=y[sm.n :], p=p)["u"], y)
+
+    def _working_rate(self, phase: ca.SX, w: ca.SX, p: ca.SX) -> ca.SX:
+        """Time derivative of the state and of each actuator's net work."""
+        sm = self.step_map
+        y = w[: 2 * sm.n]
+        if not sm.model.actuated:
+            return sm.rate_at_phase(phase, y, p)
+        torque = sm.at_phase("controller_torque", phase, q=y[: sm.n], v=y[sm.n :], p=p)["u"]
+        return ca.vertcat(sm.rate_at_phase(phase, y, p), self._powers_of(torque, y))
+
+    @cached_property
+    def observe(self) -> ca.Function:
+        """(t, y, p) -> (values, their time derivatives), as many rows as there are observables."""
+        sm = self.step_map
+        t, y, p = ca.SX.sym("t"), ca.SX.sym("y", 2 * sm.n), ca.SX.sym("p", sm.n_params)
+        values = self._values(t, y, p)
+        along = ca.jtimes(values, ca.vertcat(t, y), ca.vertcat(1, sm.rate(t, y, p)))
+        outputs = [ca.densify(e) for e in ca.cse([values, along])]
+        return ca.Function("observe", [t, y, p], outputs, ["t", "y", "p"], ["g", "dg"])
+
+    @cached_property
+    def working_step(self) -> ca.Function:
+        """One step of state and net works: (y, phase, turns, h, p) -> y with y = (state, works)."""
+        sm = self.step_map
+        return sm.one_step("working_step", self._working_rate, ca.SX.sym("w", self.width))
+
+    @cached_property
+    def advance(self) -> ca.Function:
+        """One Runge-Kutta step of any size from a node, observed: (t, w, h, p) -> (w, g, dg)."""
+        sm = self.step_map
+        t, w, h = ca.MX.sym("t"), ca.MX.sym("w", self.width), ca.MX.sym("h")
+        p = ca.MX.sym("p", sm.n_params)
+        end = self.working_step(w, sm.phase(t, p), sm.turns(h, p), h, p)
+        g, dg = self.observe(t + h, end[: 2 * sm.n], p)
+        return ca.Function(
+            f"{sm.model.name}_advance", [t, w, h, p], [end, g, dg], ["t", "w", "h", "p"], ["w_end", "g", "dg"]
+        )
+
+    @cached_property
+    def _block(self) -> ca.Function:
+        """`BLOCK` working steps, observed at the start of each.
+
+        (t, turns, w, h, p) -> (w_end, nodes, g, dg)
+        """
+        sm = self.step_map
+        t, w, h = ca.MX.sym("t"), ca.MX.sym("w", self.width), ca.MX.sym("h")
+        p, turns = ca.MX.sym("p", sm.n_params), ca.MX.sym("turns", 2, STAGES)
+        nodes = [w]
+        for i in range(BLOCK):
+            nodes.append(self.working_step(nodes[-1], sm.phase(t + i * h, p), turns, h, p))
+        # Every node is kept: just after touchdown the power can cross zero several times between two.
+        seen = [self.observe(t + i * h, node[: 2 * sm.n], p) for i, node in enumerate(nodes[:-1])]
+        outputs = [
+            nodes[-1],
+            ca.horzcat(*nodes[:-1]),
+            ca.horzcat(*[s[0] for s in seen]),
+            ca.horzcat(*[s[1] for s in seen]),
+        ]
+        inputs = {"t": t, "turns": turns, "w": w, "h": h, "p": p}
+        return ca.Function(
+            "working_steps", [*inputs.values()], outputs, [*inputs], ["w_end", "nodes", "g", "dg"]
+        )
+
+    def trace(self, steps: int) -> ca.Function:
+        """A whole step of `steps` Runge-Kutta steps, observed at steps + 1 nodes.
+
+        (u, p) -> (w, g, dg, R): state and net works at the nodes, shape (width, steps + 1),
+        observables and their derivatives at the nodes, and the residual at this resolution.
+        """
+        sm = self.step_map
+        u, p = ca.MX.sym("u", sm.nz + 1), ca.MX.sym("p", sm.n_params)
+        z, period = u[: sm.nz], u[sm.nz]
+        w = ca.vertcat(sm.start(z, p)[0], ca.DM.zeros(len(sm.model.actuated)))
+        parts = []
+        h = period / steps
+        turns = sm.turns(h, p)
+        for i in range(0, steps, BLOCK):
+            w, *part = self._block((i / steps) * period, turns, w, h, p)
+            parts.append(part)
+        parts.append([w, *self.observe(period, w[: 2 * sm.n], p)])
+        nodes, g, dg = (ca.horzcat(*column) for column in zip(*parts, strict=True))
+        residual = sm.landing(w[: 2 * sm.n], z, p)
+        return ca.Function(
+            f"{sm.model.name}_trace_{steps}",
+            [u, p],
+            [nodes, g, dg, residual],
+            ["u", "p"],
+            ["w", "g", "dg", "R"],
+        )

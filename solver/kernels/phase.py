@@ -1,0 +1,133 @@
+"""The time along a step of the walker, as the equations need it.
+
+Sines are a large part of the work of a Runge-Kutta step. Where time enters the equations as the phase of one
+oscillator only (`Oscillator`), no sine of it is taken at a stage: the stages of every step lie at the same
+fractions of its size, so that their phases are one rotation each from the phase at its start, the same for
+all steps. Elsewhere (`PlainTime`) the time itself is handed on. In both, the sine of a difference of angles
+follows from those of the angles.
+"""
+
+from typing import Any
+
+import casadi as ca
+
+from stridemap.solver.model.model import Model
+
+Pair = tuple[Any, Any]
+
+
+class Sines:
+    """CasADi's functions for generated equations, with the cosine and sine of the phase given.
+
+    Parameters
+    ----------
+    t : casadi.SX, scalar
+        Stands for the time; with a phase it may appear within sines only.
+    phase : casadi.SX, shape (2, 1), optional
+        Cosine and sine of the phase.
+    """
+
+    def __init__(self, t: ca.SX, phase: ca.SX | None = None) -> None:
+        self.t = t
+        self.phase = phase
+        self.angles: list[ca.SX] = []
+
+    def __getattr__(self, name: str) -> Any:
+        """All other functions, and pi, are CasADi's."""
+        return getattr(ca, name)
+
+    def cos(self, x: ca.SX) -> ca.SX:
+        """Cosine."""
+        return self._pair(x)[0]
+
+    def sin(self, x: ca.SX) -> ca.SX:
+        """Sine."""
+        return self._pair(x)[1]
+
+    def _pair(self, x: ca.SX) -> Pair:
+        x = ca.SX(x)
+        if self.phase is not None and ca.depends_on(x, self.t):
+            self.angles.append(x)
+            return self.phase[0], self.phase[1]
+        if x.is_op(ca.OP_SUB):
+            return rotated((ca.cos(x.dep(0)), ca.sin(x.dep(0))), (ca.cos(x.dep(1)), -ca.sin(x.dep(1))))
+        return ca.cos(x), ca.sin(x)
+
+
+def rotated(one: Pair, other: Pair) -> Pair:
+    """Cosine and sine of the sum of two angles, each given by its own."""
+    return one[0] * other[0] - one[1] * other[1], one[1] * other[0] + one[0] * other[1]
+
+
+class Oscillator:
+    """Time as cosine and sine of a phase.
+
+    Parameters
+    ----------
+    model : Model
+    angle : casadi.SX
+        The phase, in terms of `t` and `p`.
+    t, p : casadi.SX
+    """
+
+    def __init__(self, model: Model, angle: ca.SX, t: ca.SX, p: ca.SX) -> None:
+        self.model = model
+        self.at = ca.Function(
+            "phase", [t, p], [ca.vertcat(ca.cos(angle), ca.sin(angle))], ["t", "p"], ["phase"]
+        )
+
+    @staticmethod
+    def later(start: ca.SX, turn: ca.SX) -> ca.SX:
+        """The phase after a turn."""
+        return ca.vertcat(*rotated((start[0], start[1]), (turn[0], turn[1])))
+
+    def call(self, name: str, phase: ca.SX, **values: ca.SX) -> dict[str, ca.SX]:
+        """Call a generated function with cosine and sine of the phase in the place of the time."""
+        t = ca.SX.sym("t")
+        return _called(self.model, name, Sines(t, phase), t, values)
+
+
+class PlainTime:
+    """Time as it is, in a pair whose second entry means nothing.
+
+    Parameters
+    ----------
+    model : Model
+    """
+
+    def __init__(self, model: Model) -> None:
+        self.model = model
+        t, p = ca.SX.sym("t"), ca.SX.sym("p", len(model.parameters))
+        self.at = ca.Function("phase", [t, p], [ca.vertcat(t, 0)], ["t", "p"], ["phase"])
+
+    @staticmethod
+    def later(start: ca.SX, turn: ca.SX) -> ca.SX:
+        """The time after some more of it."""
+        return start + turn
+
+    def call(self, name: str, phase: ca.SX, **values: ca.SX) -> dict[str, ca.SX]:
+        """Call a generated function with the time."""
+        return _called(self.model, name, Sines(phase[0]), phase[0], values)
+
+
+def clock_of(model: Model) -> Oscillator | PlainTime:
+    """How time enters the equations of a model."""
+    t, p, phase = ca.SX.sym("t"), ca.SX.sym("p", len(model.parameters)), ca.SX.sym("phase", 2)
+    n = len(model.coordinates)
+    sines = Sines(t, phase)
+    values = {"q": ca.SX.sym("q", n), "v": ca.SX.sym("v", n), "p": p}
+    outputs = _called(model, "state_derivative", sines, t, values)
+    outside = any(ca.depends_on(value, t) for value in outputs.values())
+    angle = sines.angles[0] if sines.angles else ca.SX(0)
+    if outside or not all(ca.is_equal(angle, other, 4) for other in sines.angles):
+        return PlainTime(model)
+    return Oscillator(model, angle, t, p)
+
+
+def _called(
+    model: Model, name: str, namespace: Sines, t: ca.SX, values: dict[str, ca.SX]
+) -> dict[str, ca.SX]:
+    inputs = [entry["name"] for entry in model.manifest["functions"][name]["inputs"]]
+    scalars = [t if key == "t" else ca.vertsplit(values[key]) for key in inputs]
+    result = getattr(model.equations, name)(namespace, *scalars)
+    return {key: Model._matrix(value) for key, value in result.items()}

@@ -1,0 +1,250 @@
+"""The step map with the period as an unknown, as straight-line CasADi functions.
+
+Time is scaled to the period: a limit cycle is a zero of
+
+    R(z, T) = ( P(z, T) - z,  h(q(T)) ),
+
+with P the flow over the time T, followed by the impact, and h the touchdown condition. R is smooth
+and free of branches and event detection; which touchdown it is, is checked afterwards.
+
+The state y is (q, v); a point on the section is z. One SX graph holds a Runge-Kutta step with its
+derivative, so that sines, cosines and eliminations are shared; MX chains the steps.
+"""
+
+from collections.abc import Callable
+from functools import cached_property
+
+import casadi as ca
+
+from stridemap.solver.kernels.phase import clock_of
+from stridemap.solver.kernels.runge_kutta import NODES, STAGES, step
+from stridemap.solver.model.model import Model
+
+BLOCK = 12
+"""Runge-Kutta steps in one block; every resolution is a multiple of it."""
+
+
+class StepMap:
+    """Builds the functions of one model.
+
+    Parameters
+    ----------
+    model : Model
+    """
+
+    def __init__(self, model: Model) -> None:
+        self.model = model
+        self.n = len(model.coordinates)
+        self.nz = len(model.section)
+        self.n_params = len(model.parameters)
+        self._clock = clock_of(model)
+        self._whole: dict[str, ca.Function] = {}
+
+    # -- pieces ------------------------------------------------------------------------------------------
+
+    def call(self, name: str, **values: ca.SX) -> dict[str, ca.SX]:
+        """Call a generated function with those of `values` that it takes."""
+        function = getattr(self.model, name)
+        return function(**{key: values[key] for key in function.name_in()})
+
+    def _symbols(self) -> tuple[ca.SX, ca.SX, ca.SX]:
+        return ca.SX.sym("t"), ca.SX.sym("y", 2 * self.n), ca.SX.sym("p", self.n_params)
+
+    def rate(self, t: ca.SX, y: ca.SX, p: ca.SX) -> ca.SX:
+        """Time derivative of the state, shape (2 n, 1)."""
+        out = self.call("state_derivative", t=t, q=y[: self.n], v=y[self.n :], p=p)
+        return ca.vertcat(out["dq"], out["dv"])
+
+    def at_phase(self, name: str, phase: ca.SX, **values: ca.SX) -> dict[str, ca.SX]:
+        """Call a generated function with the phase (see `phase`) in the place of the time."""
+        return self._clock.call(name, phase, **values)
+
+    def rate_at_phase(self, phase: ca.SX, y: ca.SX, p: ca.SX) -> ca.SX:
+        """Time derivative of the state, shape (2 n, 1)."""
+        out = self.at_phase("state_derivative", phase, q=y[: self.n], v=y[self.n :], p=p)
+        return ca.vertcat(out["dq"], out["dv"])
+
+    def _variational_rate(self, phase: ca.SX, y: ca.SX, p: ca.SX) -> ca.SX:
+        """Time derivative of the state and of its tangents; y is (state | tangents), shape (2 n, 1 + nz)."""
+        state, tangents = y[:, 0], y[:, 1:]
+        values = {"q": state[: self.n], "v": state[self.n :], "p": p}
+        dv_dq = self.at_phase("state_derivative_dq", phase, **values)["dv_dq"]
+        dv_dv = self.at_phase("state_derivative_dv", phase, **values)["dv_dv"]
+        upper, lower = tangents[: self.n, :], tangents[self.n :, :]
+        return ca.horzcat(
+            self.rate_at_phase(phase, state, p), ca.vertcat(lower, dv_dq @ upper + dv_dv @ lower)
+        )
+
+    @cached_property
+    def phase(self) -> ca.Function:
+        """(t, p) -> the time as the equations need it: cosine and sine of a phase where they have one."""
+        return self._clock.at
+
+    @cached_property
+    def turns(self) -> ca.Function:
+        """(h, p) -> for each stage, the phase's advance since the start of the step."""
+        h, p = ca.SX.sym("h"), ca.SX.sym("p", self.n_params)
+        columns = [self.phase(node * h, p) for node in NODES]
+        return ca.Function("turns", [h, p], [ca.cse(ca.horzcat(*columns))], ["h", "p"], ["turns"])
+
+    def one_step(self, name: str, rate: Callable[[ca.SX, ca.SX, ca.SX], ca.SX], y: ca.SX) -> ca.Function:
+        """One Runge-Kutta step: (y, phase, turns, h, p) -> y, for a rate of (phase, y, p)."""
+        phase, turns, h = ca.SX.sym("phase", 2), ca.SX.sym("turns", 2, STAGES), ca.SX.sym("h")
+        p = ca.SX.sym("p", self.n_params)
+        phases = [self._clock.later(phase, turns[:, i]) if node else phase for i, node in enumerate(NODES)]
+        end = step(lambda s, x: rate(s, x, p), phases, y, h)
+        inputs = {"y": y, "phase": phase, "turns": turns, "h": h, "p": p}
+        return ca.Function(name, [*inputs.values()], [ca.cse(end)], [*inputs], ["y_end"])
+
+    @cached_property
+    def plain_step(self) -> ca.Function:
+        """One step of the state: (y, phase, turns, h, p) -> y."""
+        return self.one_step("plain_step", self.rate_at_phase, ca.SX.sym("y", 2 * self.n))
+
+    @cached_property
+    def variational_step(self) -> ca.Function:
+        """One step of the state and its tangents, y of shape (2 n, 1 + nz)."""
+        y = ca.SX.sym("y", 2 * self.n, 1 + self.nz)
+        return self.one_step("variational_step", self._variational_rate, y)
+
+    @cached_property
+    def start(self) -> ca.Function:
+        """State of a section point and its derivative: (z, p) -> (y, dy/dz)."""
+        z, p = ca.SX.sym("z", self.nz), ca.SX.sym("p", self.n_params)
+        out = self.call("section_state", z=z, p=p)
+        y = ca.vertcat(out["q"], out["v"])
+        outputs = [ca.densify(y), ca.densify(ca.jacobian(y, z))]
+        return ca.Function("start", [z, p], outputs, ["z", "p"], ["y", "dy_dz"])
+
+    def _landing_expr(self, y: ca.SX, p: ca.SX) -> tuple[ca.SX, ca.SX]:
+        """Section point after the impact, and the touchdown condition before it."""
+        values = {"q": y[: self.n], "v": y[self.n :], "p": p}
+        after = self.call("impact_map", **values)
+        names = {c: after["q_plus"][i] for i, c in enumerate(self.model.coordinates)}
+        names |= {f"d{c}": after["v_plus"][i] for i, c in enumerate(self.model.coordinates)}
+        return ca.vertcat(*[names[s] for s in self.model.section]), self.call(
+            "touchdown_condition", **values
+        )["h"]
+
+    @cached_property
+    def landing(self) -> ca.Function:
+        """Residual from the state at the end of the step: (y, z, p) -> R."""
+        _, y, p = self._symbols()
+        z = ca.SX.sym("z", self.nz)
+        after, condition = self._landing_expr(y, p)
+        return ca.Function(
+            "landing", [y, z, p], [ca.cse(ca.vertcat(after - z, condition))], ["y", "z", "p"], ["R"]
+        )
+
+    @cached_property
+    def landing_with_derivative(self) -> ca.Function:
+        """(y with tangents, z, T, p) -> (dR/d(z, T), R).
+
+        The derivative with respect to the period is that of the flow, the rate at its end; the impact's
+        derivative is the generated one.
+        """
+        _, _, p = self._symbols()
+        y, z, period = ca.SX.sym("y", 2 * self.n, 1 + self.nz), ca.SX.sym("z", self.nz), ca.SX.sym("T")
+        state = ca.SX.sym("state", 2 * self.n)
+        after, condition = self._landing_expr(state, p)
+        image = ca.vertcat(after, condition)
+        slope = ca.densify(ca.substitute(ca.jacobian(image, state), state, y[:, 0]))
+        end_rate = self.rate(period, y[:, 0], p)
+        derivative = ca.horzcat(slope @ y[:, 1:], slope @ end_rate)
+        derivative[: self.nz, : self.nz] -= ca.DM.eye(self.nz)
+        residual = self.landing(y[:, 0], z, p)
+        outputs = list(ca.cse([ca.densify(derivative), residual]))
+        return ca.Function(
+            "landing_with_derivative", [y, z, period, p], outputs, ["y", "z", "T", "p"], ["J", "R"]
+        )
+
+    # -- whole steps -------------------------------------------------------------------------------------
+
+    def _block(self, one_step: ca.Function) -> ca.Function:
+        """`BLOCK` steps as one function, so that the C of a long chain stays short.
+
+        (y, t, turns, h, p) -> y
+        """
+        y0, p = ca.MX.sym("y", *one_step.size_in("y")), ca.MX.sym("p", self.n_params)
+        t, turns, h = ca.MX.sym("t"), ca.MX.sym("turns", 2, STAGES), ca.MX.sym("h")
+        y = y0
+        for i in range(BLOCK):
+            y = one_step(y, self.phase(t + i * h, p), turns, h, p)
+        inputs = {"y": y0, "t": t, "turns": turns, "h": h, "p": p}
+        return ca.Function(f"{one_step.name()}s", [*inputs.values()], [y], [*inputs], ["y_end"])
+
+    @cached_property
+    def _plain_block(self) -> ca.Function:
+        return self._block(self.plain_step)
+
+    @cached_property
+    def _variational_block(self) -> ca.Function:
+        return self._block(self.variational_step)
+
+    def _flow(self, block: ca.Function, y: ca.MX, period: ca.MX, p: ca.MX, steps: int) -> ca.MX:
+        """The state after `period`; `steps` is a multiple of `BLOCK`."""
+        h = period / steps
+        turns = self.turns(h, p)
+        for i in range(0, steps, BLOCK):
+            y = block(y, (i / steps) * period, turns, h, p)
+        return y
+
+    def residual(self, steps: int) -> ca.Function:
+        """(u, p) -> R with u = (z, T) and a step of the walker cut into `steps` Runge-Kutta steps."""
+
+        def outputs(z: ca.MX, period: ca.MX, p: ca.MX) -> list[ca.MX]:
+            y = self._flow(self._plain_block, self.start(z, p)[0], period, p, steps)
+            return [self.landing(y, z, p)]
+
+        return self._of_whole_step(f"residual_{steps}", outputs, ["R"])
+
+    def jacobian(self, steps: int) -> ca.Function:
+        """(u, p) -> (dR/du, R), by forward sensitivities through every stage."""
+
+        def outputs(z: ca.MX, period: ca.MX, p: ca.MX) -> list[ca.MX]:
+            y = self._flow(self._variational_block, ca.horzcat(*self.start(z, p)), period, p, steps)
+            return list(self.landing_with_derivative(y, z, period, p))
+
+        return self._of_whole_step(f"jacobian_{steps}", outputs, ["J", "R"])
+
+    def _of_whole_step(
+        self, name: str, outputs: Callable[[ca.MX, ca.MX, ca.MX], list[ca.MX]], names: list[str]
+    ) -> ca.Function:
+        """A function of (u, p), given as one of (z, T, p). Built once a name, so that it is printed once."""
+        if name not in self._whole:
+            u, p = ca.MX.sym("u", self.nz + 1), ca.MX.sym("p", self.n_params)
+            out = outputs(u[: self.nz], u[self.nz], p)
+            self._whole[name] = ca.Function(f"{self.model.name}_{name}", [u, p], out, ["u", "p"], names)
+        return self._whole[name]
+
+    def rootfinder(
+        self,
+        steps: int,
+        iterations: int,
+        abstol: float,
+        abstol_step: float,
+        jacobian_steps: int | None = None,
+    ) -> ca.Function:
+        """Newton's method on R as one CasADi rootfinder: (u0, p) -> u.
+
+        It prints as a single C function. It stops at residual `abstol`, after a Newton step below
+        `abstol_step` (the error left is of the order of its square), or after `iterations`; whether it
+        arrived is for the caller to judge from the residual.
+
+        With fewer `jacobian_steps` the derivative is that of a coarser integration, which costs less and
+        does not change what the iteration converges to.
+        """
+        derivative = self.jacobian(steps)
+        if jacobian_steps is not None and jacobian_steps != steps:
+            u, p = ca.MX.sym("u", self.nz + 1), ca.MX.sym("p", self.n_params)
+            coarse, _ = self.jacobian(jacobian_steps)(u, p)
+            outputs = [coarse, self.residual(steps)(u, p)]
+            derivative = ca.Function(f"coarse_jacobian_{steps}", [u, p], outputs, ["u", "p"], ["J", "R"])
+        options = {
+            "jacobian_function": derivative,
+            "abstol": abstol,
+            "abstolStep": abstol_step,
+            "max_iter": iterations,
+            "error_on_fail": False,
+        }
+        return ca.rootfinder(f"newton_{steps}", "fast_newton", self.residual(steps), options)

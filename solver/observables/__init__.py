@@ -1,0 +1,1 @@
+"""What is observed and measured along a step."""

@@ -1,0 +1,169 @@
+"""Limit cycles as motions: everything that is drawn or plotted, sampled evenly over one step."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from stridemap.errors import InputError
+from stridemap.solver.backends.library import load_kernels
+from stridemap.solver.cycles.orbit import Orbit
+from stridemap.solver.cycles.search import section_point
+from stridemap.solver.cycles.solver import Solver
+from stridemap.solver.model.model import Model, load
+from stridemap.solver.observables.events import Trace
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Motion:
+    """A step of the walker at evenly spaced times from just after a touchdown to just before the next.
+
+    The leading axes, ``...`` below, are those of the cycles asked for, then n samples. Positions are from
+    the stance foot. Units: upper-body mass M, leg length L, time sqrt(L/g).
+
+    Parameters
+    ----------
+    model : Model
+    t : ndarray, shape (..., n)
+    q, v : ndarray, shape (..., n, n_q)
+        Coordinates and their rates, in the order of `Model.coordinates`.
+    torque : ndarray, shape (..., n, n_actuators)
+        In the order of `Model.actuated`.
+    d : ndarray, shape (..., n)
+        Stance foot minus zero moment point.
+    force : ndarray, shape (..., n, 2)
+        Ground force on the stance foot, horizontal and vertical.
+    com : ndarray, shape (..., n, 2)
+        Centre of mass.
+    positions : ndarray, shape (..., n, n_masses, 2)
+        The masses, in the order of ``model.manifest["masses"]``.
+    lines : dict of str to ndarray, shape (..., n, n_points, 2)
+        The lines by which the walker is drawn, by name.
+    masses : ndarray, shape (..., n_masses)
+    """
+
+    model: Model
+    t: Array
+    q: Array
+    v: Array
+    torque: Array
+    d: Array
+    force: Array
+    com: Array
+    positions: Array
+    lines: dict[str, Array]
+    masses: Array
+
+    def coordinate(self, name: str) -> Array:
+        """A coordinate, or with a leading ``d`` its rate, by name, shape (..., n).
+
+        Raises
+        ------
+        InputError
+            When the model has no such coordinate.
+        """
+        names = self.model.coordinates
+        if name in names:
+            return self.q[..., names.index(name)]
+        if name[:1] == "d" and name[1:] in names:
+            return self.v[..., names.index(name[1:])]
+        known = ", ".join(names)
+        raise InputError(f"{self.model.name} has no coordinate {name!r}; its coordinates are {known}")
+
+
+def motion(orbit: Orbit, samples: int = 201) -> Motion:
+    """One limit cycle as a motion, without a leading axis.
+
+    Parameters
+    ----------
+    orbit : Orbit
+    samples : int
+        Number of times, both ends included.
+
+    Raises
+    ------
+    InputError
+        When the orbit is none, or for fewer than two samples.
+    """
+    if not orbit.status.found:
+        raise InputError(f"there is no limit cycle to follow: its status is {orbit.status}")
+    model = load(orbit.model)
+    params = model.point(orbit.params)
+    return motions(model, np.array([section_point(orbit)]), params[None, :], samples, squeeze=True)
+
+
+def motions(
+    model: Model,
+    cycles: Array | Sequence[Sequence[float]],
+    params: Array,
+    samples: int,
+    squeeze: bool = False,
+) -> Motion:
+    """Many limit cycles of one model as motions, with the leading axis of the cycles.
+
+    Parameters
+    ----------
+    model : Model
+    cycles : array_like, shape (m, nz + 1)
+        Section points with periods, as from `section_point`.
+    params : ndarray, shape (m, n_params)
+    samples : int
+        Number of times, both ends included.
+    squeeze : bool
+        Whether the leading axis of a single cycle is left out.
+
+    Raises
+    ------
+    InputError
+        For fewer than two samples.
+    """
+    if samples < 2:
+        raise InputError(f"samples = {samples} is not allowed: at least 2 are needed")
+    u = np.asarray(cycles, dtype=np.float64)
+    t, w = _sampled(model, u, params, samples)
+    n = len(model.coordinates)
+    values = {"t": t, "q": w[..., :n], "v": w[..., n : 2 * n], "p": params[:, None, :]}
+    drawing = model.evaluate("drawing", **values)
+    columns = {
+        "t": t,
+        "q": values["q"],
+        "v": values["v"],
+        "torque": _torques(model, values),
+        "d": model.evaluate("zmp", **values)["d"],
+        "force": model.evaluate("ground_force", **values)["force"],
+        "com": model.evaluate("centre_of_mass", **values)["com"],
+        "positions": drawing["positions"],
+    }
+    lines = {line["name"]: drawing[line["name"]] for line in model.manifest["lines"]}
+    masses = drawing["masses"][:, 0]
+    if squeeze:
+        columns = {name: column[0] for name, column in columns.items()}
+        lines, masses = {name: line[0] for name, line in lines.items()}, masses[0]
+    return Motion(model=model, **columns, lines=lines, masses=masses)
+
+
+def _torques(model: Model, values: dict[str, Array]) -> Array:
+    if not model.actuated:
+        return np.zeros((*values["t"].shape, 0))
+    return model.evaluate("controller_torque", **values)["u"]
+
+
+def _sampled(model: Model, u: Array, params: Array, samples: int) -> tuple[Array, Array]:
+    """Times, shape (m, samples), and states there, with the integrator's own accuracy between its nodes."""
+    kernels = load_kernels(model)
+    m = len(u)
+    steps = 2 * Solver(model, kernels).cycle_steps(u[:, -1], params)
+    t = u[:, -1:] * np.linspace(0, 1, samples)
+    states = np.empty((m, samples, 2 * len(model.coordinates) + len(model.actuated)))
+    for n in np.unique(steps):
+        at = np.flatnonzero(steps == n)
+        w, g, dg, _ = kernels(f"trace_{n}", u[at], params[at])
+        trace = Trace(kernels, params[at], u[at, -1], w, g, dg)
+        orbit = np.repeat(np.arange(len(at)), samples)
+        node = np.minimum((np.tile(np.linspace(0, 1, samples), len(at)) * n).astype(np.int64), n - 1)
+        tau = t[at].ravel() - node * trace.h[orbit]
+        states[at] = trace.advance(orbit, node, tau)[0].reshape(len(at), samples, -1)
+    return t, states

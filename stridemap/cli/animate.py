@@ -1,0 +1,35 @@
+"""``stridemap animate``: a limit cycle as a looping GIF."""
+
+import sys
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from stridemap.cli.options import FOUND, NOTHING, ModelOption, SetOption, parameters, whole
+
+
+def animate(
+    context: typer.Context,
+    out: Annotated[Path, typer.Option(help="The GIF to write.")],
+    model: ModelOption = "wobbling",
+    set_: SetOption = None,
+    group: Annotated[str | None, typer.Option(help="Show the most stable cycle of this group.")] = None,
+    cycle: Annotated[int | None, whole("Show this cycle, as `stridemap orbit` numbers them.")] = None,
+    steps: Annotated[int, whole("Steps until it repeats: an even number.")] = 2,
+    fps: Annotated[int, whole("Frames per second.")] = 25,
+    size: Annotated[int, whole("Width and height in pixels.")] = 320,
+    magnify: Annotated[float, typer.Option(help="Draw the wobbling mass's way so many times as long.")] = 1.0,
+) -> int:
+    """Show a limit cycle walking, as a GIF that loops; by default the most stable one at the point."""
+    from stridemap.solver.api import find_orbits
+    from stridemap.views.animate import animate as animate_
+    from stridemap.views.animate import choose
+
+    orbits = find_orbits(model, **parameters(context.args, set_))
+    if not orbits:
+        print("no limit cycle found", file=sys.stderr)
+        return NOTHING
+    chosen = choose(orbits, group, cycle)
+    print(animate_([chosen], out, steps=steps, fps=fps, size=size, magnify=magnify))
+    return FOUND

@@ -1,0 +1,97 @@
+"""What the options of several commands have in common: model, parameters, whole numbers, exit statuses."""
+
+import itertools
+from typing import Annotated, Any
+
+import typer
+import typer.core
+
+from stridemap.errors import InputError
+
+FOUND, NOTHING, UNUSABLE, INTERRUPTED = 0, 1, 2, 130
+"""Exit statuses."""
+
+
+# Model parameters are options of the commands that take a model (--k 6): which there are depends on the
+# model, so they are taken from what is left on the command line.
+PARAMETERS = {"allow_extra_args": True, "ignore_unknown_options": True}
+
+
+class WithParameters(typer.core.TyperCommand):
+    """A command whose help lists the parameters of the model that is named beside ``--help``."""
+
+    def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
+        """Keep the words, because the help is printed before the options are read."""
+        ctx.meta["words"] = list(args)
+        return super().parse_args(ctx, args)
+
+    def format_epilog(self, ctx: Any, formatter: Any) -> None:
+        """Write the model's parameters below the options."""
+        from stridemap.solver.model.model import load
+
+        words = ctx.meta.get("words", [])
+        named = [w.partition("=")[2] for w in words if w.startswith("--model=")]
+        named += [after for word, after in itertools.pairwise(words) if word == "--model"]
+        model = load(named[-1] if named else "wobbling")
+        rows = []
+        for a in model.parameters:
+            default = f"{a.default:.6g}"
+            rows.append((f"--{a.name} NUMBER", f"{a.meaning} [{a.unit}]; {a.allowed}; preset {default}"))
+        with formatter.section(f"Parameters of the model {model.name} (also --set NAME=VALUE)"):
+            formatter.write_dl(rows)
+
+
+def _count(text: str) -> int:
+    try:
+        return int(text)
+    except ValueError:
+        raise typer.BadParameter(f"{text!r} is not a whole number; at least 1 is needed") from None
+
+
+def whole(meaning: str) -> Any:
+    """An option that takes a whole number; typer's own complaint does not say what was given."""
+    return typer.Option(parser=_count, metavar="N", help=meaning)
+
+
+ModelOption = Annotated[
+    str, typer.Option("--model", help="Name of a built-in model, a model file (.py), or a derived folder.")
+]
+SetOption = Annotated[list[str] | None, typer.Option("--set", metavar="NAME=VALUE", help="Set a parameter.")]
+JsonOption = Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")]
+
+
+def parameters(extra: list[str], assignments: list[str] | None) -> dict[str, Any]:
+    """Model parameters from ``--name value``, ``--name=value`` and ``--set name=value``."""
+    pairs: dict[str, Any] = {}
+    rest = iter(extra)
+    for word in rest:
+        if not word.startswith("--"):
+            raise InputError(
+                f"{word!r} is not understood: parameters are given as --NAME VALUE or --set NAME=VALUE"
+            )
+        name, equals, value = word[2:].partition("=")
+        text = value if equals else next(rest, None)
+        if text is None or (text.startswith("--") and not equals):
+            raise InputError(f"--{name} needs a value")
+        assign(pairs, name, text)
+    for word in assignments or ():
+        assign(pairs, *split(word, "--set"))
+    return pairs
+
+
+def split(word: str, option: str) -> tuple[str, str]:
+    """Name and value of a word ``NAME=VALUE``."""
+    name, equals, text = word.partition("=")
+    if not equals or not name:
+        raise InputError(f"{option} {word!r} is not understood; write {option} NAME=VALUE")
+    return name, text
+
+
+def assign(pairs: dict[str, Any], name: str, text: str) -> None:
+    """Enter a number, or the text itself where it is none: who knows the allowed range refuses it."""
+    if name in pairs:
+        raise InputError(f"{name} is given twice")
+    try:
+        pairs[name] = float(text)
+    except ValueError:
+        pairs[name] = text

@@ -1,0 +1,288 @@
+"""Writes ``generated/``: equations from `derive`, kernels from `solver`, and the manifest that names both."""
+
+import hashlib
+import importlib.util
+import json
+import os
+import sys
+import tempfile
+import traceback
+from collections.abc import Mapping
+from dataclasses import fields, is_dataclass
+from importlib.metadata import version
+from importlib.resources import files
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import sympy as sp
+
+from stridemap.derive.emit import emit
+from stridemap.derive.models import WALKERS
+from stridemap.derive.walker import Walker
+from stridemap.errors import InputError
+from stridemap.solver.backends.compiler import cache_folder
+from stridemap.solver.model.model import Model, load
+
+MANIFEST = "manifest.json"
+
+
+def generated_folder() -> Path:
+    """Where the generated code of the built-in models lives."""
+    face = Path(str(files("stridemap")))
+    # In a checkout the parts of the package lie side by side; installed, they lie inside it.
+    return face / "generated" if (face / "solver").is_dir() else face.parent / "generated"
+
+
+def write_model(walker: Walker, folder: Path) -> list[Path]:
+    """Derive one walker and write everything that is generated for it.
+
+    Parameters
+    ----------
+    walker : Walker
+    folder : pathlib.Path
+        Made if it does not exist.
+
+    Returns
+    -------
+    list of pathlib.Path
+        The files, sorted.
+
+    Raises
+    ------
+    InputError
+        When the folder cannot be written.
+    """
+    from stridemap.solver.kernels.catalogue import c_source
+
+    texts, manifest = emit(walker, f"stridemap {version('stridemap')}")
+    # The kernels are printed from the equations as written; a half-written folder is never seen.
+    with tempfile.TemporaryDirectory() as scratch:
+        _write(Path(scratch), texts, manifest)
+        texts[f"{walker.name}_kernels.c"] = c_source(Model(Path(scratch)))
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        _write(folder, texts, manifest)  # the manifest last: it names the others
+    except OSError as error:
+        raise InputError(f"cannot write {folder}: {error.strerror}") from error
+    return sorted(folder / name for name in [*texts, MANIFEST])
+
+
+def _write(folder: Path, texts: dict[str, str], manifest: dict[str, Any]) -> None:
+    hashes = {name: _digest(text.encode()) for name, text in sorted(texts.items())}
+    text = json.dumps({**manifest, "files": hashes}, indent=1) + "\n"
+    for name, content in [*texts.items(), (MANIFEST, text)]:
+        # Beside and renamed: another process, which may write the same, never sees half a file.
+        scratch = folder / f".{name}.{os.getpid()}"
+        try:
+            scratch.write_text(content, encoding="utf-8", newline="\n")
+            scratch.replace(folder / name)
+        finally:
+            scratch.unlink(missing_ok=True)
+
+
+def _digest(content: bytes) -> str:
+    return hashlib.sha256(content).hexdigest()
+
+
+def derive_model(model: Walker | str | Path, out: str | Path | None = None) -> Model:
+    """Derive a walker of your own and load it.
+
+    Parameters
+    ----------
+    model : stridemap.derive.Walker, or path
+        A declaration, or the Python file that has one under the name ``WALKER``.
+    out : path, optional
+        Folder for the generated files; by default the user's cache, where equal declarations share theirs.
+
+    Returns
+    -------
+    Model
+        It stands wherever a model's name does: ``stridemap.find_orbits(model, k=2)``.
+
+    Raises
+    ------
+    InputError
+        When the declaration contradicts itself, the file has none, or the folder cannot be written.
+    """
+    walker = model if isinstance(model, Walker) else declared(Path(model))
+    return load(into_cache(walker) if out is None else into_folder(walker, Path(out)))
+
+
+def into_folder(walker: Walker, folder: Path) -> Path:
+    """Write the generated code of a walker into a folder of the user's; returns it.
+
+    Raises
+    ------
+    InputError
+        When the folder cannot be written, or files in it that are not of this model would be lost.
+    """
+    names = ("README.md", "example.c", MANIFEST)  # those that do not bear the model's name
+    present = [name for name in names if (folder / name).exists()]
+    if present and _manifest_in(folder).get("model") != walker.name:
+        raise InputError(
+            f"{folder / present[0]} is not of the model {walker.name} and would be overwritten; "
+            "give --out a folder of its own"
+        )
+    write_model(walker, folder)
+    return folder
+
+
+def into_cache(walker: Walker, keep: bool = False) -> Path:
+    """Write the generated code of a walker into the user's cache, unless it is there; returns the folder.
+
+    Parameters
+    ----------
+    walker : Walker
+    keep : bool
+        Whether files that are there stay even if they were changed since; loading them then refuses.
+    """
+    folder = cache_folder() / "models" / f"{walker.name}-{fingerprint(walker)[:32]}"
+    manifest = _manifest_in(folder)
+    if not manifest or not (keep or _intact(folder, manifest)):
+        try:
+            write_model(walker, folder)
+        except InputError as error:
+            raise InputError(
+                f"{error}; set STRIDEMAP_CACHE to a folder that can be written, or derive with --out"
+                if isinstance(error.__cause__, OSError)
+                else str(error)
+            ) from None
+    return folder
+
+
+def _manifest_in(folder: Path) -> dict[str, Any]:
+    """The manifest in a folder; empty where there is none that can be read."""
+    try:
+        found = json.loads((folder / MANIFEST).read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return {}
+    return found if isinstance(found, dict) else {}
+
+
+def generated_files(folder: Path) -> list[Path]:
+    """What the manifest in a folder names, and the manifest, sorted."""
+    return sorted(folder / name for name in [*_manifest_in(folder).get("files", {}), MANIFEST])
+
+
+def _intact(folder: Path, manifest: Mapping[str, Any]) -> bool:
+    """Whether every file is the one that the manifest names."""
+    try:
+        return all(_digest((folder / name).read_bytes()) == d for name, d in manifest["files"].items())
+    except (OSError, KeyError):
+        return False
+
+
+def declared(path: Path) -> Walker:
+    """The walker that a Python file declares under the name ``WALKER``.
+
+    Parameters
+    ----------
+    path : pathlib.Path
+
+    Raises
+    ------
+    InputError
+        When the file cannot be read or run, or declares none.
+    """
+    walker = getattr(_run(path.resolve(), path), "WALKER", None)
+    if not isinstance(walker, Walker):
+        found = "has no WALKER" if walker is None else f"has a WALKER that is a {type(walker).__name__}"
+        raise InputError(f"{path} {found}; write WALKER = Walker(...) with stridemap.derive.Walker")
+    return walker
+
+
+def _run(path: Path, shown: Path) -> ModuleType:
+    """Run a Python file as a module of its own, with the files beside it in reach, as for a script."""
+    name = f"stridemap_model_{path.stem}"
+    spec = importlib.util.spec_from_file_location(name, path)
+    if not path.is_file() or spec is None or spec.loader is None:
+        raise InputError(f"cannot read the model file {shown}; give the path of a Python file (.py)")
+    module = importlib.util.module_from_spec(spec)
+    before = set(sys.modules)
+    sys.modules[name] = module  # dataclasses look there
+    sys.path.insert(0, str(path.parent))
+    try:
+        spec.loader.exec_module(module)
+    except InputError:
+        raise
+    except (Exception, SystemExit) as error:
+        place, said = _place(path, error)
+        raise InputError(f"{shown}{place}: {type(error).__name__}: {said}") from error
+    finally:
+        sys.path.remove(str(path.parent))
+        # What lies beside it is read anew the next time, and is not mistaken for another file's neighbour.
+        for other in set(sys.modules) - before:
+            file = getattr(sys.modules[other], "__file__", None)
+            if file is not None and Path(file).parent == path.parent:
+                del sys.modules[other]
+    return module
+
+
+def _place(path: Path, error: BaseException) -> tuple[str, str]:
+    """Where in a model file an exception arose, and what it says."""
+    if isinstance(error, SyntaxError) and error.filename == str(path):
+        return f", line {error.lineno}", error.msg
+    lines = [f.lineno for f in traceback.extract_tb(error.__traceback__) if f.filename == str(path)]
+    return (f", line {lines[-1]}" if lines else ""), str(error) or "it says nothing"
+
+
+def fingerprint(walker: Walker) -> str:
+    """SHA-256 of everything that the generated code of a walker depends on."""
+    versions = [f"{name} {version(name)}" for name in ("stridemap", "sympy", "casadi")]
+    sources = [p.read_bytes() for part in ("derive", "solver") for p in sorted(_part(part).rglob("*.py"))]
+    key = hashlib.sha256("\n".join([*versions, _described(walker)]).encode())
+    for text in sources:
+        key.update(hashlib.sha256(text).digest())
+    return key.hexdigest()
+
+
+def _part(name: str) -> Path:
+    return Path(str(files(f"stridemap.{name}")))
+
+
+def _described(value: Any) -> str:
+    """A declaration as text that is equal for equal declarations only."""
+    if isinstance(value, sp.Basic | sp.MatrixBase):
+        return sp.srepr(value)
+    if is_dataclass(value) and not isinstance(value, type):
+        inner = ", ".join(f"{f.name}={_described(getattr(value, f.name))}" for f in fields(value))
+        return f"{type(value).__name__}({inner})"
+    if isinstance(value, Mapping):
+        return "{" + ", ".join(f"{_described(k)}: {_described(v)}" for k, v in value.items()) + "}"
+    if isinstance(value, tuple | list):
+        return "(" + ", ".join(map(_described, value)) + ")"
+    return repr(value)
+
+
+def derive(folder: Path | None = None) -> list[Path]:
+    """Write the generated code of every built-in model.
+
+    Parameters
+    ----------
+    folder : pathlib.Path, optional
+        Holds one folder a model; by default the package's own.
+
+    Raises
+    ------
+    InputError
+        When the folder cannot be written.
+    """
+    target = folder or generated_folder()
+    return [path for name, walker in WALKERS.items() for path in write_model(walker, target / name)]
+
+
+def drift(folder: Path | None = None) -> list[str]:
+    """Names of generated files that differ from what would be written now, without writing them.
+
+    Parameters
+    ----------
+    folder : pathlib.Path, optional
+        As for `derive`.
+    """
+    target = folder or generated_folder()
+    with tempfile.TemporaryDirectory() as scratch:
+        fresh = {path.relative_to(scratch): path.read_bytes() for path in derive(Path(scratch))}
+    kept = (p for p in target.glob("*/*") if p.suffix not in (".pyc",) and p.is_file())
+    present = {path.relative_to(target): path.read_bytes() for path in kept}
+    return sorted(str(name) for name in fresh.keys() | present.keys() if fresh.get(name) != present.get(name))

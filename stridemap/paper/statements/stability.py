@@ -1,0 +1,175 @@
+"""C7 to C10: largest multipliers, and where cycles are stable."""
+
+from typing import Any
+
+import numpy as np
+import pandas as pd
+
+from stridemap.paper.claim import Decided, Parts, shown, statement
+from stridemap.paper.data import ALPHAS, OMEGAS, PaperData
+from stridemap.paper.select import (
+    GROUPS,
+    at,
+    compass,
+    extremes,
+    main_branch,
+    slices,
+    stable,
+    with_between,
+)
+from stridemap.solver.branches.edges import Run, stable_runs
+
+
+@statement("C7", "The largest multiplier of every cycle is larger than the compass's")
+def c7(data: PaperData) -> Decided:
+    """A part for each alpha and omega: so for every cycle that walks, stable or not."""
+    parts, texts = Parts(), []
+    for name, _, omega, orbits in slices(with_between(data)):
+        reference, found = compass(data, omega, "spectral_radius"), extremes(orbits, "spectral_radius")
+        least = found.get("least", np.nan)
+        below = int((orbits["spectral_radius"] <= reference).sum())
+        parts.add(name, least > reference, compass=reference, cycles_not_above=below, **found)
+        texts.append(f"{shown(least, '.3f')} (compass {shown(reference, '.3f')})")
+    return parts, "smallest: " + ", ".join(texts), {}
+
+
+@statement("C8", "Within B, C and D the largest multiplier is smallest towards the group's small-k end")
+def c8(data: PaperData) -> Decided:
+    """At the smallest `k` itself is the fold, where a multiplier is 1; so the minimum is somewhat inside.
+
+    For each group that has stable cycles at an alpha and omega: the minimum lies in the lower half of the
+    group's range of `k`, once among all cycles of the group on the main branch and once among its stable
+    cycles.
+    """
+    parts, places = Parts(), []
+    for name, _, _, orbits in slices(with_between(data)):
+        for group in "BCD":
+            if stable(orbits, group).empty:
+                continue
+            for what, rows in (("", main_branch(orbits, group)), (" among stable", stable(orbits, group))):
+                place, numbers = _place_of_least(rows, "spectral_radius")
+                parts.add(f"{group} at {name}{what}", place < 0.5, **numbers)
+                places.append(place)
+    if not len(parts):
+        return parts, "no stable cycles in B, C or D", {}
+    return parts, f"minimum at {min(places):.0%} to {max(places):.0%} of the range of k", {}
+
+
+def _place_of_least(rows: pd.DataFrame, column: str) -> tuple[float, dict[str, Any]]:
+    """Where in a range of `k` a column is smallest: 0 at its start, 1 at its end; NaN for no cycles."""
+    if rows.empty:
+        return np.nan, {}
+    low, high = rows["k"].min(), rows["k"].max()
+    where = rows["k"][rows[column].idxmin()]
+    place = 0.0 if high == low else (where - low) / (high - low)
+    numbers = {"k_low": low, "k_high": high, "least": rows[column].min(), "least_at_k": where, "place": place}
+    return float(place), numbers
+
+
+@statement("C9", "The range of k with stable cycles is wider at omega = 3 than at omega = 2")
+def c9(data: PaperData) -> Decided:
+    """Total length of the values of `k` from 0.1 to 60 with stable cycles, ends bisected.
+
+    A part for each alpha, all groups together, and for each alpha and each group that has stable cycles and
+    ends before k = 60 at both frequencies.
+    """
+    parts, texts, ranges = Parts(), [], {}
+    for alpha in ALPHAS:
+        found = {omega: _runs(data, alpha, omega) for omega in OMEGAS}
+        total = {omega: _length(groups) for omega, groups in found.items()}
+        slow, fast = (total[omega] for omega in OMEGAS)
+        parts.add(
+            f"all groups at alpha {alpha:g}", fast > slow, k_length={f"{w:g}": total[w] for w in OMEGAS}
+        )
+        texts.append(f"alpha {alpha:g}: {fast:.2f} at omega 3, {slow:.2f} at omega 2")
+        for group in GROUPS:
+            both = [found[omega][group] for omega in OMEGAS]
+            if all(both) and not any(run.cut_high for one in both for run in one):
+                slow, fast = (sum(run.width for run in one) for one in both)
+                parts.add(f"{group} at alpha {alpha:g}", fast > slow, k_length={"2": slow, "3": fast})
+        for omega in OMEGAS:
+            ranges[f"alpha {alpha:g}, omega {omega:g}"] = {
+                group: [[run.opens, run.closes] for run in one] for group, one in found[omega].items()
+            }
+    return parts, "length of the range of k: " + ", ".join(texts), {"stable_k": ranges}
+
+
+def _runs(data: PaperData, alpha: float, omega: float) -> dict[str, list[Run]]:
+    """Ranges with stable cycles of each of the five groups at one alpha and omega."""
+    orbits, edges = at(data.lines, alpha=alpha, omega=omega), at(data.edges, alpha=alpha, omega=omega)
+    return {
+        group: stable_runs(orbits[orbits["group"] == group], data.line_k, edges[edges["group"] == group])
+        for group in GROUPS
+    }
+
+
+def _length(groups: dict[str, list[Run]]) -> float:
+    """Length of the union of all ranges."""
+    length, reached = 0.0, -np.inf
+    for run in sorted((run for one in groups.values() for run in one), key=lambda run: run.opens):
+        length += max(0.0, run.closes - max(run.opens, reached))
+        reached = max(reached, run.closes)
+    return length
+
+
+@statement(
+    "C10", "Stable cycles take most of k for alpha from 0.4 to 0.5, little for very small or large alpha"
+)
+def c10(data: PaperData) -> Decided:
+    """The share of the values of `k` up to 60 at which there is a stable cycle, over a fine axis of alpha.
+
+    For each omega: ``largest from 0.4 to 0.5``; ``few at the smallest alpha`` and ``few at the largest
+    alpha`` that were searched: less than half of the largest share; ``stability is lost``: cycles are there
+    at the largest alpha too, but the share of `k` with cycles that has stable ones is less than half of
+    what it is from 0.4 to 0.5.
+    """
+    parts, texts = Parts(), []
+    further: dict[str, Any] = {}
+    for omega in OMEGAS:
+        orbits = at(data.map, omega=omega)
+        alpha, count = data.map_alpha, len(data.map_k)
+        walk, firm = _share(orbits, alpha, count), _share(stable(orbits), alpha, count)
+        kept = np.divide(firm, walk, out=np.zeros_like(firm), where=walk > 0)
+        middle = (alpha >= 0.4 - 1e-9) & (alpha <= 0.5 + 1e-9)
+        best, around = alpha[firm.argmax()], firm[middle].max(initial=0)
+        here = f"at omega {omega:g}"
+        parts.add(
+            f"largest from 0.4 to 0.5 {here}",
+            0.4 <= round(best, 9) <= 0.5,
+            largest_at_alpha=best,
+            share=firm.max(),
+        )
+        for which, i in (("smallest", 0), ("largest", -1)):
+            parts.add(
+                f"few at the {which} alpha {here}", firm[i] < firm.max() / 2, alpha=alpha[i], share=firm[i]
+            )
+        kept_around = kept[middle].max(initial=0)
+        lost = walk[-1] > 0 and kept[-1] < kept_around / 2
+        parts.add(
+            f"stability is lost {here}", lost,
+            kept_at_largest_alpha=kept[-1], kept_from_04_to_05=kept_around,
+        )  # fmt: skip
+        by_group = {g: _share(stable(orbits, g), alpha, count) for g in GROUPS}
+        further[f"omega {omega:g}"] = {
+            "alpha": alpha,
+            "share_of_k_with_cycles": walk,
+            "share_of_k_with_stable_cycles": firm,
+            "by_group": by_group,
+            "largest_by_group_at_alpha": {g: alpha[s.argmax()] for g, s in by_group.items() if s.any()},
+        }
+        single = ", ".join(
+            f"{g} {a:g}"
+            for g, a in further[f"omega {omega:g}"]["largest_by_group_at_alpha"].items()
+            if g in "ABC"
+        )
+        texts.append(
+            f"omega {omega:g}: largest ({firm.max():.0%}) at alpha {best:g}, {around:.0%} from 0.4 to 0.5, "
+            f"{firm[-1]:.0%} at {alpha[-1]:g}, group by group at {single}"
+        )
+    return parts, "; ".join(texts), further
+
+
+def _share(orbits: pd.DataFrame, alpha: np.ndarray, count: int) -> np.ndarray:
+    """Share of `count` values of `k` that occur among `orbits`, for each alpha."""
+    found = orbits.groupby("alpha")["k"].nunique()
+    return found.reindex(alpha).fillna(0).to_numpy(dtype=np.float64) / count

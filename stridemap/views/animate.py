@@ -1,0 +1,121 @@
+"""Limit cycles in motion: a looping GIF of one walker, or of several side by side."""
+
+import math
+from collections.abc import Sequence
+from pathlib import Path
+
+from stridemap.errors import InputError
+from stridemap.solver.cycles.orbit import Orbit
+from stridemap.views.optional import require_pictures
+
+SECONDS = 1.2
+"""What a step lasts on the screen: about three times as long as with a leg of one metre on Earth."""
+
+FPS, SIZE, WALKERS = (2, 50), (80, 1600), 6
+"""Frames per second and pixels that are allowed, and how many walkers."""
+
+
+def animate(
+    orbits: Orbit | Sequence[Orbit],
+    path: str | Path,
+    *,
+    titles: Sequence[str] | None = None,
+    steps: int = 2,
+    fps: int = 25,
+    size: int = 320,
+    magnify: float = 1.0,
+) -> Path:
+    """Write a GIF of limit cycles walking side by side, which loops without a jump.
+
+    Drawn are the legs, the masses (discs of their area), springs, the force of the ground on the stance foot
+    (arrow) and the zero moment point (triangle). Each walker's step lasts the same time on the screen,
+    whatever its period.
+
+    Parameters
+    ----------
+    orbits : Orbit or sequence of Orbit
+    path : path
+        Where the GIF goes.
+    titles : sequence of str, optional
+        One for each; by default the model, group and stability, and what the parameters differ in.
+    steps : int
+        Steps until it repeats, an even number: after an odd number left and right leg are exchanged.
+    fps : int
+        Frames per second, rounded to whole hundredths of a second a frame, as GIF has it.
+    size : int
+        Width and height of each walker's panel in pixels.
+    magnify : float
+        The way of the wobbling mass is drawn so many times as long as it is, which is then told in the
+        picture.
+
+    Returns
+    -------
+    pathlib.Path
+
+    Raises
+    ------
+    InputError
+        For an orbit that is none, a setting out of range, a missing package, or a path that cannot be
+        written.
+    """
+    shown = [orbits] if isinstance(orbits, Orbit) else list(orbits)
+    _check_range("orbits", len(shown), (1, WALKERS), "walkers side by side")
+    _check_range("fps", fps, FPS, "frames per second")
+    _check_range("size", size, SIZE, "pixels")
+    if steps < 2 or steps % 2 or steps > 100:
+        raise InputError(f"steps = {steps} is not allowed: an even number from 2 to 100 is needed")
+    if not (math.isfinite(magnify) and 0 < magnify <= 100):
+        raise InputError(f"magnify = {magnify:g} is not allowed: a number above 0 and up to 100 is needed")
+    if titles is not None and len(titles) != len(shown):
+        raise InputError(f"{len(titles)} titles were given for {len(shown)} orbits; give one for each")
+    require_pictures()
+    from stridemap.views.film import film
+    from stridemap.views.scene import scene
+    from stridemap.views.style import put
+
+    hundredths = round(100 / fps)
+    frames = round(100 * SECONDS / hundredths)
+    scenes = [scene(orbit, frames, magnify) for orbit in shown]
+    content = film(scenes, titles or _titles(shown), steps, hundredths, size, magnify)
+    return put(Path(path), content)
+
+
+def choose(orbits: Sequence[Orbit], group: str | None = None, cycle: int | None = None) -> Orbit:
+    """One of the limit cycles of a point: by number from 1, or the most stable one, of a group or of all.
+
+    Raises
+    ------
+    InputError
+        When there is no such cycle or group, or both are asked for.
+    """
+    if group is not None and cycle is not None:
+        raise InputError(f"--group {group} and --cycle {cycle} are two choices; give one of them")
+    if cycle is not None:
+        _check_range("cycle", cycle, (1, len(orbits)), "the cycles at this point")
+        return orbits[cycle - 1]
+    candidates = [orbit for orbit in orbits if group in (None, orbit.group)]
+    if not candidates:
+        known = sorted({orbit.group for orbit in orbits if orbit.group})
+        have = f"groups there: {', '.join(known)}" if known else f"{orbits[0].model} has no groups"
+        raise InputError(f"there is no limit cycle of group {group!r} at this point; {have}")
+    return min(candidates, key=lambda orbit: orbit.spectral_radius)
+
+
+def _check_range(name: str, value: int, allowed: tuple[int, int], what: str) -> None:
+    low, high = allowed
+    if not low <= value <= high:
+        raise InputError(f"{name} = {value} is not allowed: {low} to {high} ({what})")
+
+
+def _titles(orbits: Sequence[Orbit]) -> list[str]:
+    """What tells walkers apart: group (or else model) and stability, and the parameters that differ."""
+    names = dict.fromkeys(name for orbit in orbits for name in orbit.params)
+    differing = [n for n in names if len({orbit.params.get(n) for orbit in orbits}) > 1]
+    out = []
+    for orbit in orbits:
+        kind = f"group {orbit.group}" if orbit.group else orbit.model
+        words = [f"{kind}, {'stable' if orbit.stable else 'unstable'}"]
+        shown = differing or [n for n in orbit.params if n in ("k", "alpha", "omega")]
+        words += [", ".join(f"{n} = {orbit.params[n]:g}" for n in shown if n in orbit.params)]
+        out.append("\n".join(word for word in words if word))
+    return out

@@ -1,0 +1,120 @@
+"""Frames of walkers side by side, and their writing as a GIF of few colours."""
+
+import io
+from collections.abc import Sequence
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+from PIL import Image
+
+from stridemap.views import style, walker
+from stridemap.views.scene import Scene
+
+VIEW = (-0.75, 0.75, -0.16, 1.34)
+"""A square: left, right, bottom and top of a panel, in heights of the walker."""
+FORCE = 0.3
+"""Length of the force's arrow for a force like the weight, in heights of the walker."""
+HATCHES = 3
+"""Hatches of the ground in a step, a whole number so that the ground repeats with the steps."""
+COLOURS = 32
+
+
+def film(
+    scenes: Sequence[Scene], titles: Sequence[str], steps: int, hundredths: int, size: int, magnify: float
+) -> bytes:
+    """A GIF that loops for ever.
+
+    Parameters
+    ----------
+    scenes : sequence of Scene
+        All with the same number of frames.
+    titles : sequence of str
+        One for each scene.
+    steps : int
+    hundredths : int
+        Duration of a frame in hundredths of a second.
+    size : int
+        Width and height of a panel in pixels.
+    magnify : float
+        As the scenes were made with; told in the picture if it is not 1.
+    """
+    frames = len(scenes[0].middle) - 1
+    with style.styled():
+        images = [
+            _frame(scenes, titles, i // frames, i % frames, size, magnify) for i in range(steps * frames)
+        ]
+    return _gif(images, hundredths)
+
+
+def _frame(
+    scenes: Sequence[Scene], titles: Sequence[str], step: int, i: int, size: int, magnify: float
+) -> Image.Image:
+    dpi = size / 2.4  # so that text grows with the picture
+    figure = Figure(figsize=(2.4 * len(scenes), 2.4), dpi=dpi)
+    canvas = FigureCanvasAgg(figure)
+    for n, (of, title) in enumerate(zip(scenes, titles, strict=True)):
+        axes = figure.add_axes((n / len(scenes), 0, 1 / len(scenes), 1))
+        draw_frame(axes, of, step, i)
+        axes.text(0.5, 0.985, title, transform=axes.transAxes, ha="center", va="top", fontsize=8)
+        if magnify != 1:
+            axes.text(
+                0.99, 0.01, f"wobbling mass: way drawn ×{magnify:g}", transform=axes.transAxes,
+                ha="right", va="bottom", fontsize=6, color=style.DARK,
+            )  # fmt: skip
+    canvas.draw()
+    return Image.fromarray(np.asarray(canvas.buffer_rgba())[..., :3].copy())
+
+
+def draw_frame(axes: Axes, of: Scene, step: int, i: int) -> None:
+    """Draw sample `i` of a scene in its step number `step`; in odd steps the right leg is the stance leg."""
+    left, right, bottom, top = VIEW
+    middle = of.middle[i]
+    axes.set(xlim=(middle + left, middle + right), ylim=(bottom, top))
+    axes.set_aspect("equal")
+    axes.axis("off")
+    reach = 0.2 + right - left  # more than is seen
+    walker.draw_ground(axes, middle - reach, middle + reach, of.step / HATCHES)
+    stance, swing = (walker.LEFT, walker.RIGHT) if step % 2 == 0 else (walker.RIGHT, walker.LEFT)
+    _draw_prints(axes, of, stance, swing)
+    for name, line in of.lines.items():
+        points = line[i]
+        if name in of.springs:
+            walker.draw_spring(axes, points)
+        elif name == "legs" and len(points) > 2:
+            half = len(points) // 2
+            walker.draw_leg(axes, points[half:], swing)
+            walker.draw_leg(axes, points[: half + 1], stance)
+        else:
+            axes.plot(*points.T, color=style.DARK, linewidth=2, zorder=2)
+    feet = {"stance foot": stance, "swing foot": swing}
+    walker.draw_masses(axes, of.names, of.positions[i], of.masses, feet)
+    arrow = {"arrowstyle": "-|>,head_width=0.25,head_length=0.5", "color": style.GREEN, "linewidth": 1.5}
+    foot = np.array([of.contact[i], 0.0])
+    axes.annotate(
+        "", foot + FORCE * of.force[i], foot, arrowprops={**arrow, "shrinkA": 0, "shrinkB": 0}, zorder=6
+    )
+    axes.plot(of.zmp[i], -0.035, "^", color=style.VERMILION, markersize=6, mew=0, zorder=6)
+
+
+def _draw_prints(axes: Axes, of: Scene, stance: str, swing: str) -> None:
+    """Where the feet stood before, in the colours of their legs."""
+    for back in range(1, int(np.ceil(1 / of.step)) + 1):
+        axes.plot(
+            -back * of.step, 0, "_", color=stance if back % 2 == 0 else swing, markersize=7, mew=2, zorder=1
+        )
+
+
+def _gif(images: Sequence[Image.Image], hundredths: int) -> bytes:
+    """All frames with one palette of few colours, without dithering, so that still parts cost nothing."""
+    sheet = Image.new("RGB", (images[0].width, 4 * images[0].height))
+    for n in range(4):
+        sheet.paste(images[n * len(images) // 4], (0, n * images[0].height))
+    palette = sheet.quantize(COLOURS, method=Image.Quantize.MEDIANCUT, dither=Image.Dither.NONE)
+    few = [image.quantize(palette=palette, dither=Image.Dither.NONE) for image in images]
+    out = io.BytesIO()
+    few[0].save(
+        out, "GIF", save_all=True, append_images=few[1:], duration=10 * hundredths, loop=0, optimize=False
+    )
+    return out.getvalue()

@@ -1,0 +1,156 @@
+"""What the page is given: a sweep's tables as columns of numbers, and its model.
+
+Numbers travel as they stand in the tables, in double precision, so that the page shows the same digits.
+Trajectories do not travel: the page integrates the step that it shows, from the section point of the
+table and with the equations of the model.
+"""
+
+import base64
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+import pandas as pd
+from scipy.integrate import DOP853
+
+from stridemap.solver.model.model import Model, Parameter
+from stridemap.views.report.quantities import MEASURES, Quantity, printed, rate_symbol, symbol, units
+
+NEEDED = ("section_state", "state_derivative", "impact_map", "swing_foot", "drawing")
+"""Generated functions without which no walker can be shown."""
+
+SHOWN = ("centre_of_mass", "controller_torque", "ground_force", "zmp")
+"""Generated functions whose results are shown where the model has them."""
+
+_STAGES = len(DOP853.B)
+
+
+def payload(model: Model, configuration: Mapping[str, Any], orbits: pd.DataFrame, cells: pd.DataFrame) -> Any:
+    """Return plain values for JSON.
+
+    Parameters
+    ----------
+    model : Model
+    configuration : mapping
+        Of the sweep, as in its provenance.
+    orbits, cells : pandas.DataFrame
+        The sweep's tables.
+    """
+    hidden = {"cell", *(parameter.name for parameter in model.parameters)}
+    return {
+        "model": _model(model),
+        "axes": [
+            {
+                "name": parameter.name,
+                "symbol": symbol(parameter.name),
+                "unit": printed(parameter.unit),
+                "meaning": parameter.meaning,
+                "values": configuration["grid"][parameter.name],
+                "preset": parameter.default,
+            }
+            for parameter in axes(model, configuration)
+        ],
+        "fixed": configuration["params"],
+        "cells": _table(cells[["status", "reason"]]),
+        "orbits": _table(orbits[["cell", *(name for name in orbits if name not in hidden)]]),
+        "measures": _measures(model, orbits, hidden),
+        "tableau": {
+            "a": [[float(a) for a in row[:i]] for i, row in enumerate(DOP853.A[:_STAGES])],
+            "b": DOP853.B.tolist(),
+            "c": DOP853.C[:_STAGES].tolist(),
+        },
+    }
+
+
+def axes(model: Model, configuration: Mapping[str, Any]) -> list[Parameter]:
+    """Return the parameters that a sweep varied, in the model's order, which is that of the cells' numbers.
+
+    The configuration in a file's provenance has its keys sorted.
+    """
+    return [parameter for parameter in model.parameters if parameter.name in configuration["grid"]]
+
+
+def functions(model: Model) -> list[str]:
+    """Return the names of the model's functions that the page calls."""
+    return [*NEEDED, *(name for name in SHOWN if name in model.manifest["functions"])]
+
+
+def _model(model: Model) -> dict[str, Any]:
+    manifest = model.manifest
+    return {
+        "name": model.name,
+        "title": model.title,
+        "parameters": [{"name": p.name, "symbol": symbol(p.name)} for p in model.parameters],
+        "coordinates": [
+            {
+                **c,
+                "unit": printed(c["unit"]),
+                "symbol": symbol(c["name"]),
+                "rate_symbol": rate_symbol(c["name"]),
+                "rate_unit": printed(rate["unit"]),
+            }
+            for c, rate in zip(manifest["coordinates"], _rates(manifest), strict=True)
+        ],
+        "section": [
+            {"name": name, "symbol": _section_symbol(name, model.coordinates)} for name in model.section
+        ],
+        "actuated": [symbol(name) for name in manifest["actuated"]],
+        "units": units(manifest["units"]),
+        "masses": manifest["masses"],
+        "lines": manifest["lines"],
+        "inputs": {
+            name: [a["name"] for a in manifest["functions"][name]["inputs"]] for name in functions(model)
+        },
+    }
+
+
+def _rates(manifest: Mapping[str, Any]) -> Any:
+    """The rates of the coordinates, as the manifest describes them where they are an input."""
+    inputs = manifest["functions"]["state_derivative"]["inputs"]
+    return next(entry["entries"] for entry in inputs if entry["name"] == "v")
+
+
+def _section_symbol(name: str, coordinates: tuple[str, ...]) -> str:
+    return rate_symbol(name[1:]) if name[:1] == "d" and name[1:] in coordinates else symbol(name)
+
+
+def _measures(model: Model, orbits: pd.DataFrame, hidden: set[str]) -> list[dict[str, str]]:
+    """What of an orbit is shown as a measure, in the order of `MEASURES`, then what is not known there."""
+    shown = [
+        name
+        for name in orbits
+        if name not in hidden and name not in model.section and not name.startswith("multiplier_")
+    ]
+    known = [name for name in MEASURES if name in shown]
+    rest = [name for name in shown if name not in MEASURES]
+    quantities = {name: MEASURES.get(name, Quantity(name.replace("_", " "))) for name in known + rest}
+    unit = units(model.manifest["units"])
+    return [
+        {"name": name, "label": quantity.label, "unit": unit[quantity.kind], "meaning": quantity.meaning}
+        for name, quantity in quantities.items()
+        if not orbits[name].isna().all()
+    ]
+
+
+def _table(frame: pd.DataFrame) -> dict[str, Any]:
+    return {"rows": len(frame), "columns": {name: _column(frame[name]) for name in frame}}
+
+
+def _column(values: pd.Series) -> dict[str, Any]:
+    """A column as base64 of little-endian numbers; words as indices into a list, -1 for none."""
+    if pd.api.types.is_bool_dtype(values):
+        return {"type": "bool", "data": _base64(values.to_numpy(), "u1")}
+    if pd.api.types.is_numeric_dtype(values):
+        whole = pd.api.types.is_integer_dtype(values)
+        if whole and not values.isna().any():
+            return {"type": "i4", "whole": True, "data": _base64(values.to_numpy(), "<i4")}
+        numbers = values.to_numpy(dtype=float, na_value=np.nan)
+        return {"type": "f8", "whole": whole, "data": _base64(numbers, "<f8")}
+    words = sorted(values.dropna().unique())
+    index = {word: i for i, word in enumerate(words)}
+    codes = np.array([index.get(word, -1) for word in values])
+    return {"type": "word", "words": words, "data": _base64(codes, "<i4")}
+
+
+def _base64(values: Any, kind: str) -> str:
+    return base64.b64encode(np.ascontiguousarray(values, dtype=kind).tobytes()).decode("ascii")

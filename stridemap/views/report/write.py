@@ -1,0 +1,157 @@
+"""Puts the page together and writes it."""
+
+import contextlib
+import json
+import os
+import re
+import tempfile
+from collections.abc import Mapping
+from dataclasses import dataclass
+from importlib.resources import files
+from pathlib import Path
+
+from stridemap.derive.printers.javascript import equations
+from stridemap.errors import InputError
+from stridemap.solver.model.model import Model, load
+from stridemap.sweeps.store import read_cells, read_orbits, read_provenance
+from stridemap.views.report import sections
+from stridemap.views.report.payload import NEEDED, functions, payload
+
+SCRIPTS = (
+    "data.js",
+    "walker.js",
+    "scale.js",
+    "map.js",
+    "slice.js",
+    "charts.js",
+    "stage.js",
+    "cycle.js",
+    "page.js",
+)
+"""The page's own programs, in the order in which they build on each other."""
+
+LARGEST = 200e6
+"""Bytes of a page that a browser still opens."""
+
+
+@dataclass(frozen=True)
+class ReportSummary:
+    """What was written.
+
+    Parameters
+    ----------
+    path : pathlib.Path
+    size : int
+        Bytes.
+    orbits, cells : int
+        Limit cycles and grid cells shown.
+    """
+
+    path: Path
+    size: int
+    orbits: int
+    cells: int
+
+
+def write_report(
+    folder: str | Path,
+    out: str | Path,
+    claims: str | Path | None = None,
+    model: str | Path | None = None,
+) -> ReportSummary:
+    """Write a sweep as one HTML file that needs nothing beside it, and no network.
+
+    Parameters
+    ----------
+    folder : path
+        Output folder of a finished sweep.
+    out : path
+        The file; folders on the way to it are made.
+    model : str or path, optional
+        What the model is loaded by, where it is none of the built-in ones: the path of its file.
+    claims : path, optional
+        JSON of verdicts: ``{"claims": [{"id", "statement", "verdict", "evidence"}]}``.
+
+    Raises
+    ------
+    InputError
+        When the folder holds no finished sweep, the sweep found nothing or is of another model than the
+        one that is installed, when the claims cannot be read, or the file cannot be written.
+    """
+    provenance = read_provenance(folder)
+    loaded = load(model or provenance["model"])
+    _check_model(folder, provenance, loaded)
+    orbits, cells = read_orbits(folder), read_cells(folder)
+    if orbits.empty:
+        raise InputError(f"the sweep in {folder} found no limit cycle, so there is nothing to show")
+    data = payload(loaded, provenance["configuration"], orbits, cells)
+    verdicts = sections.read_claims(claims) if claims is not None else None
+    page = _page(
+        title=sections.text(f"Limit cycles: {loaded.title}"),
+        heading=sections.text(loaded.title),
+        lead=sections.lead(loaded, provenance, orbits, cells),
+        claims=(verdict_section := sections.claims(loaded, verdicts)),
+        claims_link='<a href="#claims">Statements of the paper</a>' if verdict_section else "",
+        provenance=sections.provenance(loaded, provenance),
+        # A `<` could end the element that holds the data.
+        data=json.dumps(data, separators=(",", ":"), allow_nan=False).replace("<", "\\u003c"),
+        equations=equations(loaded, functions(loaded)),
+    ).encode()
+    if len(page) > LARGEST:
+        raise InputError(
+            f"the page would be {len(page) / 1e6:,.0f} MB, more than the {LARGEST / 1e6:.0f} MB that "
+            "browsers open well; report a sweep of fewer cells"
+        )
+    path = Path(out)
+    _write(path, page)
+    return ReportSummary(path, len(page), orbits=len(orbits), cells=len(cells))
+
+
+def _check_model(folder: str | Path, provenance: Mapping[str, str], model: Model) -> None:
+    """Refuse a sweep whose walker is not the one that is installed: its steps would be other steps."""
+    if provenance["model_hash"] != model.hash:
+        raise InputError(
+            f"the sweep in {folder} is of another version of the model {model.name} (hash "
+            f"{provenance['model_hash'][:12]} there, {model.hash[:12]} here); sweep again, or use the "
+            "stridemap that computed it"
+        )
+    if missing := [name for name in NEEDED if name not in model.manifest["functions"]]:
+        raise InputError(f"the model {model.name} cannot be shown: it has no {' and no '.join(missing)}")
+
+
+def _page(**parts: str) -> str:
+    """Fill the places ``{{name}}`` of the page's template."""
+    source = files("stridemap.views.report")
+    parts["style"] = source.joinpath("page.css").read_text(encoding="utf-8")
+    parts["script"] = "\n".join(source.joinpath(name).read_text(encoding="utf-8") for name in SCRIPTS)
+    template = source.joinpath("page.html").read_text(encoding="utf-8")
+    return re.sub(r"\{\{(\w+)\}\}", lambda match: parts[match[1]], template)
+
+
+def _write(path: Path, page: bytes) -> None:
+    """Write the file whole or not at all."""
+    if path.is_dir():
+        raise InputError(
+            f"{path} is a folder; give the name of a file to write, such as {path / 'report.html'}"
+        )
+    temporary = None
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        handle, temporary = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
+        with open(handle, "wb") as file:
+            file.write(page)
+        mask = os.umask(0)
+        os.umask(mask)
+        os.chmod(temporary, 0o666 & ~mask)  # mkstemp makes files that only their owner reads
+        os.replace(temporary, path)
+    except OSError as error:
+        reason = (
+            "a folder on the way is a file" if isinstance(error, FileExistsError) else error.strerror or error
+        )
+        raise InputError(
+            f"cannot write {path} ({reason}); give a file in a folder that can be written"
+        ) from None
+    finally:
+        if temporary is not None:
+            with contextlib.suppress(OSError):
+                os.unlink(temporary)

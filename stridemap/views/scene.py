@@ -1,0 +1,109 @@
+"""A limit cycle as a scene: where everything is that a frame of an animation shows."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from stridemap.errors import InputError
+from stridemap.solver.cycles.orbit import Orbit
+from stridemap.solver.observables.motion import Motion, motion
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Scene:
+    """One step of a limit cycle in n frames, the next touchdown not among them.
+
+    Positions are from the stance foot, in terms of the walker's height; so walkers in any units fit the
+    picture.
+
+    Parameters
+    ----------
+    seen : Motion
+        n + 1 samples.
+    positions : ndarray, shape (n + 1, n_masses, 2)
+    lines : dict of str to ndarray, shape (n + 1, n_points, 2)
+    masses : ndarray, shape (n_masses,)
+        As shares of the whole.
+    force : ndarray, shape (n + 1, 2)
+        Ground force in terms of the weight.
+    contact, zmp : ndarray, shape (n + 1,)
+        Horizontal places of the contact with the ground and of the zero moment point.
+    step : float
+        From one contact point to the next.
+    middle : ndarray, shape (n + 1,)
+        Horizontal place that the view is centred on; it moves evenly, and by a step in a step.
+    """
+
+    seen: Motion
+    positions: Array
+    lines: dict[str, Array]
+    masses: Array
+    force: Array
+    contact: Array
+    zmp: Array
+    step: float
+    middle: Array
+
+    @property
+    def names(self) -> list[str]:
+        """The masses, in the order of `positions`."""
+        return list(self.seen.model.manifest["masses"])
+
+    @property
+    def springs(self) -> set[str]:
+        """Those of the lines that are springs."""
+        return {line["name"] for line in self.seen.model.manifest["lines"] if line["spring"]}
+
+
+def scene(orbit: Orbit, frames: int, magnify: float = 1.0) -> Scene:
+    """The scene of a limit cycle.
+
+    Parameters
+    ----------
+    orbit : Orbit
+    frames : int
+        Frames a step.
+    magnify : float
+        The wobbling mass's way is drawn so many times as long as it is.
+
+    Raises
+    ------
+    InputError
+        When the orbit is none, or has no wobbling mass whose way could be magnified.
+    """
+    seen = motion(orbit, frames + 1)
+    positions, lines = seen.positions, seen.lines
+    if magnify != 1:
+        positions, lines = _magnified(seen, orbit, magnify)
+    model = seen.model
+    height = max(float(points[..., 1].max()) for points in (positions, *lines.values()))
+    load = model.evaluate("total_mass", p=model.point(orbit.params))
+    # The zero moment point is where the line of the ground force through the centre of mass meets the ground.
+    zmp = seen.com[:, 0] - seen.force[:, 0] / seen.force[:, 1] * seen.com[:, 1]
+    step = orbit.step_length / height
+    return Scene(
+        seen,
+        positions / height,
+        {name: points / height for name, points in lines.items()},
+        seen.masses / load["mass"],
+        seen.force / load["weight"],
+        (zmp + seen.d) / height,
+        zmp / height,
+        step,
+        step * (np.linspace(0, 1, frames + 1) - 0.5),
+    )
+
+
+def _magnified(seen: Motion, orbit: Orbit, magnify: float) -> tuple[Array, dict[str, Array]]:
+    name = seen.model.manifest["wobbling"]
+    if name is None:
+        raise InputError(
+            f"magnify = {magnify:g} is not possible: {orbit.model} has no wobbling mass; leave it out"
+        )
+    q = seen.q.copy()
+    q[..., seen.model.coordinates.index(name)] *= magnify
+    drawn = seen.model.evaluate("drawing", q=q, p=seen.model.point(orbit.params))
+    return drawn["positions"], {line: drawn[line] for line in seen.lines}

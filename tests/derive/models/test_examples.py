@@ -1,0 +1,97 @@
+"""The model files in examples/models: limits in which each becomes a walker that is known."""
+
+import importlib.util
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import stridemap
+from stridemap.derive import Body
+from stridemap.derive.models.compass import WALKER as COMPASS
+from stridemap.derive.models.compass import theta1, theta2
+
+MODELS = Path(__file__).resolve().parents[3] / "examples" / "models"
+TORSO, ROLLING, VERTICAL = (
+    MODELS / f"{name}.py" for name in ("swinging_torso", "rolling_feet", "vertical_wobbling")
+)
+
+
+def stable(model, **params):
+    """The one stable limit cycle of a point."""
+    (orbit,) = [orbit for orbit in stridemap.find_orbits(model, **params) if orbit.stable]
+    return orbit
+
+
+def apart(orbit, other, names=("theta1", "dtheta1", "dtheta2")):
+    """Largest difference of two cycles in the period and some coordinates."""
+    return max(abs(orbit.period - other.period), *(abs(orbit.state[n] - other.state[n]) for n in names))
+
+
+POSITION = ("theta1",)
+"""What a stiff spring leaves alone: it takes up the impact a moment later, so rates just after it differ."""
+
+
+def halvings(differences):
+    """How often each difference halves to the next."""
+    return np.log2(np.divide(differences[:-1], differences[1:]))
+
+
+@pytest.mark.parametrize("path", sorted(MODELS.glob("*.py")), ids=lambda path: path.stem)
+def test_short_and_with_a_stable_gait(path):
+    assert len(path.read_text().splitlines()) < 60
+    orbit = stable(path)
+    assert orbit.status == "converged"
+    assert orbit.min_vertical_force > 0
+    walk = stridemap.simulate(path, steps=3)
+    assert walk.steps[-1].period == pytest.approx(orbit.period, abs=1e-9)
+
+
+def test_a_torso_without_mass_leaves_the_compass_walker():
+    compass = stable("compass")
+    masses = (4e-3, 2e-3, 1e-3)
+    found = [apart(stable(TORSO, alpha=m, k=20 * m, c=m), compass) for m in masses]
+    assert found[-1] < 1e-3
+    np.testing.assert_allclose(halvings(found), 1, atol=0.05)  # first order in the mass
+
+
+def test_a_stiff_damped_torso_is_one_body_with_the_line_between_the_legs():
+    spec = importlib.util.spec_from_file_location("swinging_torso", TORSO)
+    torso = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(torso)
+    rigid = COMPASS.with_(
+        name="rigid_torso",
+        parameters=(torso.ALPHA, torso.R, *COMPASS.parameters),
+        bodies=(
+            Body("hip", 1 - torso.alpha, torso.hip),
+            Body("torso", torso.alpha, torso.mass.subs(torso.psi, theta2 / 2 - theta1)),
+            *torso.feet,
+        ),
+    )
+    limit = stable(stridemap.derive_model(rigid))
+    found = []
+    for k in (100, 400, 1600):
+        orbit = stable(TORSO, k=k, c=math.sqrt(k * 0.25 * 0.75 * 0.5**2))  # half of critical, hip free
+        found.append(apart(orbit, limit, POSITION))
+        assert abs(orbit.multipliers[0] - limit.multipliers[0]) < 0.05 / k
+    assert found[-1] < 5e-4
+    np.testing.assert_allclose(halvings(found), 2, atol=0.15)  # first order in 1/k
+
+
+def test_feet_of_radius_zero_are_points():
+    compass, orbit = stable("compass"), stable(ROLLING, radius=0)
+    assert apart(orbit, compass) < 1e-11
+    np.testing.assert_allclose(orbit.multipliers, compass.multipliers, rtol=0, atol=1e-10)
+    for name in ("d_max", "work", "cot", "min_vertical_force", "friction", "clearance", "step_length"):
+        assert getattr(orbit, name) == pytest.approx(getattr(compass, name), abs=1e-9), name
+
+
+def test_a_stiff_damped_vertical_spring_leaves_the_compass_walker():
+    compass = stable("compass")
+    found = [
+        apart(stable(VERTICAL, k=k, c=math.sqrt(k * 0.25 * 0.75)), compass, POSITION)
+        for k in (100, 400, 1600)
+    ]
+    assert found[-1] < 1e-3
+    np.testing.assert_allclose(halvings(found), 2, atol=0.2)

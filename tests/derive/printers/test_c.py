@@ -1,0 +1,293 @@
+"""The generated C under gcc and clang: all warnings as errors, symbols, sanitizers, the worked example.
+
+A compiler that is missing skips its tests, except where the environment variable CI is set: there it fails.
+"""
+
+import re
+import shutil
+import subprocess
+
+import numpy as np
+import pytest
+
+from stridemap.solver.model.model import load
+from tests.oracles.states import MODELS, lacking, need
+
+STRICT = ["-std=c99", "-pedantic", "-Wall", "-Wextra", "-Werror"]
+COMPILERS = ("gcc", "clang")
+LIBM = {"sin", "cos", "tan", "exp", "log", "sqrt", "sincos"}
+
+all_models = pytest.mark.parametrize("name", MODELS)
+both_compilers = pytest.mark.parametrize("compiler", COMPILERS)
+
+
+def run(*command, cwd=None):
+    """Run a command; its standard output, or its complaint as the failure."""
+    done = subprocess.run(
+        [str(word) for word in command], cwd=cwd, capture_output=True, text=True, check=False, timeout=300
+    )
+    assert done.returncode == 0, f"{' '.join(map(str, command))}\n{done.stdout}{done.stderr}"
+    assert not done.stderr, done.stderr
+    return done.stdout
+
+
+def folder(name):
+    return load(name).folder
+
+
+# -- compilers -----------------------------------------------------------------------------------------------
+
+
+@all_models
+@both_compilers
+@pytest.mark.parametrize("file", ["{}.c", "example.c"])
+def test_readable_c_compiles_without_a_warning(name, compiler, file, tmp_path):
+    source = folder(name) / file.format(name)
+    run(need(compiler), *STRICT, "-Wconversion", "-O2", "-c", source, "-o", tmp_path / "out.o")
+
+
+@all_models
+@pytest.mark.parametrize("compiler", ["g++", "clang++"])
+@pytest.mark.parametrize("file", ["{}.c", "example.c"])
+def test_readable_c_compiles_as_cpp(name, compiler, file, tmp_path):
+    source = folder(name) / file.format(name)
+    flags = ["-x", "c++", "-std=c++17", "-Wall", "-Wextra", "-Werror"]
+    run(need(compiler), *flags, "-O2", "-c", source, "-o", tmp_path / "out.o")
+
+
+@pytest.mark.parametrize("compiler", ["g++", "clang++"])
+def test_cpp_links_with_the_c(compiler, tmp_path):
+    """The header's ``extern "C"`` is what makes the two fit."""
+    c_compiler = need({"g++": "gcc", "clang++": "clang"}[compiler])
+    source = tmp_path / "main.cpp"
+    source.write_text(
+        "".join(f'#include "{name}.h"\n' for name in MODELS)
+        + "int main() { double z[5] = {0}, q[3], v[3]; "
+        + "".join(f"{name}_section_state(z, q, v); " for name in MODELS)
+        + "}\n"
+    )
+    for name in MODELS:
+        run(c_compiler, "-std=c99", "-c", folder(name) / f"{name}.c", "-o", tmp_path / f"{name}.o")
+    includes = [f"-I{folder(name)}" for name in MODELS]
+    objects = [tmp_path / f"{name}.o" for name in MODELS]
+    run(need(compiler), *includes, source, *objects, "-lm", "-o", tmp_path / "program")
+    run(tmp_path / "program")
+
+
+@all_models
+@both_compilers
+def test_kernels_compile_without_a_warning(name, compiler, tmp_path):
+    source = folder(name) / f"{name}_kernels.c"
+    run(need(compiler), *STRICT, "-Wno-unused-parameter", "-c", source, "-o", tmp_path / "out.o")
+
+
+# -- symbols -------------------------------------------------------------------------------------------------
+
+
+@all_models
+@both_compilers
+def test_readable_c_exports_its_functions_and_needs_only_libm(name, compiler, tmp_path):
+    run(need(compiler), "-std=c99", "-O2", "-c", folder(name) / f"{name}.c", "-o", tmp_path / "out.o")
+    symbols = [line.split()[-2:] for line in run(need("nm"), tmp_path / "out.o").splitlines()]
+    kinds = {kind: {symbol for k, symbol in symbols if k == kind} for kind, _ in symbols}
+    assert kinds["T"] == {f"{name}_{function}" for function in load(name).manifest["functions"]}
+    assert kinds["U"] <= LIBM  # so there is no allocation either
+    assert not kinds.keys() & set("BbCDdGgSs"), "there is data that can change"
+
+
+# -- the worked example and the README -----------------------------------------------------------------------
+
+
+def example_by_python(name):
+    """What example.c prints, from the Python module."""
+    model = load(name)
+    text = (folder(name) / "example.c").read_text()
+    p, z = (np.array(eval(f"[{m}]")) for m in re.findall(r"double [pz]\[\d+\] = \{([^}]*)\}", text))
+    np.testing.assert_array_equal(p, model.point({}))
+    at = {"t": 0.0, "p": p, **model.evaluate("section_state", z=z)}
+    energy = model.evaluate("kinetic_energy", **at)["kinetic"]
+    energy = energy + model.evaluate("potential_energy", **at)["potential"]
+    rate = model.evaluate("state_derivative", **at)
+    moved = {**at, "q": at["q"] + 1e-3 * rate["dq"], "v": at["v"] + 1e-3 * rate["dv"]}
+    after = model.evaluate("impact_map", **moved)
+    state = np.stack([after["q_plus"], after["v_plus"]], axis=-1)
+    force = model.evaluate("ground_force", **at)["force"]
+    return np.concatenate([model.evaluate("mass_matrix", **at)["M"].ravel(), [energy], force, state.ravel()])
+
+
+def numbers(printed):
+    return [float(x) for x in re.findall(r"(?<![\w\[(])-?\d+\.\d+", printed)]
+
+
+@all_models
+@both_compilers
+def test_the_example_prints_what_python_computes(name, compiler, tmp_path):
+    sources = [folder(name) / "example.c", folder(name) / f"{name}.c"]
+    run(need(compiler), "-std=c99", *sources, "-lm", "-o", tmp_path / "example")
+    printed = numbers(run(tmp_path / "example"))
+    expected = example_by_python(name)
+    assert len(printed) == len(expected)
+    np.testing.assert_allclose(printed, expected, rtol=0, atol=5.1e-7)  # it prints 6 digits and more
+    assert len(set(np.abs(printed))) > len(printed) / 2, "a dull example"
+
+
+@all_models
+def test_the_readme_builds_the_example_and_names_everything(name, tmp_path):
+    need("cc")
+    shutil.copytree(folder(name), tmp_path / name)
+    readme = (tmp_path / name / "README.md").read_text()
+    command = re.search(r"```sh\n(.*?)\n```", readme, flags=re.DOTALL)[1]
+    assert "M(1,:)" in run("sh", "-c", command, cwd=tmp_path / name)
+    for file in {path.name for path in folder(name).iterdir() if path.is_file()} - {"README.md"}:
+        assert f"`{file}`" in readme, file
+    for function, entry in load(name).manifest["functions"].items():
+        assert f"| `{name}_{function}` | {entry['operations']} |" in readme, function
+        assert f"void {name}_{function}(" in readme, function
+    for argument in ("q", "v", "p", "z"):
+        assert f"`{argument}[" in readme
+
+
+# -- sanitizers ----------------------------------------------------------------------------------------------
+
+ORBITS = {  # a limit cycle of each at the preset: the point on the section, and the period
+    "wobbling": [0.0975854377, -0.1236463659, -0.0023474881, 0.0045399252, 0.2844991066, 1.1544726234],
+    "compass": [0.0892433641, -0.1689726626, -0.0026843865, 1.2184370389],
+    "simplest_walker": [0.2003109005, -0.1998324730, 3.8824637529],
+    "goswami_compass": [0.2668212224, -0.3460754495, -0.218981989, 2.2939906403],
+    "rimless_wheel": [-0.5235987756, 0.4603411266, 2.310014865],
+}
+
+
+def c_list(values):
+    return "{" + ", ".join(repr(float(v)) for v in values) + "}"
+
+
+def readable_main(name):
+    """A C program that calls every readable function on heap arrays of exactly the declared sizes."""
+    model = load(name)
+    state = {"q": [0.2, -0.3, 0.1], "v": [-0.4, 0.5, 0.6], "p": model.point({}), "z": ORBITS[name][:-1]}
+    lines = [f'#include "{name}.h"', "#include <math.h>", "#include <stdio.h>", "#include <stdlib.h>"]
+    lines += ["static double *copy(const double *from, int n) {"]
+    lines += ["    double *x = malloc((size_t) n * sizeof(double));", "    int i;"]
+    lines += ["    for (i = 0; i < n; i++) x[i] = from ? from[i] : NAN;", "    return x;", "}"]
+    lines += ["static void check(const char *what, double *x, int n) {", "    int i;"]
+    lines += ["    for (i = 0; i < n; i++) if (!isfinite(x[i])) { puts(what); exit(1); }", "}"]
+    lines += ["int main(void) {"]
+    lines += [f"    const double {k}0[] = {c_list(v)};" for k, v in state.items()]
+    for function, entry in model.manifest["functions"].items():
+        inputs = [a for a in entry["inputs"] if not a["scalar"]]
+        outputs = [(o["name"], np.prod(o["shape"], dtype=int)) for o in entry["outputs"]]
+        arrays = [(a["name"], f"copy({a['name']}0, {a['size']})") for a in inputs]
+        arrays += [(f"{o}_", f"copy(0, {size})") for o, size in outputs]
+        given = ["0.7" if a["scalar"] else a["name"] for a in entry["inputs"]] + [f"{o}_" for o, _ in outputs]
+        lines += ["    {"] + [f"        double *{a} = {made};" for a, made in arrays]
+        lines += [f"        {name}_{function}({', '.join(given)});"]
+        lines += [f'        check("{function}", {o}_, {size});' for o, size in outputs]
+        lines += [f"        free({a});" for a, _ in arrays] + [f'        puts("{function}");', "    }"]
+    return "\n".join([*lines, "    return 0;", "}", ""])
+
+
+KERNELS_MAIN = """
+#include <stdio.h>
+#include <string.h>
+
+typedef const casadi_int* (*shape_of)(casadi_int);
+
+static casadi_int entries(const casadi_int* s) { return s[2] == 1 ? s[0] * s[1] : s[2 + s[1]]; }
+
+static const double* value_of(const char* name) {
+    if (!strcmp(name, "p")) return p;
+    if (!strcmp(name, "u0") || !strcmp(name, "u")) return u;
+    return w; /* state and work, or just t or h: its first entry */
+}
+
+static int run(const char* what, MODEL_kernel kernel, const casadi_int* size, casadi_int n_in,
+    casadi_int n_out, shape_of in_shape, shape_of out_shape, const char* (*name_in)(casadi_int))
+{
+    const double* in[8];
+    double* out[8];
+    casadi_int in_size[8], out_size[8], i, j, k, bad = 0;
+    int* failed = malloc(POINTS * sizeof(int));
+    for (j = 0; j < n_in; j++) {
+        const casadi_int n = in_size[j] = entries(in_shape(j));
+        double* x = malloc((size_t) (POINTS * n) * sizeof(double));
+        for (i = 0; i < POINTS; i++)
+            for (k = 0; k < n; k++) x[i * n + k] = value_of(name_in(j))[k] * (1 + 1e-4 * (double) i);
+        in[j] = x;
+    }
+    for (j = 0; j < n_out; j++) {
+        out_size[j] = entries(out_shape(j));
+        out[j] = malloc((size_t) (POINTS * out_size[j]) * sizeof(double));
+    }
+    if (MODEL_map(kernel, size, POINTS, n_in, in, in_size, n_out, out, out_size, failed)) bad++;
+    for (i = 0; i < POINTS; i++) bad += failed[i] != 0;
+    for (j = 0; j < n_out; j++)
+        for (i = 0; i < POINTS * out_size[j]; i++) bad += !isfinite(out[j][i]);
+    printf("%s %d\\n", what, (int) bad);
+    for (j = 0; j < n_in; j++) free((void*) in[j]);
+    for (j = 0; j < n_out; j++) free(out[j]);
+    free(failed);
+    return bad != 0;
+}
+
+#define RUN(k) do { \\
+        casadi_int size[4]; \\
+        k##_work(size, size + 1, size + 2, size + 3); \\
+        bad += run(#k, k, size, k##_n_in(), k##_n_out(), k##_sparsity_in, k##_sparsity_out, k##_name_in); \\
+    } while (0)
+"""
+
+
+def kernels_main(name):
+    """A C program that maps every kernel over a handful of points."""
+    model = load(name)
+    source = (folder(name) / f"{name}_kernels.c").read_text()
+    kernels = re.findall(r"^CASADI_SYMBOL_EXPORT int (\w+)\(const casadi_real\*\* arg", source, flags=re.M)
+    orbit = ORBITS[name]
+    start = model.evaluate("section_state", z=np.array(orbit[:-1]))
+    state = [*start["q"], *start["v"], *np.zeros(len(model.actuated))]
+    lines = [f'#include "{folder(name) / f"{name}_kernels.c"}"', "#define POINTS 3"]
+    lines += [f"static const double p[] = {c_list(model.point({}))};"]
+    lines += [f"static const double u[] = {c_list(orbit)};", f"static const double w[] = {c_list(state)};"]
+    lines += [KERNELS_MAIN.replace("MODEL", name), "int main(void) {", "    int bad = 0;"]
+    lines += [f"    RUN({k});" for k in kernels]
+    return "\n".join([*lines, "    return bad;", "}", ""]), kernels
+
+
+def sanitized(compiler, source, *others, includes, tmp_path):
+    """Build with address and undefined-behaviour sanitizers, run, and return what is printed."""
+    flags = ["-std=c99", "-g", "-O0", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"]
+    probe = tmp_path / "probe.c"
+    probe.write_text("int main(void) { return 0; }\n")
+    command = [need(compiler), *flags, probe, "-o", tmp_path / "probe"]
+    if subprocess.run(command, capture_output=True, check=False).returncode:
+        lacking(f"{compiler} cannot link with the sanitizers")
+    (tmp_path / "main.c").write_text(source)
+    program = tmp_path / "program"
+    run(compiler, *flags, f"-I{includes}", tmp_path / "main.c", *others, "-lm", "-o", program)
+    return run(program).split("\n")[:-1]
+
+
+@all_models
+@both_compilers
+def test_readable_c_under_sanitizers(name, compiler, tmp_path):
+    here = folder(name)
+    printed = sanitized(compiler, readable_main(name), here / f"{name}.c", includes=here, tmp_path=tmp_path)
+    assert printed == list(load(name).manifest["functions"])
+
+
+@all_models
+@both_compilers
+def test_kernels_under_sanitizers(name, compiler, tmp_path):
+    source, kernels = kernels_main(name)
+    assert len(kernels) >= 4
+    printed = sanitized(compiler, source, includes=folder(name), tmp_path=tmp_path)
+    assert printed == [f"{kernel} 0" for kernel in kernels]
+
+
+def test_sanitizers_would_see_an_array_that_is_too_small(tmp_path):
+    source = readable_main("compass").replace("copy(q0, 2)", "copy(q0, 1)", 1)
+    here = folder("compass")
+    compiler = need(*COMPILERS)
+    with pytest.raises(AssertionError, match="heap-buffer-overflow"):
+        sanitized(compiler, source, here / "compass.c", includes=here, tmp_path=tmp_path)

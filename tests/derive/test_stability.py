@@ -1,0 +1,277 @@
+"""Derivation gives the same bytes everywhere, notices drift, and refuses what it cannot print."""
+
+import getpass
+import json
+import math
+import os
+import random
+import re
+import shutil
+import socket
+import subprocess
+import sys
+from types import SimpleNamespace
+
+import pytest
+import sympy as sp
+
+from stridemap import codegen as build
+from stridemap.derive.printers import c as print_c
+from stridemap.derive.printers import python as print_python
+from stridemap.derive.printers.expression import CALLS
+from stridemap.derive.program import Argument, Builder, Entry, Output
+from stridemap.solver.model.model import load
+from tests.oracles.states import MODELS
+
+GENERATED = build.generated_folder()
+x, y, z = sp.symbols("x y z", real=True)
+
+
+def contents(folder):
+    """Bytes by name of what belongs to a generated folder."""
+    files = [path for path in folder.glob("*/*") if path.is_file() and path.suffix != ".pyc"]
+    return {str(path.relative_to(folder)): path.read_bytes() for path in files}
+
+
+# -- the same bytes ------------------------------------------------------------------------------------------
+
+ELSEWHERE = {"USER": "somebody", "HOME": "/nonexistent", "TZ": "Asia/Tokyo", "LC_ALL": "C", "COLUMNS": "40"}
+
+
+def python(code, folder, seed, **environment):
+    """Run code in a fresh interpreter with that hash seed, in `folder`."""
+    variables = {**os.environ, "PYTHONHASHSEED": str(seed), **environment}
+    return subprocess.Popen(
+        [sys.executable, "-c", code], cwd=folder, env=variables, text=True,
+        stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+    )  # fmt: skip
+
+
+def result(process):
+    out, complaint = process.communicate(timeout=300)
+    assert process.returncode == 0, complaint
+    return out
+
+
+def test_two_derivations_write_what_is_committed_and_drift_names_the_rest(tmp_path):
+    """Both run at once, with different hash seeds and surroundings: it takes half a minute."""
+    written, damaged = tmp_path / "written", tmp_path / "damaged"
+    for folder in (written, damaged):
+        folder.mkdir()
+    expected = damage(damaged)
+    here = "import pathlib; from stridemap import build; here = pathlib.Path('.');"
+    writing = python(f"{here} build.derive(here)", written, 1, **ELSEWHERE)
+    checking = python(f"{here} print(*build.drift(here))", damaged, 2)
+    # The drift is what was damaged and nothing else, so all other files are the same bytes.
+    assert result(checking).split() == expected
+    result(writing)
+    fresh, committed = contents(written), contents(GENERATED)
+    assert [name for name in fresh.keys() | committed.keys() if fresh.get(name) != committed.get(name)] == []
+
+
+def damage(folder):
+    """Copy what is committed and edit one file, remove one and add one; returns their names, sorted."""
+    shutil.copytree(GENERATED, folder, dirs_exist_ok=True, ignore=shutil.ignore_patterns("*.pyc"))
+    edited, missing, extra = "compass/compass.c", "wobbling/example.c", "wobbling/notes.txt"
+    text = (folder / edited).read_text()
+    (folder / edited).write_text(text.replace("2.0*beta", "3.0*beta", 1))
+    (folder / missing).unlink()
+    (folder / extra).write_text("mine\n")
+    return sorted([edited, missing, extra])
+
+
+def test_drift_of_each_kind(tmp_path, monkeypatch):
+    monkeypatch.setattr(build, "derive", rewrite)  # the real one runs above
+    damaged, whole, empty = (tmp_path / name for name in ("damaged", "whole", "empty"))
+    shutil.copytree(GENERATED, whole)
+    empty.mkdir()
+    assert build.drift(whole) == build.drift() == []
+    assert build.drift(empty) == sorted(contents(GENERATED))
+    expected = damage(damaged)
+    before = contents(damaged)
+    assert build.drift(damaged) == expected
+    assert contents(damaged) == before  # looking changes nothing
+
+
+def rewrite(folder):
+    shutil.copytree(GENERATED, folder, dirs_exist_ok=True)
+    return [folder / name for name in contents(GENERATED)]
+
+
+def test_the_manifest_names_every_file():
+    names = {name.split("/")[0] for name in contents(GENERATED)}
+    assert names == set(MODELS)
+    for name in MODELS:
+        files = {path.split("/")[1] for path in contents(GENERATED) if path.startswith(f"{name}/")}
+        manifest = json.loads((GENERATED / name / "manifest.json").read_text())
+        assert files == {*manifest["files"], "manifest.json"}
+        for file in manifest["files"]:
+            load(name).path(file)  # raises where the hash is another
+
+
+def test_generated_text_is_plain_and_names_no_time_host_user_or_path():
+    private = {socket.gethostname(), getpass.getuser(), str(GENERATED.parent), os.path.expanduser("~")}
+    words = [re.escape(word) for word in private - {"root", "localhost", "/"}]
+    words += [r"/(home|root|tmp|usr|var|opt|mnt|Users)/", r"[A-Z]:\\", r"\d{4}-\d\d-\d\d", r"\d\d:\d\d"]
+    for name, data in contents(GENERATED).items():
+        text = data.decode("ascii")
+        assert "\r" not in text and "\t" not in text and text.endswith("\n"), name
+        found = re.search("|".join(rf"(?<!\w){word}" for word in words), text)
+        assert found is None, f"{name} holds {found}"
+
+
+@pytest.mark.parametrize("name", MODELS)
+def test_each_file_says_what_made_it_and_that_it_is_not_to_be_edited(name):
+    for file in load(name).manifest["files"]:
+        head = (GENERATED / name / file).read_text()[:400]
+        assert re.search("do not edit", head, flags=re.IGNORECASE) and "make derive" in head, file
+        assert file == "README.md" or "SPDX-License-Identifier: BSD-3-Clause" in head, file
+        assert not file.endswith(".c") or load(name).hash[:16] in head, file
+
+
+# -- what cannot be printed ----------------------------------------------------------------------------------
+
+UNKNOWN = {
+    sp.Abs(x): "cannot print Abs in Abs(x): known are + - * / powers, sin, cos, tan, asin, acos",
+    x + sp.sign(y): "cannot print sign in sign(y): known are",
+    2 * sp.atan2(y, x): "cannot print atan2 in atan2(y, x)",
+    sp.Max(x, y): "cannot print Max",
+    sp.Piecewise((x, x > 0), (y, True)): "cannot print Piecewise",
+    sp.E * x: "cannot print Exp1 in E",
+    sp.floor(x): "cannot print floor in floor(x)",
+    x**9: "cannot print the power (x)**(9): known are integers up to 8, and halves",
+    x ** sp.Rational(3, 4): "cannot print the power (x)**(3/4)",
+    x ** sp.Rational(17, 2): "cannot print the power (x)**(17/2)",
+    x ** sp.Rational(-1, 3): "cannot print the power (x)**(1/3)",
+    1 / x**9: "cannot print the power (x)**(9)",
+    x**y: "cannot print the power (x)**(y)",
+    2**x: "cannot print the power (2)**(x)",
+    sp.Float(0.5) * x: "cannot print the number 0.5",
+    sp.oo: "cannot print the number oo",
+    sp.nan: "cannot print the number nan",
+    sp.zoo * x: "cannot print ComplexInfinity",
+    sp.I * x: "cannot print ImaginaryUnit",
+}
+
+
+@pytest.mark.parametrize(("expr", "sentence"), UNKNOWN.items(), ids=map(str, UNKNOWN))
+@pytest.mark.parametrize("printer", [print_c.expression, print_python.expression], ids=["C", "Python"])
+def test_the_printer_refuses_what_it_does_not_know(printer, expr, sentence):
+    with pytest.raises(TypeError) as refusal:
+        printer(expr)
+    assert str(refusal.value).startswith(sentence)
+
+
+def random_expression(rng, depth):
+    """Sums, products, quotients, powers and calls of x, y, z and fractions."""
+    if depth == 0:
+        return rng.choice([x, y, z, sp.Integer(rng.randint(-3, 3)), sp.Rational(rng.randint(-5, 5), 4)])
+    a, b = random_expression(rng, depth - 1), random_expression(rng, depth - 1)
+    forms = [a + b, a - b, a * b, -a * b, a / b if b else a, sp.sin(a), a * b**2, (a - b) * a]
+    root = 1 + b * b
+    forms += [
+        sp.pi * a,
+        a / sp.sqrt(root),
+        root ** sp.Rational(3, 2),
+        sp.tanh(a),
+        sp.atan(b),
+        sp.asin(1 / root),
+    ]
+    return rng.choice(forms)
+
+
+def test_what_is_printed_is_the_expression():
+    rng, values = random.Random(5), {x: 0.37, y: -1.21, z: 2.13}
+    names = {name: getattr(math, name) for name in ("sqrt", "pi", *CALLS.values())}
+    scope = {"xp": SimpleNamespace(**names), **names, **{s.name: value for s, value in values.items()}}
+    printed = 0
+    for _ in range(400):
+        expr = random_expression(rng, rng.randint(1, 4))
+        try:
+            texts = print_c.expression(expr), print_python.expression(expr)
+        except TypeError as refusal:
+            assert "power" in str(refusal) or expr.has(sp.zoo, sp.nan), expr
+            continue
+        expected = float(expr.evalf(30, subs=values))
+        for text in texts:
+            value = eval(text, scope)
+            assert abs(value - expected) <= 1e-11 * (1 + abs(expected)), f"{expr} is not {text}"
+        # C would read -- as a decrement, 1/2 as 0, and ** not at all.
+        assert not re.search(r"--|\+\+|\*\*|(?<![\w.])\d+(?![\w.])", texts[0]), texts[0]
+        printed += 1
+    assert printed > 300
+
+
+# -- programs ------------------------------------------------------------------------------------------------
+
+
+def arguments(*symbols):
+    return (Argument("q", tuple(Entry(s, "1", "an entry") for s in symbols)),)
+
+
+def close(builder, *outputs, entries=(x, y, z)):
+    named = [Output(f"out{i}", sp.sympify(value), "a result") for i, value in enumerate(outputs)]
+    return builder.close("function", "A function", "a source", arguments(*entries), named)
+
+
+def test_two_terms_of_one_name_are_refused():
+    builder = Builder()
+    builder.let("speed", x + y)
+    with pytest.raises(ValueError, match="^two intermediate terms are named speed$"):
+        builder.let("speed", x - y)
+
+
+def test_trigonometry_whose_names_collide_is_refused():
+    sentence = "sines and cosines whose names collide: ['cos(x*y)', 'cos(x/y)']"  # both read c_x_y
+    with pytest.raises(ValueError, match=f"^{re.escape(sentence)}$"):
+        close(Builder(), sp.cos(x * y) + sp.cos(x / y))
+
+
+@pytest.mark.parametrize("name", ["c_x", "x", "q", "out0"])
+def test_a_term_named_like_something_else_is_refused(name):
+    builder = Builder()
+    term = builder.let(name, x * y + z)
+    with pytest.raises(ValueError, match=f"^function has two things named {name}$"):
+        close(builder, term * sp.cos(x))
+
+
+def test_an_undeclared_symbol_is_refused():
+    with pytest.raises(ValueError, match=r"^function uses \['z'\], which no argument or term defines$"):
+        close(Builder(), x + z, entries=(x, y))
+
+
+def evaluated(program, values):
+    """Run a program's statements as they stand; a term used before it is there is an error."""
+    known = {symbol: sp.Float(value, 30) for symbol, value in values.items()}
+    for symbol, expr in program.statements:
+        assert expr.free_symbols <= known.keys() and symbol not in known
+        known[symbol] = expr.xreplace(known).evalf(30)
+    return [e.xreplace(known).evalf(30) for o in program.outputs for e in o.entries]
+
+
+def test_a_shared_term_takes_no_name_that_is_in_use():
+    builder = Builder()
+    first = builder.let("t1", x * y + z)  # t1 is how shared terms are named
+    shared = sp.sin(x) * (y + z) / (x + z)
+    program = close(builder, first * shared, shared + 1, shared * first**2)
+    names = [s.name for s, _ in program.statements]
+    assert len(names) == len(set(names)) and "t2" in names
+    values = {x: 0.3, y: 0.5, z: 0.7}
+    expected = [(x * y + z) * shared, shared + 1, shared * (x * y + z) ** 2]
+    for value, expr in zip(evaluated(program, values), expected, strict=True):
+        assert abs(value - expr.evalf(30, subs=values)) < 1e-14
+
+
+def test_a_shared_term_that_is_a_named_one_bears_its_name():
+    builder = Builder()
+    matrix = builder.let_symmetric("M", sp.Matrix([[x, y * (x + z)], [y * (x + z), y]]))
+    program = close(builder, matrix, 1 / (y * (x + z)))
+    symbol, expr = program.statements[0]
+    assert (symbol.name, str(expr)) == ("M_12", "y*(x + z)")
+    assert str(program.outputs[0].value) == "Matrix([[x, M_12], [M_12, y]])"
+
+
+def test_unused_arguments_are_dropped():
+    extra = Argument("p", (Entry(z, "1", "unused"),))
+    program = Builder().close("f", "F", "a source", (*arguments(x, y), extra), [Output("out", x, "x")])
+    assert [a.name for a in program.arguments] == ["q"]

@@ -1,0 +1,75 @@
+"""What the tests of the solver share: reference orbits, and orbits over a set of points."""
+
+import json
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+from scipy.stats import qmc
+
+from stridemap.solver.cycles.search import find_orbits
+from stridemap.solver.model.model import load
+
+REFERENCE = json.loads((Path(__file__).parent / "reference_orbits.json").read_text(encoding="utf-8"))
+TYPICAL = ({"k": 0.5}, {"k": 6.0}, {"k": 22.5})
+"""The three typical solutions of the paper, at the preset's alpha = 0.25 and omega = 3."""
+TWO_CYCLES = {"k": 6.0, "alpha": 0.25, "omega": 3.0}
+
+
+LIFTING = {
+    "k": 12.921495112008396, "alpha": 0.18465529025031124, "omega": 1.9989408378885059,
+    "beta": 0.2023208441403671, "Kp": 17.218894431102633, "Kd": 0.29700535368512676,
+    "S": 0.1819095385428478, "gamma": 0.17008990423493633,
+}  # fmt: skip
+"""A point with a cycle that needs a ground that pulls."""
+
+
+def reference_name(entry):
+    p = entry["params"]
+    return "-".join([entry["model"], *(f"{p[n]:g}" for n in ("k", "alpha", "omega") if n in p)])
+
+
+def section_point(entry):
+    """Section point of an orbit or of an entry of the reference file."""
+    state = entry["state"] if isinstance(entry, dict) else entry.state
+    return np.array(list(state.values()))
+
+
+def parameters(orbit):
+    return load(orbit.model).point(orbit.params)
+
+
+def _points():
+    """The typical points, and quasi-random ones over the models' parameters."""
+    unit = qmc.Sobol(4, rng=5).random(16)
+    wobbling = [
+        {"k": 0.2 * 300**a, "alpha": 0.05 + 0.85 * b, "omega": 2 + 1.5 * c, "beta": 0.1 + 0.1 * d}
+        for a, b, c, d in unit
+    ]
+    compass = [
+        {"omega": 2 + 1.5 * a, "S": 0.1 + 0.15 * b, "gamma": 0.1 + 0.15 * b} for a, b, _, _ in unit[:6]
+    ]
+    # Right after touchdown the power of the hip crosses zero three times between two nodes of a trace.
+    trembling = [
+        {"k": 0.7805, "alpha": 0.2948, "omega": 3.231},
+        {"k": 2.3484, "alpha": 0.099, "omega": 3.9803},
+    ]
+    return [("wobbling", p) for p in (*TYPICAL, *wobbling, *trembling, LIFTING)] + [
+        ("compass", p) for p in compass
+    ]
+
+
+POINTS = _points()
+
+
+def point_name(point):
+    model, params = point
+    return "-".join([model, *(f"{name}={value:.3g}" for name, value in params.items())])
+
+
+@cache
+def orbits_at(index):
+    """Every cycle at one of `POINTS`."""
+    name, params = POINTS[index]
+    model = load(name)
+    return tuple(find_orbits(model, model.point(params)[None])[0])

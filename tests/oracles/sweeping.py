@@ -1,0 +1,113 @@
+"""What the tests of the command line and of running sweeps share."""
+
+import os
+import subprocess
+import sys
+import time
+from concurrent.futures import Executor, Future
+
+import pytest
+
+from stridemap.sweeps import run
+from stridemap.sweeps.config import parse_config
+
+K, ALPHA = (0.5, 2.0, 6.0, 22.5), (0.2, 0.25)
+CONFIG = parse_config(
+    {"model": "wobbling", "grid": {"k": K, "alpha": ALPHA}, "search": {"starts": 8, "subgrid": 2}}
+)
+"""Eight cells; alpha = 0.25 with the preset is where the reference orbits are."""
+
+SMALL = 'model = "compass"\n[grid]\nomega = [2.5, 3.0]\n[search]\nstarts = 16\n'
+
+STRIDEMAP = [sys.executable, "-m", "stridemap"]
+
+IN_PIECES = """
+import os, signal, time
+signal.signal(signal.SIGINT, signal.default_int_handler)  # not so where the tests run in the background
+import stridemap.sweeps.run as run
+from stridemap.cli.app import main
+run.TILE_CELLS = 2
+write = run.Store.write_part
+def write_and_rest(*args):
+    write(*args)
+    time.sleep(float(os.environ["REST"]))
+run.Store.write_part = write_and_rest
+main()
+"""
+"""The command line with a sweep in small pieces and a rest after each, so that it can be stopped between."""
+
+
+class Inline(Executor):
+    """Computes a task where it is submitted, and remembers it."""
+
+    def __init__(self):
+        self.tasks = []
+
+    def submit(self, fn, /, *args, **kwargs):
+        self.tasks.append(args[0])
+        future = Future()
+        try:
+            future.set_result(fn(*args, **kwargs))
+        except BaseException as error:
+            future.set_exception(error)
+        return future
+
+    @property
+    def pieces(self):
+        """Round and tile of what was computed."""
+        return [(task.round, task.tile) for task in self.tasks]
+
+
+def uninterrupted(folder):
+    """The sweep of CONFIG in tiles of 2: its folder, summary, progress, and the pieces that were computed."""
+    seen, executor = [], Inline()
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(run, "TILE_CELLS", 2)
+        summary = run.sweep(CONFIG, folder, executor=executor, progress=seen.append)
+    return folder, summary, seen, executor.pieces
+
+
+def content(folder):
+    """Bytes of every file below a folder."""
+    return {str(p.relative_to(folder)): p.read_bytes() for p in sorted(folder.rglob("*")) if p.is_file()}
+
+
+def tables(folder):
+    """Bytes of the two tables of a finished sweep, which has no other files."""
+    found = content(folder)
+    assert set(found) == {"orbits.parquet", "cells.parquet"}
+    return found
+
+
+def parts(folder):
+    """Finished pieces of an unfinished sweep."""
+    return sorted((folder / "parts").glob("round-*.parquet"))
+
+
+def piece(part):
+    """Round and tile of a part file."""
+    _, round_, _, tile = part.stem.split("-")
+    return int(round_), int(tile)
+
+
+def start(command, **environment):
+    """Start a command in a process group of its own."""
+    return subprocess.Popen(
+        command, text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+        start_new_session=True, env={**os.environ, **environment},
+    )  # fmt: skip
+
+
+def ended(process, timeout=120):
+    """Exit status, standard output and standard error of a process, once it has ended."""
+    out, err = process.communicate(timeout=timeout)
+    return process.returncode, out, err
+
+
+def wait_for(condition, process, timeout=120):
+    """Wait until something is so, while a process runs."""
+    limit = time.monotonic() + timeout
+    while not condition():
+        assert process.poll() is None, process.communicate()
+        assert time.monotonic() < limit
+        time.sleep(0.005)

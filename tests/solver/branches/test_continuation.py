@@ -1,0 +1,109 @@
+"""Branches of limit cycles: where they lead, past folds and not across to other branches."""
+
+import numpy as np
+import pytest
+
+from stridemap.solver.branches.continuation import follow
+from stridemap.solver.cycles.search import find_orbits
+from stridemap.solver.cycles.solver import Solver
+from stridemap.solver.model.model import load
+from tests.oracles.reference import REFERENCE, TWO_CYCLES
+
+RANGE = (0.3, 3.0)
+
+
+def point(orbit):
+    return np.array([*orbit.state.values(), orbit.period])
+
+
+def cycles_at(model, **params):
+    """Section points with periods of every cycle at a point, and the point."""
+    p = model.point(params)
+    return np.array([point(orbit) for orbit in find_orbits(model, p[None])[0]]), p
+
+
+def followed(model, u, start, target):
+    m = len(u)
+    return follow(Solver.of(model), u, np.tile(start, (m, 1)), np.tile(target, (m, 1)), RANGE)
+
+
+def completed(model, u, p):
+    """The cycle that Newton's method makes of a guess."""
+    solver = Solver.of(model)
+    near, _ = solver.search(u[None], p[None])
+    (orbit,) = solver.complete(near, p[None], RANGE)
+    assert orbit.status.found
+    return point(orbit)
+
+
+@pytest.mark.parametrize(
+    ("name", "start", "target"),
+    [
+        ("wobbling", {"k": 0.5}, {"k": 0.6}),
+        ("wobbling", {"k": 8.0, "omega": 2.5}, {"k": 5.0, "omega": 2.5}),
+        ("wobbling", {"k": 12.0, "alpha": 0.5}, {"k": 13.0, "alpha": 0.48, "omega": 2.9}),
+        ("compass", {"omega": 3.0}, {"omega": 2.5}),
+    ],
+)
+def test_branch_arrives_at_a_cycle_of_the_other_point(name, start, target):
+    model = load(name)
+    u, p = cycles_at(model, **start)
+    there, q = cycles_at(model, **target)
+    ends = followed(model, u, p, q)
+    assert ends.arrived.any()
+    for end in ends.u[ends.arrived]:
+        assert np.abs(there - completed(model, end, q)).max(axis=1).min() < 1e-9
+
+
+def test_fold_leads_to_the_other_cycle_of_the_pair():
+    """Both cycles of the reference file at one point: towards a softer spring they meet in a fold."""
+    model = load("wobbling")
+    both = [e for e in REFERENCE if TWO_CYCLES.items() <= e["params"].items()]
+    u = np.array([[*e["state"].values(), e["period"]] for e in both])
+    p = model.point(TWO_CYCLES)
+    ends = followed(model, u, p, model.point({**TWO_CYCLES, "k": 3.0}))
+    assert ends.branch.tolist() == [0, 1]
+    assert not ends.arrived.any()
+    for end, other in zip(ends.u, u[::-1], strict=True):
+        np.testing.assert_allclose(completed(model, end, p), other, rtol=0, atol=1e-10)
+
+
+def test_following_back_returns():
+    model = load("wobbling")
+    u, p = cycles_at(model, k=22.5)
+    q = model.point({"k": 23.5})
+    there = followed(model, u, p, q)
+    assert there.arrived.all() and len(there.branch) == len(u)
+    ends = followed(model, np.array([completed(model, end, q) for end in there.u]), q, p)
+    assert ends.arrived.all()
+    for end, start in zip(ends.u, u, strict=True):
+        np.testing.assert_allclose(completed(model, end, p), start, rtol=0, atol=1e-10)
+
+
+def test_branches_do_not_depend_on_each_other():
+    model = load("wobbling")
+    u, p = cycles_at(model, k=22.5)
+    targets = np.array([model.point({"k": k, "omega": w}) for k in (19.5, 23.5) for w in (2.6, 3.0)])
+    at, to = np.repeat(np.arange(len(u)), 4), np.tile(np.arange(4), len(u))
+    together = follow(Solver.of(model), u[at], np.tile(p, (len(at), 1)), targets[to], RANGE)
+    assert len(together.branch) > 4
+    for row, (i, j) in enumerate(zip(at, to, strict=True)):
+        alone = follow(Solver.of(model), u[[i]], p[None], targets[[j]], RANGE)
+        here = together.branch == row
+        np.testing.assert_array_equal(alone.u, together.u[here])
+        np.testing.assert_array_equal(alone.arrived, together.arrived[here])
+
+
+def test_hopeless_branches_end_nowhere():
+    model = load("wobbling")
+    u, p = cycles_at(model, k=6.0)
+    q = model.point({"k": 6.5})
+    bad = np.array([np.full(6, np.nan), np.full(6, np.inf), np.full(6, 1e200)])
+    ends = followed(model, np.concatenate([bad, u]), p, q)
+    assert ends.branch.min() == len(bad)
+    assert len(followed(model, bad, p, q).branch) == 0
+    assert len(followed(model, u[:0], p, q).branch) == 0
+    # A branch that leaves the range of periods is given up.
+    period = u[0, -1]
+    solver, rows = Solver.of(model), (p[None], model.point({"k": 3.0})[None])
+    assert len(follow(solver, u[:1], *rows, (period - 1e-4, period + 1e-4)).branch) == 0

@@ -1,0 +1,184 @@
+"""The figures show what the tables hold: artists against rows, classes against cells, text as text."""
+
+import re
+
+import numpy as np
+import pandas as pd
+import pytest
+
+import stridemap
+from stridemap.solver.model.model import load
+from stridemap.sweeps.config import parse_config
+from stridemap.sweeps.run import sweep
+from stridemap.sweeps.store import read_orbits
+from tests.oracles.sweeping import Inline
+
+pytest.importorskip("matplotlib")
+pytest.importorskip("PIL")
+
+from matplotlib.colors import to_rgb
+
+from stridemap.paper.figures import curves, sketch
+from stridemap.paper.figures import map as maps
+from stridemap.paper.figures import time_profiles as profiles
+from stridemap.paper.figures.material import Data
+from stridemap.paper.figures.raster import NONE, STABLE, UNSTABLE, class_of
+from stridemap.solver.branches.joining import branches
+from stridemap.solver.branches.main_branch import walks
+from stridemap.views import style
+
+K = [float(k) for k in np.round(np.linspace(4.5, 12.0, 16), 3)]
+ALPHA = [0.2, 0.25, 0.3]
+
+
+@pytest.fixture(scope="module")
+def configs():
+    """A small map, and one line of springs, across the gap between groups A and B."""
+    base = {"model": "wobbling", "search": {"starts": 24}}
+    small_map = {**base, "params": {"omega": 3.0}, "grid": {"k": K, "alpha": ALPHA}}
+    line = {**base, "grid": {"k": K, "alpha": [0.25], "omega": [3.0]}}
+    return {"map": parse_config(small_map), "branches": parse_config(line)}
+
+
+@pytest.fixture(scope="module")
+def data(configs, tmp_path_factory):
+    folder = tmp_path_factory.mktemp("figures")
+    for name, config in configs.items():
+        sweep(config, folder / name, executor=Inline())
+    return Data(folder, configs=configs)
+
+
+def test_the_map_is_the_table(data):
+    orbits = read_orbits(data.folder / "map")
+    orbits = orbits[walks(orbits)]
+    with style.styled():
+        axes = maps.draw(data).axes[0]
+    image = axes.images[0]
+    fine = np.asarray(image.get_array())
+    assert fine.shape == (4 * (len(ALPHA) - 1) + 1, 4 * (len(K) - 1) + 1)
+    shown = fine[::4, ::4]
+    for i, alpha in enumerate(ALPHA):
+        for j, k in enumerate(K):
+            here = orbits[(orbits["alpha"] == alpha) & (orbits["k"] == k)]
+            wanted = NONE if here.empty else STABLE if here["stable"].any() else UNSTABLE
+            assert shown[i, j] == wanted, (k, alpha)
+    assert {STABLE, UNSTABLE} <= set(shown.ravel().tolist())
+    left, right, bottom, top = image.get_extent()
+    assert (left + right) / 2 == pytest.approx((K[0] + K[-1]) / 2)
+    assert (bottom + top) / 2 == pytest.approx(0.25)
+    marks = {line.get_gid(): line.get_xydata()[0].tolist() for line in axes.lines if line.get_gid()}
+    assert marks == {"a": [0.5, 0.25], "b": [6.0, 0.25], "c": [22.5, 0.25]}
+
+
+def test_edges_run_where_a_search_finds_them(data):
+    with style.styled():
+        image = maps.draw(data).axes[0].images[0]
+    fine = np.asarray(image.get_array())
+    ks, alphas = (np.linspace(v[0], v[-1], n) for v, n in ((K, fine.shape[1]), (ALPHA, fine.shape[0])))
+    row = 4  # alpha = 0.25
+    edges = np.flatnonzero(fine[row, 1:] != fine[row, :-1])
+    assert len(edges)
+    for j in sorted({*edges.tolist(), *(edges + 1).tolist()})[:8]:
+        found = stridemap.find_orbits("wobbling", k=float(ks[j]), alpha=float(alphas[row]), omega=3.0)
+        assert fine[row, j] == class_of([orbit for orbit in found if walks(orbit)]), ks[j]
+
+
+def test_classes_differ_in_grey():
+    luminance = [0.2126, 0.7152, 0.0722]
+    grey = sorted(np.dot(to_rgb(c), luminance) for c in (style.STABLE, style.UNSTABLE, style.NONE))
+    assert np.diff(grey).min() > 0.25
+
+
+def test_lines_differ_without_colour():
+    stable, unstable, compass = style.STABLE_LINE, style.UNSTABLE_LINE, style.COMPASS_LINE
+    assert stable["linewidth"] > 2 * unstable["linewidth"]
+    assert compass["linestyle"] != stable["linestyle"] == unstable["linestyle"]
+    dashes = [str(look["linestyle"]) for look in style.SOLUTIONS.values()]
+    assert len(set(dashes)) == len(dashes)
+
+
+def test_curves_hold_every_cycle_of_the_table(data):
+    table = data.branches.orbits
+    (of,) = data.branch_sets.values()
+    joined = pd.concat(of)
+    columns = ["k", "period", "spectral_radius"]
+    on_grid = joined[joined["cell"] >= 0].sort_values(["k", "period"])[columns]
+    assert np.array_equal(on_grid.to_numpy(), table.sort_values(["k", "period"])[columns].to_numpy())
+    with style.styled():
+        axes = curves.draw_multipliers(data).axes[0]
+    compass = data.compass(3.0).spectral_radius
+    dashed = [line for line in axes.lines if line.is_dashed()]
+    assert [set(line.get_ydata()) for line in dashed] == [{compass}]
+    drawn = {
+        (float(x), float(y), line.get_linewidth())
+        for line in axes.lines
+        for x, y in zip(line.get_xdata(), line.get_ydata(), strict=True)
+    }
+    physical = table[table["min_vertical_force"] > 0]
+    for k, radius, stable in physical[["k", "spectral_radius", "stable"]].itertuples(index=False):
+        width = (style.STABLE_LINE if stable else style.UNSTABLE_LINE)["linewidth"]
+        assert (k, radius, width) in drawn
+
+
+def test_branches_do_not_cross_a_gap(tmp_path):
+    # Groups A and B are separated by springs without a cycle on the main branch: no curve may join them.
+    grid = {"k": [0.5, 1.0, 1.5, 6.5, 7.0, 7.5], "alpha": [0.25], "omega": [3.0]}
+    config = parse_config({"model": "wobbling", "grid": grid, "search": {"starts": 64}})
+    sweep(config, tmp_path / "out", executor=Inline())
+    orbits = read_orbits(tmp_path / "out")
+    for branch in branches(load("wobbling"), orbits, "k", config.grid["k"]):
+        assert branch["group"].nunique() == 1
+
+
+def test_a_branch_is_cut_where_its_stability_changes():
+    rows = pd.DataFrame(
+        {
+            "k": [1.0, 2.0, 3.0],
+            "spectral_radius": [0.8, 0.9, 1.1],
+            "stable": [True, True, False],
+            "cot": [1.0, 2.0, 4.0],
+            "min_vertical_force": [1.0, 1.0, 1.0],
+        }
+    )
+    (first, x1, y1), (second, x2, _) = curves.pieces(rows, "cot")
+    assert (first, second) == (True, False)
+    assert x1.tolist() == pytest.approx([1.0, 2.0, 2.5])  # the multiplier is 1 half way
+    assert y1.tolist() == pytest.approx([1.0, 2.0, 3.0])
+    assert x2.tolist() == pytest.approx([2.5, 3.0])
+
+
+def test_profiles_are_the_motions(data):
+    from stridemap.solver.observables.motion import motion
+
+    with style.styled():
+        axes = profiles.draw_distance(data).axes[0]
+    lines = {line.get_label(): line for line in axes.lines}
+    for letter, (_, k) in {"a": ("A", 0.5), "b": ("B", 6.0), "c": ("C", 22.5)}.items():
+        line = next(line for label, line in lines.items() if label.startswith(f"{letter}:"))
+        seen = motion(data.typical[letter], len(line.get_xdata()))
+        assert data.typical[letter].params["k"] == k
+        assert np.array_equal(line.get_ydata(), seen.d)
+
+
+def test_text_stays_text_and_bytes_stay_the_same(tmp_path):
+    written = []
+    for name in ("one", "two"):
+        with style.styled():
+            written += style.write(sketch.draw(), tmp_path / name, "model")
+    assert written[0].read_bytes() == written[2].read_bytes()
+    svg = written[0].read_text()
+    assert len(re.findall(r"<text", svg)) > 8
+    assert "theta" in svg or "θ" in svg
+
+
+def test_refusals(run, tmp_path, monkeypatch):
+    status, out, err = run("figures", "--only", "mapp", "--out", tmp_path)
+    assert (status, out) == (2, "")
+    assert "there is no figure 'mapp'; figures are model, map" in err
+    from stridemap.views import optional
+
+    monkeypatch.setattr(optional, "find_spec", lambda name: None)
+    status, out, err = run("figures", "--only", "model", "--out", tmp_path)
+    assert (status, out) == (2, "")
+    assert 'pip install "stridemap[pictures]"' in err.replace("`", "")
+    assert not list(tmp_path.iterdir())

@@ -1,0 +1,105 @@
+"""Animations: frames, loops, what is drawn where, any model, refusals."""
+
+import numpy as np
+import pytest
+
+import stridemap
+from stridemap.errors import InputError
+
+pytest.importorskip("matplotlib")
+pytest.importorskip("PIL")
+
+from PIL import Image
+
+from stridemap.views.animate import choose
+from stridemap.views.scene import scene
+
+
+@pytest.fixture(scope="module")
+def orbits():
+    return stridemap.find_orbits("wobbling", k=6, alpha=0.25, omega=3)
+
+
+def test_a_gif_of_two_walkers(orbits, tmp_path):
+    path = stridemap.animate(orbits[:2], tmp_path / "two.gif", steps=2, fps=10, size=120)
+    with Image.open(path) as film:
+        assert film.size == (240, 120)
+        assert film.n_frames == 24  # 1.2 s a step
+        assert film.info["duration"] == 100
+        assert film.info["loop"] == 0
+        frames = []
+        for i in range(film.n_frames):
+            film.seek(i)
+            frames.append(np.asarray(film.convert("RGB")).astype(int))
+    # It loops without a jump: from the last frame to the first no more changes than between two others.
+    changes = [np.abs(one - other).sum() for one, other in zip(frames, [*frames[1:], frames[0]], strict=True)]
+    assert changes[-1] <= 1.2 * max(changes[:-1])
+    assert min(changes) > 0
+    assert path.stat().st_size < 500_000
+
+
+def test_a_scene_is_the_motion(orbits):
+    shown = scene(orbits[1], 40)
+    seen = stridemap.motion(orbits[1], 41)
+    height = max(seen.positions[..., 1].max(), seen.lines["legs"][..., 1].max())
+    assert np.allclose(shown.positions * height, seen.positions, atol=1e-15)
+    assert shown.step * height == pytest.approx(orbits[1].step_length, rel=1e-14)
+    assert np.allclose(shown.zmp * height, -seen.d, atol=1e-12)
+    assert np.allclose(shown.contact, 0, atol=1e-12)
+    weight = 1 + 2 * orbits[1].params["beta"]
+    assert np.allclose(shown.force * weight, seen.force, rtol=1e-14)
+    assert shown.masses.sum() == pytest.approx(1.0)
+
+
+def test_only_the_wobbling_mass_is_magnified(orbits):
+    plain, larger = scene(orbits[1], 8), scene(orbits[1], 8, magnify=5)
+    hip, mass = (plain.names.index(name) for name in ("hip", "wobbling mass"))
+    way = plain.positions[:, mass] - plain.positions[:, hip]
+    assert np.allclose(larger.positions[:, mass] - larger.positions[:, hip], 5 * way, atol=1e-14)
+    assert np.array_equal(larger.positions[:, hip], plain.positions[:, hip])
+
+
+@pytest.mark.parametrize("model", ["compass", "simplest_walker", "goswami_compass", "rimless_wheel"])
+def test_any_model(model, tmp_path):
+    (orbit, *_) = stridemap.find_orbits(model)
+    path = stridemap.animate(orbit, tmp_path / "walk.gif", fps=5, size=80)
+    with Image.open(path) as film:
+        assert film.n_frames == 12
+
+
+def test_choices(orbits):
+    assert choose(orbits) is choose(orbits, group="B") is min(orbits, key=lambda o: o.spectral_radius)
+    assert choose(orbits, cycle=1) is orbits[0]
+    with pytest.raises(InputError, match="no limit cycle of group 'C' at this point; groups there: B"):
+        choose(orbits, group="C")
+    with pytest.raises(InputError, match="cycle = 3 is not allowed: 1 to 2"):
+        choose(orbits, cycle=3)
+
+
+@pytest.mark.parametrize(
+    ("setting", "sentence"),
+    [
+        ({"steps": 3}, "steps = 3 is not allowed: an even number"),
+        ({"fps": 500}, "fps = 500 is not allowed: 2 to 50"),
+        ({"size": 5}, "size = 5 is not allowed: 80 to 1600"),
+        ({"magnify": float("nan")}, "magnify = nan is not allowed"),
+        ({"titles": ["one", "two"]}, "2 titles were given for 1 orbits"),
+    ],
+)
+def test_settings_are_checked(orbits, tmp_path, setting, sentence):
+    with pytest.raises(InputError, match=sentence):
+        stridemap.animate(orbits[0], tmp_path / "a.gif", **setting)
+    assert not list(tmp_path.iterdir())
+
+
+def test_the_command(run, tmp_path):
+    small = ("--fps", 5, "--size", 80)
+    status, out, _ = run("animate", "--k", 6, "--group", "B", *small, "--out", tmp_path / "b.gif")
+    assert (status, out) == (0, f"{tmp_path}/b.gif\n")
+    nothing = ("animate", "--model", "rimless_wheel", "--slope", 0.05)  # it does not get over the top
+    assert run(*nothing, "--out", tmp_path / "n.gif") == (1, "", "no limit cycle found\n")
+    assert not (tmp_path / "n.gif").exists()
+    (tmp_path / "file").write_text("")
+    status, _, err = run("animate", "--k", 6, *small, "--out", tmp_path / "file" / "b.gif")
+    assert status == 2
+    assert "cannot write" in err

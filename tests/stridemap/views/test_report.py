@@ -1,0 +1,306 @@
+"""The report as a file: what is in it, that it needs nothing else, and what it refuses."""
+
+import ast
+import base64
+import json
+import os
+import re
+import shutil
+
+import numpy as np
+import pandas as pd
+import pyarrow.parquet as pq
+import pytest
+
+import stridemap
+from stridemap.derive.printers.javascript import equations, function
+from stridemap.errors import InputError
+from stridemap.solver.model.model import available, load
+from stridemap.sweeps import store
+from stridemap.sweeps.run import sweep
+from stridemap.sweeps.store import read_cells, read_provenance
+from stridemap.views.report.payload import functions
+from stridemap.views.report.quantities import rate_symbol, symbol
+from stridemap.views.report.sections import read_claims
+from stridemap.views.report.write import write_report
+from tests.oracles.sweeping import Inline
+
+CLAIMS = {
+    "claims": [
+        {"id": "C1", "statement": "k < 7 & </script>", "verdict": "holds", "evidence": {"k": [0.5, 6.0]}},
+        {
+            "id": "C2",
+            "statement": "order",
+            "verdict": "in part",
+            "evidence": {"rows": [{"n": 1, "ok": True}]},
+        },
+        {"id": "C3", "verdict": "differs", "evidence": None},
+    ]
+}
+
+
+def data_of(page):
+    return json.loads(
+        re.search(r'<script type="application/json" id="data">(.*?)</script>', page, re.DOTALL)[1]
+    )
+
+
+def decoded(column):
+    kind = {"f8": "<f8", "i4": "<i4", "word": "<i4", "bool": "u1"}[column["type"]]
+    numbers = np.frombuffer(base64.b64decode(column["data"]), kind)
+    if column["type"] == "word":
+        return [column["words"][code] if code >= 0 else None for code in numbers]
+    return numbers.astype(bool) if column["type"] == "bool" else numbers
+
+
+@pytest.fixture
+def page(done):
+    write_report(done / "out", done / "page.html")
+    return (done / "page.html").read_text(encoding="utf-8")
+
+
+# -- what is in it -------------------------------------------------------------------------------------------
+
+
+def test_it_holds_the_tables_to_the_last_bit(done, page):
+    data, orbits, cells = data_of(page), stridemap.read_orbits(done / "out"), read_cells(done / "out")
+    assert data["orbits"]["rows"] == len(orbits) > 0
+    assert data["cells"]["rows"] == len(cells)
+    columns = data["orbits"]["columns"]
+    assert set(orbits) - set(columns) == set(load("compass").preset)
+    for name, column in columns.items():
+        found = decoded(column)
+        if column["type"] == "f8":
+            wanted = orbits[name].to_numpy(dtype=float, na_value=np.nan)
+            assert np.array_equal(found, wanted, equal_nan=True), name
+        else:
+            assert list(found) == [None if pd.isna(value) else value for value in orbits[name]], name
+    assert decoded(data["cells"]["columns"]["status"]) == list(cells.status)
+
+
+def test_cells_are_numbered_as_in_the_tables(tmp_path):
+    """The provenance sorts its keys; cells are numbered in the model's order."""
+    config = tmp_path / "two.toml"
+    config.write_text(
+        'model = "wobbling"\n[grid]\nk = [6, 7, 8]\nalpha = [0.2, 0.25]\n[search]\nstarts = 4\n'
+    )
+    sweep(config, tmp_path / "out", executor=Inline())
+    write_report(tmp_path / "out", tmp_path / "page.html")
+    data, cells = data_of((tmp_path / "page.html").read_text()), read_cells(tmp_path / "out")
+    assert [axis["name"] for axis in data["axes"]] == ["k", "alpha"]
+    mesh = np.meshgrid(*(axis["values"] for axis in data["axes"]), indexing="ij")
+    assert np.array_equal(np.stack(mesh, -1).reshape(-1, 2), cells[["k", "alpha"]].to_numpy())
+
+
+def test_it_says_where_the_numbers_come_from(done, page):
+    found = read_provenance(done / "out")
+    for value in [found["configuration_hash"], found["model_hash"], found["commit"], found["compiler"]]:
+        assert value is None or value in page
+    for name, version in found["versions"].items():
+        assert f"{name} {version}" in page
+    assert "identified by search, not published" in page
+
+
+def test_it_needs_nothing_else(page):
+    assert set(re.findall(r"https?://[^\s\"'<)]*", page)) == {
+        "http://www.w3.org/2000/svg"
+    }  # a name, no address
+    assert re.findall(r"(?:src|href)\s*=\s*\"(?!#)([^\"]*)\"", page) == ["data:,"]
+    assert "@import" not in page
+    assert "url(" not in page
+    assert "default-src 'none'" in page
+    assert "{{" not in page
+
+
+def test_the_same_sweep_gives_the_same_bytes(done, monkeypatch):
+    for name, zone in [("one.html", "UTC"), ("two.html", "Asia/Tokyo")]:
+        monkeypatch.setenv("TZ", zone)
+        write_report(done / "out", done / name)
+    assert (done / "one.html").read_bytes() == (done / "two.html").read_bytes()
+
+
+def test_verdicts_are_shown_as_text(done):
+    (done / "claims.json").write_text(json.dumps(CLAIMS))
+    write_report(done / "out", done / "page.html", done / "claims.json")
+    page = (done / "page.html").read_text()
+    assert "3 statements: 1 holds, 1 in part, 1 differs." in page
+    assert "k &lt; 7 &amp; &lt;/script&gt;" in page
+    assert page.count("</script>") == page.count("<script") == 2
+    assert "<dt>k</dt><dd>0.5, 6</dd>" in page
+    assert "No verdicts were given" not in page
+
+
+def test_without_verdicts_it_says_how_to_get_them(page):
+    assert "No verdicts were given to this report." in page
+
+
+@pytest.mark.parametrize(
+    ("light", "start"), [(True, ":root {"), (False, "@media (prefers-color-scheme: dark)")]
+)
+def test_text_stands_out_from_its_ground(page, light, start):
+    """Contrast of WCAG 2.1, at least 4.5."""
+
+    def luminance(colour):
+        channels = [int(colour[i : i + 2], 16) / 255 for i in (1, 3, 5)]
+        linear = [c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in channels]
+        return float(np.dot(linear, [0.2126, 0.7152, 0.0722]))
+
+    named = dict(re.findall(r"--([\w-]+): (#\w{6});", page[page.index(start) :].split("}")[0]))
+    for text in ("ink", "ink-soft", "accent", "good", "bad", "force", "zmp", "spring"):
+        for ground in ("page", "card"):
+            dark, bright = sorted([luminance(named[text]), luminance(named[ground])])
+            assert (bright + 0.05) / (dark + 0.05) >= 4.5, (text, ground)
+
+
+@pytest.mark.parametrize(
+    ("name", "shown"),
+    [("theta1", "θ₁"), ("alpha", "α"), ("k", "k"), ("Kp", "Kp"), ("x2", "x₂"), ("leg_1", "leg_1")],
+)
+def test_symbols(name, shown):
+    assert symbol(name) == shown
+
+
+def test_symbols_of_rates():
+    assert [rate_symbol(name) for name in ("theta1", "x", "leg")] == ["θ\u0307₁", "x\u0307", "dleg"]
+
+
+# -- the equations -------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", available())
+def test_every_generated_function_can_be_translated(name):
+    model = load(name)
+    text = equations(model, model.manifest["functions"])
+    for generated in [*model.manifest["functions"], *functions(model)]:
+        assert f"\n{generated}(xp" in text
+
+
+def test_a_reserved_word_is_renamed():
+    source = 'def f(xp, q):\n    """Doc."""\n    new = q[0]\n    return {"y": [new*xp.sin(new), 1/2]}'
+    assert function(ast.parse(source).body[0]) == (
+        "f(xp, q) {\n  const new_ = q[0];\n  return {'y': [new_ * xp.sin(new_), 1 / 2]};\n}"
+    )
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "y = q[0]**2", "y = q[0]//2", "y = q[0] % 2", "y = xp.arcsin(q[0])", "y = abs(q[0])", "y = q.real",
+        "y = q[1:]", "y = q[-1]", "y = True", "y = 1j", "y = 1 if q[0] else 2", "y = q[0] < 2",
+        "y = (q[0], 1)", "y = xp.sin(q[0], 1)", "y += 1", "for y in q: pass", "y, z = q", "return y",
+        "y = lambda: 1", "y: int = 1",
+    ],
+)  # fmt: skip
+def test_what_could_mean_something_else_is_refused(line):
+    source = f"def f(xp, q):\n    {line}\n    return {{'y': y}}"
+    with pytest.raises(TypeError, match="in JavaScript"):
+        function(ast.parse(source).body[0])
+
+
+# -- the command and its refusals ----------------------------------------------------------------------------
+
+
+def test_the_command_writes_it_and_says_so(done, run):
+    status, out, err = run("report", done / "out", "--out", done / "new" / "page.html")
+    size = (done / "new" / "page.html").stat().st_size
+    orbits = len(stridemap.read_orbits(done / "out"))
+    assert (status, err) == (0, "")
+    assert out == (
+        f"report of {orbits} limit cycles in 2 cells: {done / 'new' / 'page.html'} ({size / 1e6:.1f} MB)\n"
+    )
+    assert os.listdir(done / "new") == ["page.html"]
+
+
+def test_no_sweep(tmp_path, refused):
+    refused(f"report {tmp_path} --out {tmp_path}/a.html", "there is no orbits.parquet in", tmp_path)
+    refused(f"report {tmp_path}/nowhere --out {tmp_path}/a.html", "give the output folder of a sweep")
+    assert not (tmp_path / "a.html").exists()
+
+
+def test_a_sweep_that_found_nothing(tmp_path, refused):
+    config = tmp_path / "none.toml"
+    config.write_text(
+        'model = "compass"\n[params]\nKp = 0\nKd = 0\n[grid]\nomega = [3.0]\n[search]\nstarts = 4\n'
+    )
+    sweep(config, tmp_path / "out", executor=Inline())
+    refused(
+        f"report {tmp_path}/out --out {tmp_path}/a.html", "found no limit cycle, so there is nothing to show"
+    )
+
+
+def altered(folder, change):
+    """The tables of a sweep with another provenance."""
+    for name in ("orbits.parquet", "cells.parquet"):
+        table = pq.read_table(folder / name)
+        metadata = dict(table.schema.metadata)
+        provenance = json.loads(metadata[b"stridemap"])
+        change(provenance)
+        metadata[b"stridemap"] = json.dumps(provenance).encode()
+        metadata[b"stridemap.digest"] = store._digest(table.schema, table.num_rows, metadata)
+        pq.write_table(table.replace_schema_metadata(metadata), folder / name)
+
+
+def test_another_version_of_the_model(done, refused):
+    altered(done / "out", lambda provenance: provenance.update(model_hash="0" * 64))
+    refused(
+        f"report {done}/out --out {done}/a.html",
+        "is of another version of the model compass (hash 000000000000 there", "sweep again",
+    )  # fmt: skip
+
+
+def test_a_model_that_is_not_there(done, refused):
+    altered(done / "out", lambda provenance: provenance.update(model="hexapod"))
+    refused(f"report {done}/out --out {done}/a.html", "there is no model 'hexapod'")
+
+
+def test_tables_of_two_sweeps(done, tmp_path_factory, refused):
+    other = tmp_path_factory.mktemp("other")
+    (other / "c.toml").write_text((done / "small.toml").read_text().replace("3.0", "3.1"))
+    sweep(other / "c.toml", other / "out", executor=Inline())
+    shutil.copy(other / "out" / "cells.parquet", done / "out")
+    refused(f"report {done}/out --out {done}/a.html", "are not of one sweep")
+
+
+def test_where_it_cannot_be_written(done, refused):
+    refused(f"report {done}/out --out {done}", "is a folder; give the name of a file")
+    (done / "file").write_text("")
+    refused(f"report {done}/out --out {done}/file/a.html", "cannot write", "a folder on the way is a file")
+    refused("report", "Missing option '--out'")
+
+
+def test_a_failed_write_leaves_what_was_there(done, monkeypatch):
+    (done / "page.html").write_text("before")
+    monkeypatch.setattr(
+        "os.replace", lambda *_: (_ for _ in ()).throw(OSError(28, "No space left on device"))
+    )
+    with pytest.raises(InputError, match="No space left on device"):
+        write_report(done / "out", done / "page.html")
+    assert (done / "page.html").read_text() == "before"
+    assert sorted(os.listdir(done)) == ["out", "page.html", "small.toml"]
+
+
+@pytest.mark.parametrize(
+    ("content", "words"),
+    [
+        ("", "is no JSON"),
+        ("[1]", 'holds no list "claims"'),
+        ('{"claims": 3}', 'holds no list "claims"'),
+        ('{"claims": [{"verdict": "holds"}]}', "claim 1 in"),
+        ('{"claims": [{"id": "C1", "verdict": "maybe"}]}', "'maybe', not one of holds, in part, differs"),
+        ('{"claims": [{"id": "C1", "verdict": ["holds"]}]}', "not one of holds"),
+        (b"\xff\xfe\x00", "is no JSON"),
+    ],
+)
+def test_claims_that_are_none(done, refused, content, words):
+    (done / "c.json").write_bytes(content if isinstance(content, bytes) else content.encode())
+    refused(f"report {done}/out --out {done}/a.html --claims {done}/c.json", words, "stridemap claims --json")
+
+
+def test_no_file_of_claims(tmp_path):
+    with pytest.raises(InputError, match="cannot read .*No such file"):
+        read_claims(tmp_path / "none.json")
+
+
+def test_a_page_that_is_too_large(done, refused, monkeypatch):
+    monkeypatch.setattr("stridemap.views.report.write.LARGEST", 1000)
+    refused(f"report {done}/out --out {done}/a.html", "report a sweep of fewer cells")
