@@ -36,7 +36,8 @@ from scipy.optimize import fsolve
 
 from stridemap.solver.cycles.search import find_orbits, section_point
 from stridemap.solver.cycles.solver import Solver
-from stridemap.solver.model.model import Model, load
+from stridemap.solver.model.loading import load
+from stridemap.solver.model.model import Model
 
 POINTS = (
     {"k": 0.5, "alpha": 0.25, "omega": 3.0},

@@ -17,7 +17,8 @@ import stridemap
 from stridemap.solver.cycles.orbit import Orbit
 from stridemap.solver.cycles.search import DUPLICATE, distinct, merge, section_point
 from stridemap.solver.cycles.solver import Solver
-from stridemap.solver.model.model import Model, load
+from stridemap.solver.model.loading import load
+from stridemap.solver.model.model import Model
 from stridemap.sweeps.config import SweepConfig, load_config
 
 WIDER = 2.0
@@ -26,7 +27,7 @@ WIDER = 2.0
 
 def random_starts(model: Model, config: SweepConfig, n: int, rng: np.random.Generator) -> np.ndarray:
     """Pseudo-random starts, shape (n, nz + 1): half of them evenly over the box, half around its middle."""
-    box = np.array([model.manifest["section"]["search_box"][name] for name in model.section])
+    box = np.array([model.spec.search_box[name] for name in model.section])
     unit = rng.uniform(-1, 1, (n, len(box)))
     unit[::2] **= 3
     period = rng.uniform(config.search.period_min, config.search.period_max, (n, 1))

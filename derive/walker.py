@@ -189,11 +189,15 @@ class Line:
         In terms of `STANCE_FOOT` and the coordinates.
     spring : bool
         Whether it is drawn as a spring.
+    legs : bool
+        Whether it is the legs, from the stance foot to the swing foot: the first half of its points is the
+        stance leg, and each leg is drawn in a colour of its own.
     """
 
     name: str
     points: tuple[sp.Matrix, ...]
     spring: bool = False
+    legs: bool = False
 
 
 @dataclass(frozen=True)

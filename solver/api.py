@@ -9,7 +9,8 @@ import numpy as np
 from stridemap.errors import InputError
 from stridemap.solver.cycles import search
 from stridemap.solver.cycles.orbit import Orbit
-from stridemap.solver.model.model import Model, load
+from stridemap.solver.model.loading import load
+from stridemap.solver.model.model import Model
 from stridemap.solver.walks.simulator import Walk, walk
 
 

@@ -8,18 +8,25 @@
 Function(mass_matrix:(q[3],p[8])->(M[3x3]) SXFunction)
 """
 
+import ast
+from importlib import import_module
 from importlib.metadata import version
 from typing import TYPE_CHECKING, Any
 
+from stridemap.services import provide
+
+# The one list of public names. Type checkers read it as it stands; when the package runs, `__getattr__` reads
+# it too and imports a name when it is first used, so that each room can be imported alone.
 if TYPE_CHECKING:
     from stridemap.codegen import derive_model
-    from stridemap.errors import InputError
+    from stridemap.errors import CompilerError, InputError, StorageError, StridemapError, WorkerError
     from stridemap.paper.claim import Claim, Verdict
     from stridemap.paper.evaluate import claims
     from stridemap.solver.api import find_orbits, simulate
     from stridemap.solver.cycles.orbit import Orbit, Status
     from stridemap.solver.cycles.search import SearchOptions
-    from stridemap.solver.model.model import Model, load
+    from stridemap.solver.model.loading import load
+    from stridemap.solver.model.model import Model
     from stridemap.solver.observables.motion import Motion, motion
     from stridemap.sweeps.run import sweep
     from stridemap.sweeps.store import read_cells, read_orbits
@@ -28,63 +35,28 @@ if TYPE_CHECKING:
 
 __version__ = version("stridemap")
 
-_HOMES = {
-    "Claim": "stridemap.paper.claim",
-    "InputError": "stridemap.errors",
-    "Model": "stridemap.solver.model.model",
-    "Motion": "stridemap.solver.observables.motion",
-    "Orbit": "stridemap.solver.cycles.orbit",
-    "SearchOptions": "stridemap.solver.cycles.search",
-    "Status": "stridemap.solver.cycles.orbit",
-    "Units": "stridemap.units",
-    "Verdict": "stridemap.paper.claim",
-    "animate": "stridemap.views.animate",
-    "claims": "stridemap.paper.evaluate",
-    "derive_model": "stridemap.codegen",
-    "find_orbits": "stridemap.solver.api",
-    "load": "stridemap.solver.model.model",
-    "motion": "stridemap.solver.observables.motion",
-    "read_cells": "stridemap.sweeps.store",
-    "read_orbits": "stridemap.sweeps.store",
-    "simulate": "stridemap.solver.api",
-    "sweep": "stridemap.sweeps.run",
-}
 
-__all__ = [
-    "Claim",
-    "InputError",
-    "Model",
-    "Motion",
-    "Orbit",
-    "SearchOptions",
-    "Status",
-    "Units",
-    "Verdict",
-    "__version__",
-    "animate",
-    "claims",
-    "derive_model",
-    "find_orbits",
-    "load",
-    "motion",
-    "read_cells",
-    "read_orbits",
-    "simulate",
-    "sweep",
-]
+def _public() -> dict[str, str]:
+    """Where each public name lives, from the list above."""
+    (block,) = (node for node in ast.parse(__loader__.get_source(__name__)).body if isinstance(node, ast.If))
+    imports = (node for node in block.body if isinstance(node, ast.ImportFrom))
+    return {alias.name: node.module or "" for node in imports for alias in node.names}
+
+
+_HOMES = _public()
+
+__all__ = ["__version__", *sorted(_HOMES)]
+
+provide(derive_file="stridemap.codegen:derive_file")
 
 
 def __getattr__(name: str) -> Any:
-    """Import a public name when it is first used, so that each part can be imported alone."""
     if name not in _HOMES:
         raise AttributeError(f"module 'stridemap' has no attribute {name!r}")
-    from importlib import import_module
-
     value = getattr(import_module(_HOMES[name]), name)
     globals()[name] = value
     return value
 
 
 def __dir__() -> list[str]:
-    """Public names, loaded or not."""
-    return sorted(__all__)
+    return __all__

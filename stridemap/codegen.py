@@ -1,5 +1,6 @@
 """Writes ``generated/``: equations from `derive`, kernels from `solver`, and the manifest that names both."""
 
+import contextlib
 import hashlib
 import importlib.util
 import json
@@ -8,7 +9,7 @@ import sys
 import tempfile
 import traceback
 from collections.abc import Mapping
-from dataclasses import fields, is_dataclass
+from dataclasses import fields, is_dataclass, replace
 from importlib.metadata import version
 from importlib.resources import files
 from pathlib import Path
@@ -22,9 +23,10 @@ from stridemap.derive.models import WALKERS
 from stridemap.derive.walker import Walker
 from stridemap.errors import InputError
 from stridemap.solver.backends.compiler import cache_folder
-from stridemap.solver.model.model import Model, load
-
-MANIFEST = "manifest.json"
+from stridemap.solver.model.files import MANIFEST, Folder
+from stridemap.solver.model.loading import load
+from stridemap.solver.model.model import Model
+from stridemap.spec import ModelSpec
 
 
 def generated_folder() -> Path:
@@ -55,22 +57,22 @@ def write_model(walker: Walker, folder: Path) -> list[Path]:
     """
     from stridemap.solver.kernels.catalogue import c_source
 
-    texts, manifest = emit(walker, f"stridemap {version('stridemap')}")
+    texts, spec = emit(walker, f"stridemap {version('stridemap')}")
     # The kernels are printed from the equations as written; a half-written folder is never seen.
     with tempfile.TemporaryDirectory() as scratch:
-        _write(Path(scratch), texts, manifest)
-        texts[f"{walker.name}_kernels.c"] = c_source(Model(Path(scratch)))
+        _write(Path(scratch), texts, spec)
+        texts[f"{walker.name}_kernels.c"] = c_source(Model(Folder(Path(scratch)), walker.name))
     try:
         folder.mkdir(parents=True, exist_ok=True)
-        _write(folder, texts, manifest)  # the manifest last: it names the others
+        _write(folder, texts, spec)  # the manifest last: it names the others
     except OSError as error:
         raise InputError(f"cannot write {folder}: {error.strerror}") from error
     return sorted(folder / name for name in [*texts, MANIFEST])
 
 
-def _write(folder: Path, texts: dict[str, str], manifest: dict[str, Any]) -> None:
+def _write(folder: Path, texts: dict[str, str], spec: ModelSpec) -> None:
     hashes = {name: _digest(text.encode()) for name, text in sorted(texts.items())}
-    text = json.dumps({**manifest, "files": hashes}, indent=1) + "\n"
+    text = json.dumps(replace(spec, files=hashes).to_manifest(), indent=1) + "\n"
     for name, content in [*texts.items(), (MANIFEST, text)]:
         # Beside and renamed: another process, which may write the same, never sees half a file.
         scratch = folder / f".{name}.{os.getpid()}"
@@ -119,7 +121,7 @@ def into_folder(walker: Walker, folder: Path) -> Path:
     """
     names = ("README.md", "example.c", MANIFEST)  # those that do not bear the model's name
     present = [name for name in names if (folder / name).exists()]
-    if present and _manifest_in(folder).get("model") != walker.name:
+    if present and _manifest_in(folder).get("name") != walker.name:
         raise InputError(
             f"{folder / present[0]} is not of the model {walker.name} and would be overwritten; "
             "give --out a folder of its own"
@@ -158,6 +160,14 @@ def _manifest_in(folder: Path) -> dict[str, Any]:
     except (OSError, ValueError):
         return {}
     return found if isinstance(found, dict) else {}
+
+
+def derive_file(path: Path) -> Path:
+    """Folder of the generated files of a model file, derived into the user's cache unless it is there.
+
+    Files that are there stay even if they were changed since; loading them then refuses.
+    """
+    return into_cache(declared(path), keep=True)
 
 
 def generated_files(folder: Path) -> list[Path]:
@@ -203,7 +213,8 @@ def _run(path: Path, shown: Path) -> ModuleType:
     sys.modules[name] = module  # dataclasses look there
     sys.path.insert(0, str(path.parent))
     try:
-        spec.loader.exec_module(module)
+        with contextlib.redirect_stdout(sys.stderr):  # ours is for results
+            spec.loader.exec_module(module)
     except InputError:
         raise
     except (Exception, SystemExit) as error:

@@ -277,7 +277,7 @@ class Units:
 
 def _load(model: str) -> Any:
     # Here and not at the top, so that converting a number does not load CasADi.
-    from stridemap.solver.model.model import load
+    from stridemap.solver.model.loading import load
 
     return load(model)
 

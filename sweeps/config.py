@@ -22,7 +22,7 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_valida
 from stridemap.errors import InputError
 
 if TYPE_CHECKING:
-    from stridemap.solver.model.model import Parameter
+    from stridemap.spec import Parameter
 
 MAX_COUNT = 1_000_000_000
 """Largest count that any whole-number setting may take."""
@@ -159,7 +159,7 @@ class SweepConfig(BaseModel):
 
     def canonical(self) -> str:
         """Return the configuration as canonical JSON (see `canonical_json`)."""
-        from stridemap.solver.model.model import load
+        from stridemap.solver.model.loading import load
 
         data = self.model_dump()
         data["search"]["subgrid"] = self.strides
@@ -232,7 +232,7 @@ def parse_config(data: Mapping[str, Any], source: str = "configuration") -> Swee
         values or has more than ``max_cells`` cells.
     """
     # Here and not at the top, so that reading this module does not load CasADi.
-    from stridemap.solver.model.model import load
+    from stridemap.solver.model.loading import load
 
     file = _validated(_File, data, source)
     try:
@@ -264,7 +264,7 @@ def parse_config(data: Mapping[str, Any], source: str = "configuration") -> Swee
 
 def _beside(source: str, model: str) -> str:
     """Where a model that is no built-in one lies: its path is meant from the folder of the configuration."""
-    from stridemap.solver.model.model import available
+    from stridemap.solver.model.loading import available
 
     path = Path(source).parent / model
     if model in available():

@@ -6,6 +6,7 @@ from importlib.metadata import version
 from typing import Any
 
 from stridemap.solver.backends.library import Kernels
+from stridemap.solver.model.files import GENERATED
 from stridemap.solver.model.model import Model
 
 PACKAGES = ("stridemap", "numpy", "scipy", "casadi", "pyarrow")
@@ -29,16 +30,16 @@ def provenance(model: Model, kernels: Kernels) -> dict[str, Any]:
         "model_hash": model.hash,
         "versions": {"python": platform.python_version(), **{name: version(name) for name in PACKAGES}},
         "compiler": kernels.compiler,
-        "commit": _commit(model),
+        "commit": _commit(),
     }
 
 
-def _commit(model: Model) -> str | None:
+def _commit() -> str | None:
     """The checkout's commit, with a mark where there are changes on top of it."""
     command = [
         "git",
         "-C",
-        str(model.folder),
+        str(GENERATED),
         "describe",
         "--always",
         "--dirty",
@@ -51,7 +52,7 @@ def _commit(model: Model) -> str | None:
         return None
     # A package installed below somebody else's checkout is not of that checkout.
     tracked = subprocess.run(
-        ["git", "-C", str(model.folder), "ls-files", "--error-unmatch", "manifest.json"],
+        ["git", "-C", str(GENERATED), "ls-files", "--error-unmatch", "compass/manifest.json"],
         capture_output=True,
         check=False,
     )

@@ -29,7 +29,8 @@ from numpy.typing import NDArray
 from stridemap.errors import InputError
 from stridemap.solver.backends.library import LockstepKernels, load_kernels
 from stridemap.solver.cycles.search import SearchOptions
-from stridemap.solver.model.model import Model, load
+from stridemap.solver.model.loading import load
+from stridemap.solver.model.model import Model
 from stridemap.sweeps.config import SweepConfig, load_config
 from stridemap.sweeps.grid import Grid, tiles
 from stridemap.sweeps.provenance import provenance
@@ -213,7 +214,7 @@ class _Run:
 
     def _task(self, round_: int, tile: int, seeds: Ints, offers: list[Offer]) -> Task:
         return Task(
-            model=self.model.source if self.model.builtin else str(self.model.folder),
+            model=self.model,
             grid=self.grid,
             params=dict(self.config.params),
             options=self.options,

@@ -25,7 +25,7 @@ from stridemap.solver.cycles.search import (
     starts,
 )
 from stridemap.solver.cycles.solver import Solver
-from stridemap.solver.model.model import load
+from stridemap.solver.model.model import Model
 from stridemap.sweeps.grid import Grid
 from stridemap.sweeps.tables import orbit_row
 
@@ -61,7 +61,8 @@ class Task:
 
     Parameters
     ----------
-    model : str
+    model : Model
+        With its generated files: nothing of it has to lie where the work is done.
     grid : Grid
     params : dict of str to float
         Parameters that are not on an axis of the grid.
@@ -81,7 +82,7 @@ class Task:
         What the search gave there, before it was completed: the cycles, and what turned out to be none.
     """
 
-    model: str
+    model: Model
     grid: Grid
     params: dict[str, float]
     options: SearchOptions
@@ -155,7 +156,7 @@ class _Search:
 
     def __init__(self, task: Task) -> None:
         self.task = task
-        self.solver = Solver.of(load(task.model))
+        self.solver = Solver.of(task.model)
         self.new: dict[int, list[Orbit]] = {}
         self.new_seen: list[tuple[int, Floats]] = []
         self.outgoing: list[Offer] = []

@@ -17,7 +17,7 @@ theta1, theta2 = THETA1.symbol, THETA2.symbol
 hip = STANCE_FOOT + sp.Matrix([-sp.sin(theta1), sp.cos(theta1)])
 swing_foot = hip + sp.Matrix([sp.sin(theta1 - theta2), -sp.cos(theta1 - theta2)])
 
-LEGS = Line("legs", (STANCE_FOOT, hip, swing_foot))
+LEGS = Line("legs", (STANCE_FOOT, hip, swing_foot), legs=True)
 PAPER = "Kamimura & Sano 2023"
 
 WALKER = Walker(

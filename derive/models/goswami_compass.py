@@ -39,7 +39,7 @@ WALKER = Walker(
     relabel={theta1: theta1 - theta2, theta2: -theta2},
     section={theta2: 2 * theta1},
     stance_angle=THETA1,
-    drawing=(Line("legs", (STANCE_FOOT, hip, swing_foot)),),
+    drawing=(Line("legs", (STANCE_FOOT, hip, swing_foot), legs=True),),
     search_box={"theta1": (0.25, 0.3), "dtheta1": (-0.3, 0.5), "dtheta2": (0.0, 0.5)},
     period_range=(0.8, 5.0),
     units=Units(mass="m", energy="m g L"),

@@ -43,7 +43,7 @@ WALKER = Walker(
     relabel={theta: theta - phi, phi: -phi},
     section={phi: 2 * theta, PHI.rate: (1 - sp.cos(2 * theta)) * THETA.rate},
     stance_angle=THETA,
-    drawing=(Line("legs", (STANCE_FOOT, hip, swing_foot)),),
+    drawing=(Line("legs", (STANCE_FOOT, hip, swing_foot), legs=True),),
     search_box={"theta": (0.2, 0.3), "dtheta": (-0.2, 0.3)},
     period_range=(1.0, 6.0),
 )

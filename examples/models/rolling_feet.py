@@ -29,5 +29,5 @@ WALKER = COMPASS.with_(
     ),
     stance=rolling_arc(radius, theta1),
     swing_foot=hip + (1 - radius) * down,
-    drawing=(Line("legs", (hip - up, hip, hip + down)),),
+    drawing=(Line("legs", (hip - up, hip, hip + down), legs=True),),
 )

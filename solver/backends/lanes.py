@@ -54,7 +54,7 @@ def source(model: Model) -> str:
     """
     here = Path(__file__).parent
     lanes, driver = ((here / name).read_text(encoding="utf-8") for name in ("lanes.h", "lockstep.h"))
-    kernels = model.path(f"{model.name}_kernels.c").read_text(encoding="utf-8")
+    kernels = model.text(f"{model.name}_kernels.c")
     shown = "".join(f"KERNEL({model.name}_{name})\n" for name in LOCKSTEP)
     # What is not shown is not compiled.
     return (

@@ -101,7 +101,7 @@ class CompiledKernels(Kernels):
 
     def _load(self, compiler: str) -> ctypes.CDLL:
         name = f"{self.model.name}_kernels.c"
-        return _loaded(name, self.model.path(name).read_text(encoding="utf-8"), compiler, FLAGS)
+        return _loaded(name, self.model.text(name), compiler, FLAGS)
 
     def _work_size(self, function: ca.Function) -> list[int]:
         sizes = [ctypes.c_longlong() for _ in range(4)]

@@ -84,10 +84,9 @@ class _Branches:
     """Branches on their way. Points on them are (u, s), shape (m, nz + 2)."""
 
     def __init__(self, solver: Solver, u: Array, params: Array, towards: Array) -> None:
-        box = solver.model.manifest["section"]["search_box"]
         self.kernels = solver.kernels
         self.u, self.params, self.way = u, params, towards - params
-        self.scale = np.array([*(box[name][1] for name in solver.model.section), 1.0, 1.0])
+        self.scale = np.array([*solver.model.spec.scales, 1.0, 1.0])
         self.resolution = np.maximum(
             solver.search_steps(u[:, -1], params), solver.search_steps(u[:, -1], towards)
         )

@@ -112,8 +112,8 @@ class Batch:
         side = self.model.evaluate("touchdown_condition", q=q, v=v, p=trace.params[:, None, :])["side"]
         descending = trace.dg[:, -1, trace.row("touchdown")] > 0
         step = descending & (side[:, -1] < -STANDING)
-        if (angle := self.model.manifest["stance_angle"]) is not None:
-            stance = q[:, :, self.model.coordinates.index(angle)]
+        if (stance_index := self.model.stance_index) is not None:
+            stance = q[:, :, stance_index]
             step &= np.abs(stance).max(axis=1, initial=0.0) < np.pi / 2
         early = measures.earlier_touchdown(trace, side)
         inside = (trace.period > period_range[0]) & (trace.period <= period_range[1])
@@ -162,7 +162,7 @@ class Batch:
             "residual": self.residual,
             "integration_error": self.integration_error,
         }
-        if model.manifest["wobbling"]:
+        if model.spec.wobbling:
             columns["x_zero_crossings"] = measures.count_zeros(trace, "wobble")
         rows = [
             dict(zip(columns, row, strict=True))
@@ -171,7 +171,7 @@ class Batch:
         for i, row in enumerate(rows):
             row["state"] = dict(zip(model.section, self.u[i, :-1].tolist(), strict=True))
             row["multipliers"] = tuple(values[i].tolist())
-        if "spring_mode" in model.manifest["functions"]:
+        if "spring_mode" in model.spec.functions:
             frequency = model.evaluate("spring_mode", p=self.params)["frequency"]
             for row, turns in zip(rows, frequency * period / (2 * np.pi), strict=True):
                 row["group"] = group_letter(int(turns))

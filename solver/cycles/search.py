@@ -104,7 +104,7 @@ def starts(model: Model, options: SearchOptions, point: int = 0) -> Array:
     ndarray, shape (options.starts, nz + 1)
         Section points with periods (Sobol points, scrambled).
     """
-    box = np.array([model.manifest["section"]["search_box"][name] for name in model.section])
+    box = np.array([model.spec.search_box[name] for name in model.section])
     sobol = qmc.Sobol(len(box) + 1, rng=np.random.default_rng([options.seed, point]))
     # Sobol points are balanced in powers of two; a part of them is cut off.
     unit = sobol.random_base2(int(np.ceil(np.log2(options.starts))))[: options.starts]

@@ -114,8 +114,8 @@ class Solver:
         before = self.model.evaluate("before_touchdown", q=after["q"], p=params)["q_minus"]
         side = self.model.evaluate("touchdown_condition", q=before, v=after["v"], p=params)["side"]
         can: NDArray[np.bool_] = side < 0
-        if (angle := self.model.manifest["stance_angle"]) is not None:
-            can &= np.abs(before[:, self.model.coordinates.index(angle)]) < np.pi / 2
+        if (stance_index := self.model.stance_index) is not None:
+            can &= np.abs(before[:, stance_index]) < np.pi / 2
         return can
 
     # -- completion --------------------------------------------------------------------------------------

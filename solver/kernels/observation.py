@@ -41,11 +41,11 @@ class Observation:
         return 2 * self.step_map.n + len(self.step_map.model.actuated)
 
     def _values(self, t: ca.SX, y: ca.SX, p: ca.SX) -> ca.SX:
-        sm, manifest = self.step_map, self.step_map.model.manifest
+        sm, spec = self.step_map, self.step_map.model.spec
         values = {"t": t, "q": y[: sm.n], "v": y[sm.n :], "p": p}
         coordinates = sm.model.coordinates
         force = sm.call("ground_force", **values)["force"]
-        wobbling, stance = manifest["wobbling"], manifest["stance_angle"]
+        wobbling, stance = spec.wobbling, spec.stance_angle
         rows = {
             "d": sm.call("zmp", **values)["d"],
             "vertical_force": force[1],

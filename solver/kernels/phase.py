@@ -127,7 +127,7 @@ def clock_of(model: Model) -> Oscillator | PlainTime:
 def _called(
     model: Model, name: str, namespace: Sines, t: ca.SX, values: dict[str, ca.SX]
 ) -> dict[str, ca.SX]:
-    inputs = [entry["name"] for entry in model.manifest["functions"][name]["inputs"]]
+    inputs = model.spec.functions[name].arguments
     scalars = [t if key == "t" else ca.vertsplit(values[key]) for key in inputs]
     result = getattr(model.equations, name)(namespace, *scalars)
-    return {key: Model._matrix(value) for key, value in result.items()}
+    return {key: Model.matrix(value) for key, value in result.items()}

@@ -1,14 +1,11 @@
-"""A generated walker, loaded: its parameters, and its equations as CasADi functions."""
+"""A generated walker, loaded: its specification, and its equations as CasADi functions."""
 
 import difflib
 import hashlib
 import importlib.util
 import json
-import math
 from collections.abc import Mapping
-from dataclasses import dataclass
-from functools import cache, cached_property
-from pathlib import Path
+from functools import cached_property
 from types import ModuleType
 from typing import Any
 
@@ -16,68 +13,9 @@ import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
-import stridemap.generated
 from stridemap.errors import InputError
-from stridemap.solver.model.derived import derived_folder
-
-GENERATED = Path(stridemap.generated.__file__).parent
-"""Folder of the built-in generated walkers."""
-
-FORMAT = 2
-"""Of the manifest."""
-
-
-@dataclass(frozen=True)
-class Parameter:
-    """A model parameter with its allowed range.
-
-    Parameters
-    ----------
-    name : str
-    default : float
-        The preset's value.
-    unit, meaning : str
-    lower, upper : float or None
-        Ends of the range; None is unlimited (but finite).
-    lower_open, upper_open : bool
-        Whether the end itself is excluded.
-    """
-
-    name: str
-    default: float
-    unit: str
-    meaning: str
-    lower: float | None
-    upper: float | None
-    lower_open: bool
-    upper_open: bool
-
-    @property
-    def allowed(self) -> str:
-        """The allowed range in words."""
-        below = None if self.lower is None else f"{'>' if self.lower_open else '>='} {self.lower:g}"
-        above = None if self.upper is None else f"{'<' if self.upper_open else '<='} {self.upper:g}"
-        return " and ".join(part for part in (below, above) if part) or "any finite number"
-
-    def check(self, value: Any) -> float:
-        """Return `value` as a float.
-
-        Raises
-        ------
-        InputError
-            When it is no finite number in the allowed range.
-        """
-        if isinstance(value, bool) or not isinstance(value, int | float | np.integer | np.floating):
-            raise InputError(f"{self.name} = {value!r} is not a number; allowed: {self.allowed}")
-        number = float(value)
-        inside = math.isfinite(number)
-        if inside and self.lower is not None:
-            inside = number > self.lower or (number == self.lower and not self.lower_open)
-        if inside and self.upper is not None:
-            inside = number < self.upper or (number == self.upper and not self.upper_open)
-        if not inside:
-            raise InputError(f"{self.name} = {number:g} is outside the allowed range ({self.allowed})")
-        return number
+from stridemap.solver.model.files import MANIFEST, Files, packed, unpacked
+from stridemap.spec import Function, ModelSpec, Parameter
 
 
 class Model:
@@ -86,12 +24,19 @@ class Model:
     Every generated function is an attribute, a `casadi.Function` with named inputs and outputs:
     ``load("wobbling").mass_matrix(q=[0.1, 0.2, 0.0], p=model.point({}))["M"]``.
 
+    A model is a value: it can be sent to another process or machine, and takes its generated files along.
+
     Parameters
     ----------
-    folder : pathlib.Path
-        Holds ``manifest.json`` and the generated files that it names.
-    source : str, optional
+    files : Files
+        ``manifest.json`` and the generated files that it names.
+    source : str
         What `load` found it by: a built-in model's name, or a path.
+
+    Attributes
+    ----------
+    spec : ModelSpec
+        What is known of it without its equations.
 
     Raises
     ------
@@ -99,30 +44,72 @@ class Model:
         When a file is missing or is not the one that the manifest names.
     """
 
-    def __init__(self, folder: Path, source: str | None = None) -> None:
-        self.folder = folder
-        self.source = source or str(folder)
+    def __init__(self, files: Files, source: str) -> None:
+        self.files = files
+        self.source = source
         try:
-            self.manifest: dict[str, Any] = json.loads((folder / "manifest.json").read_text(encoding="utf-8"))
-            self.name: str = self.manifest["model"]
-            self.title: str = self.manifest["title"]
-            self.hash: str = self.manifest["model_hash"]
-            self.section: tuple[str, ...] = tuple(self.manifest["section"]["names"])
-            self.coordinates: tuple[str, ...] = tuple(c["name"] for c in self.manifest["coordinates"])
-            self.parameters = tuple(Parameter(**entry) for entry in self.manifest["parameters"])
-            self.actuated: tuple[str, ...] = tuple(self.manifest["actuated"])
-            self.period_range: tuple[float, float] = tuple(self.manifest["section"]["period_range"])
+            manifest = files.read(MANIFEST)
+            self.spec = ModelSpec.from_manifest(json.loads(manifest))
+        except InputError as error:
+            raise InputError(f"{files.shown} {error}; {self._remedy}") from None
         except (OSError, ValueError, KeyError, TypeError) as error:
-            raise InputError(f"{folder} holds no readable manifest.json ({error}); {self._cure}") from None
-        if self.manifest["format"] != FORMAT:
             raise InputError(
-                f"{folder} was written by another version of stridemap (format {self.manifest['format']}, "
-                f"not {FORMAT}); {self._cure}"
-            )
+                f"{files.shown} holds no readable {MANIFEST} ({error}); {self._remedy}"
+            ) from None
+        self._digest = hashlib.sha256(manifest).hexdigest()
+
+    # -- what it is called -------------------------------------------------------------------------------
+
+    @property
+    def name(self) -> str:
+        """Name of the model."""
+        return self.spec.name
+
+    @property
+    def title(self) -> str:
+        """One line for readers."""
+        return self.spec.title
+
+    @property
+    def hash(self) -> str:
+        """SHA-256 of its equations."""
+        return self.spec.hash
+
+    @property
+    def coordinates(self) -> tuple[str, ...]:
+        """Names of the coordinates."""
+        return tuple(c.name for c in self.spec.coordinates)
+
+    @property
+    def parameters(self) -> tuple[Parameter, ...]:
+        """The parameters, in the order of every parameter vector."""
+        return self.spec.parameters
+
+    @property
+    def section(self) -> tuple[str, ...]:
+        """Names of the free coordinates and rates on the Poincare section."""
+        return self.spec.section
+
+    @property
+    def actuated(self) -> tuple[str, ...]:
+        """Names of the coordinates that a motor acts on."""
+        return self.spec.actuated
+
+    @property
+    def period_range(self) -> tuple[float, float]:
+        """Shortest and longest period that is searched for by default."""
+        return self.spec.period_range
+
+    @property
+    def stance_index(self) -> int | None:
+        """Place of the stance leg's angle among the coordinates, where there is one."""
+        angle = self.spec.stance_angle
+        return None if angle is None else self.coordinates.index(angle)
 
     def __getattr__(self, name: str) -> ca.Function:
         """The generated function `name` as a CasADi function."""
-        functions = self.__dict__.get("manifest", {}).get("functions", {})
+        spec = self.__dict__.get("spec")
+        functions = {} if spec is None else spec.functions
         if name not in functions:
             raise AttributeError(
                 f"{type(self).__name__} has no attribute {name!r}; functions: {', '.join(functions)}"
@@ -135,62 +122,78 @@ class Model:
         """Name and hash."""
         return f"Model({self.name!r}, hash={self.hash[:12]!r})"
 
+    def __copy__(self) -> "Model":
+        """Itself: a model does not change."""
+        return self
+
+    def __deepcopy__(self, _memo: Any) -> "Model":
+        """Itself: a model does not change."""
+        return self
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Its source and the generated files that running it needs."""
+        return _from_pack, (self.source, self._digest, self._pack)
+
+    @cached_property
+    def _pack(self) -> dict[str, bytes]:
+        needed = (f"{self.name}.py", f"{self.name}_kernels.c")
+        return packed({MANIFEST: self.files.read(MANIFEST), **{name: self._checked(name) for name in needed}})
+
     @property
     def builtin(self) -> bool:
         """Whether it comes with stridemap."""
-        return self.folder.parent == GENERATED
+        return self.files.builtin
 
     @property
-    def _cure(self) -> str:
+    def _remedy(self) -> str:
         """How the generated files are written again."""
         if self.builtin:
             return "run `stridemap derive`"
         if self.source.endswith(".py"):
             return f"run `stridemap derive {self.source}`"
-        return f"run `stridemap derive` with its model file and --out {self.folder}"
+        return f"run `stridemap derive` with its model file and --out {self.files.shown}"
 
-    def path(self, file: str) -> Path:
-        """Path of a generated file, checked against the manifest.
+    def text(self, file: str) -> str:
+        """Contents of a generated file, checked against the manifest.
 
         Raises
         ------
         InputError
             When the file is missing, or its contents are not what the manifest names.
         """
-        path = self.folder / file
+        return self._checked(file).decode("utf-8")
+
+    def _checked(self, file: str) -> bytes:
+        where = self.files.path(file)
         try:
-            digest = hashlib.sha256(path.read_bytes()).hexdigest()
+            content = self.files.read(file)
         except OSError as error:
-            raise InputError(f"cannot read {path}: {error.strerror}; {self._cure}") from None
-        if digest != self.manifest["files"].get(file):
-            raise InputError(f"{path} is not the file that manifest.json names; {self._cure} to restore it")
-        return path
+            raise InputError(f"cannot read {where}: {error.strerror}; {self._remedy}") from None
+        if hashlib.sha256(content).hexdigest() != self.spec.files.get(file):
+            raise InputError(f"{where} is not the file that {MANIFEST} names; {self._remedy} to restore it")
+        return content
 
     @cached_property
     def equations(self) -> ModuleType:
         """The namespace-neutral Python module of the model's equations."""
-        spec = importlib.util.spec_from_file_location(
-            f"stridemap_equations_{self.name}", self.path(f"{self.name}.py")
-        )
-        assert spec is not None and spec.loader is not None
-        module = importlib.util.module_from_spec(spec)
-        spec.loader.exec_module(module)
+        name = f"stridemap_equations_{self.name}"
+        module = importlib.util.module_from_spec(importlib.util.spec_from_loader(name, loader=None))
+        exec(compile(self.text(f"{self.name}.py"), self.files.path(f"{self.name}.py"), "exec"), vars(module))
         return module
 
-    def _casadi(self, name: str, entry: Mapping[str, Any]) -> ca.Function:
-        symbols = {a["name"]: ca.SX.sym(a["name"], a["size"]) for a in entry["inputs"]}
-        scalars = [
-            s[0] if a["scalar"] else ca.vertsplit(s)
-            for a, s in zip(entry["inputs"], symbols.values(), strict=True)
-        ]
+    # -- what it computes --------------------------------------------------------------------------------
+
+    def _casadi(self, name: str, function: Function) -> ca.Function:
+        symbols = {a: ca.SX.sym(a, self.spec.size(a)) for a in function.arguments}
+        scalars = [s[0] if a == "t" else ca.vertsplit(s) for a, s in symbols.items()]
         result = getattr(self.equations, name)(ca, *scalars)
-        outputs = [self._matrix(result[o["name"]]) for o in entry["outputs"]]
-        return ca.Function(
-            name, list(symbols.values()), outputs, list(symbols), [o["name"] for o in entry["outputs"]]
-        )
+        names = [one.name for one in function.outputs]
+        outputs = [self.matrix(result[one]) for one in names]
+        return ca.Function(name, list(symbols.values()), outputs, list(symbols), names)
 
     @staticmethod
-    def _matrix(value: Any) -> ca.SX:
+    def matrix(value: Any) -> ca.SX:
+        """A result of a generated function (a scalar, a list, or a list of rows) as a CasADi matrix."""
         if not isinstance(value, list):
             return ca.SX(value)
         return ca.vertcat(*[ca.horzcat(*row) if isinstance(row, list) else row for row in value])
@@ -210,14 +213,13 @@ class Model:
         dict of str to ndarray
             Shape (...) for a scalar, (..., n) for a vector, (..., n, m) for a matrix.
         """
-        entry = self.manifest["functions"][name]
-        inputs = [np.asarray(values[a["name"]], dtype=float) for a in entry["inputs"]]
+        arguments = self.spec.functions[name].arguments
+        inputs = [np.asarray(values[a], dtype=float) for a in arguments]
         shape = np.broadcast_shapes(
             *(np.shape(x) if key == "t" else np.shape(x)[:-1] for key, x in values.items())
         )
         split = [
-            x if a["scalar"] else list(np.moveaxis(x, -1, 0))
-            for a, x in zip(entry["inputs"], inputs, strict=True)
+            x if a == "t" else list(np.moveaxis(x, -1, 0)) for a, x in zip(arguments, inputs, strict=True)
         ]
         with np.errstate(all="ignore"):  # what is beyond the range of numbers comes out as one that says so
             result = getattr(self.equations, name)(np, *split)
@@ -229,9 +231,9 @@ class Model:
         A phase that lacks less than 1e-6 of a turn is given from below zero, so that rounding makes no two
         cycles of one.
         """
-        if self.manifest["phase"] is None:
+        if self.spec.phase is None:
             return z
-        out, column = z.copy(), self.section.index(self.manifest["phase"])
+        out, column = z.copy(), self.section.index(self.spec.phase)
         out[..., column] = np.mod(z[..., column] + 1e-6, 2 * np.pi) - 1e-6
         return out
 
@@ -267,48 +269,11 @@ def _stacked(value: Any, shape: tuple[int, ...]) -> NDArray[np.float64]:
     return np.stack(inner, axis=len(shape))
 
 
-def available() -> list[str]:
-    """Names of the built-in models."""
-    return sorted(path.parent.name for path in GENERATED.glob("*/manifest.json"))
+_LOADED: dict[tuple[str, str], Model] = {}
 
 
-def load(name: "str | Path | Model") -> Model:
-    """Load a model.
-
-    Parameters
-    ----------
-    name : str, path or Model
-        A built-in model's name; the path of a model file (``.py``), which is derived if that was not done
-        before; or the folder that `stridemap derive` wrote. A model that is loaded is returned as it is.
-
-    Raises
-    ------
-    InputError
-        When there is no such model, or its file declares none.
-    """
-    if isinstance(name, Model):
-        return name
-    text = str(name)
-    if text.endswith(".py"):
-        return _loaded(derived_folder(Path(text)), text)
-    if text in available():
-        return _loaded(GENERATED / text, text)
-    if (Path(text) / "manifest.json").exists():
-        return _loaded(Path(text).resolve(), text)
-    raise InputError(
-        f"there is no model {text!r}; models are {', '.join(available())}, or give the path of a model file "
-        "(.py) or of a folder that `stridemap derive` wrote"
-    )
-
-
-def _loaded(folder: Path, source: str) -> Model:
-    try:
-        manifest = (folder / "manifest.json").read_bytes()
-    except OSError:
-        manifest = b""  # `Model` tells
-    return _load(folder, source, hashlib.sha256(manifest).hexdigest())
-
-
-@cache
-def _load(folder: Path, source: str, _manifest: str) -> Model:
-    return Model(folder, source)
+def _from_pack(source: str, digest: str, pack: Mapping[str, bytes]) -> Model:
+    """The model that came from another process; made once, however often it is sent."""
+    if (source, digest) not in _LOADED:
+        _LOADED[source, digest] = Model(unpacked(pack), source)
+    return _LOADED[source, digest]

@@ -11,7 +11,8 @@ from stridemap.solver.backends.library import load_kernels
 from stridemap.solver.cycles.orbit import Orbit
 from stridemap.solver.cycles.search import section_point
 from stridemap.solver.cycles.solver import Solver
-from stridemap.solver.model.model import Model, load
+from stridemap.solver.model.loading import load
+from stridemap.solver.model.model import Model
 from stridemap.solver.observables.events import Trace
 
 Array = NDArray[np.float64]
@@ -39,7 +40,7 @@ class Motion:
     com : ndarray, shape (..., n, 2)
         Centre of mass.
     positions : ndarray, shape (..., n, n_masses, 2)
-        The masses, in the order of ``model.manifest["masses"]``.
+        The masses, in the order of ``model.spec.masses``.
     lines : dict of str to ndarray, shape (..., n, n_points, 2)
         The lines by which the walker is drawn, by name.
     masses : ndarray, shape (..., n_masses)
@@ -137,7 +138,7 @@ def motions(
         "com": model.evaluate("centre_of_mass", **values)["com"],
         "positions": drawing["positions"],
     }
-    lines = {line["name"]: drawing[line["name"]] for line in model.manifest["lines"]}
+    lines = {line.name: drawing[line.name] for line in model.spec.lines}
     masses = drawing["masses"][:, 0]
     if squeeze:
         columns = {name: column[0] for name, column in columns.items()}

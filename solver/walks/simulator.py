@@ -141,8 +141,7 @@ class _Walker:
         self.model = model
         self.p = [float(value) for value in params]
         self.n = len(model.coordinates)
-        angle = model.manifest["stance_angle"]
-        self.stance = None if angle is None else model.coordinates.index(angle)
+        self.stance = model.stance_index
         self._state_derivative = self._bind("state_derivative")
         self._touchdown_condition = self._bind("touchdown_condition")
         self._impact_map = self._bind("impact_map")
@@ -150,7 +149,7 @@ class _Walker:
     def _bind(self, name: str) -> Callable[[float, list[float]], dict[str, Any]]:
         """A generated function of time and state, with numbers for sines and cosines."""
         function, n, p = getattr(self.model.equations, name), self.n, self.p
-        inputs = [entry["name"] for entry in self.model.manifest["functions"][name]["inputs"]]
+        inputs = self.model.spec.functions[name].arguments
         place = [("t", "q", "v", "p").index(key) for key in inputs]
 
         def call(t: float, y: list[float]) -> dict[str, Any]:

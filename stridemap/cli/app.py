@@ -102,7 +102,7 @@ def orbit(
 ) -> int:
     """Print all limit cycles at one point of parameter space."""
     from stridemap.solver.cycles.search import SearchOptions, find_orbits
-    from stridemap.solver.model.model import load
+    from stridemap.solver.model.loading import load
 
     loaded = load(model)
     point = loaded.point(parameters(context.args, set_))
@@ -135,7 +135,7 @@ def simulate(
     The integrator is event-driven and shares nothing with the search for limit cycles.
     """
     from stridemap.solver.api import simulate as simulate_
-    from stridemap.solver.model.model import load
+    from stridemap.solver.model.loading import load
 
     params = parameters(context.args, set_)
     load(model).point(params)  # refuses a name that is no parameter, such as "steps"

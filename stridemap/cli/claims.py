@@ -43,7 +43,7 @@ def claims(
     from stridemap.paper.data import FREE
     from stridemap.paper.evaluate import claims as decide
     from stridemap.paper.evaluate import default_folder
-    from stridemap.solver.model.model import load
+    from stridemap.solver.model.loading import load
 
     params = parameters([], set_)
     folder = default_folder(params, thin) if out is None else out

@@ -27,7 +27,7 @@ class WithParameters(typer.core.TyperCommand):
 
     def format_epilog(self, ctx: Any, formatter: Any) -> None:
         """Write the model's parameters below the options."""
-        from stridemap.solver.model.model import load
+        from stridemap.solver.model.loading import load
 
         words = ctx.meta.get("words", [])
         named = [w.partition("=")[2] for w in words if w.startswith("--model=")]

@@ -24,7 +24,8 @@ from stridemap.solver.branches.edges import COLUMNS as EDGE_COLUMNS
 from stridemap.solver.branches.edges import bisected
 from stridemap.solver.branches.main_branch import on_main_branch, walks
 from stridemap.solver.branches.minima import between
-from stridemap.solver.model.model import Model, load
+from stridemap.solver.model.loading import load
+from stridemap.solver.model.model import Model
 from stridemap.sweeps.config import SweepConfig, parse_config
 from stridemap.sweeps.run import Progress, sweep
 from stridemap.sweeps.store import read_cells, read_orbits

@@ -11,7 +11,7 @@ import pytest
 
 import stridemap
 from stridemap.solver.backends.library import load_kernels
-from stridemap.solver.model.model import available, load
+from stridemap.solver.model.loading import available, load
 from stridemap.solver.walks.simulator import Outcome
 from tests.oracles.reference import REFERENCE, reference_name
 from tests.oracles.sweeping import STRIDEMAP, tables

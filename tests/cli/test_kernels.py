@@ -7,7 +7,7 @@ import sys
 import pytest
 
 from stridemap.solver.backends import library
-from stridemap.solver.model.model import GENERATED
+from stridemap.solver.model.files import GENERATED
 from tests.oracles.sweeping import STRIDEMAP, content, ended, start
 
 # -- generated files -----------------------------------------------------------------------------------------
@@ -18,7 +18,7 @@ def copy(tmp_path, monkeypatch):
     """A copy of the generated folder in place of the package's own."""
     folder = tmp_path / "generated"
     shutil.copytree(GENERATED, folder, ignore=shutil.ignore_patterns("__pycache__"))
-    monkeypatch.setattr("stridemap.solver.model.model.GENERATED", folder)
+    monkeypatch.setattr("stridemap.solver.model.loading.GENERATED", folder)
     return folder
 
 

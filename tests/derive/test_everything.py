@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from stridemap.codegen import write_model
-from stridemap.solver.model.model import load
+from stridemap.solver.model.loading import load
 from tests.oracles.everything import NAMES, WALKER, ByHand
 from tests.oracles.states import MP, call, differences, exact
 

@@ -7,7 +7,7 @@ import casadi as ca
 import numpy as np
 import pytest
 
-from stridemap.solver.model.model import load
+from stridemap.solver.model.loading import load
 from tests.oracles.newton import Newton, by_hand
 from tests.oracles.second_derivation import equations, kane, lagrange
 from tests.oracles.states import FIFTY, MODELS, MP, call, exact, on_section, states

@@ -10,7 +10,7 @@ import pytest
 import sympy as sp
 
 from stridemap.derive import STANCE_FOOT
-from stridemap.solver.model.model import load
+from stridemap.solver.model.loading import load
 from stridemap.solver.observables.motion import motion
 from tests.oracles.walkers import cycles, derived, walker
 

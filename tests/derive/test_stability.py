@@ -20,7 +20,7 @@ from stridemap.derive.printers import c as print_c
 from stridemap.derive.printers import python as print_python
 from stridemap.derive.printers.expression import CALLS
 from stridemap.derive.program import Argument, Builder, Entry, Output
-from stridemap.solver.model.model import load
+from stridemap.solver.model.loading import load
 from tests.oracles.states import MODELS
 
 GENERATED = build.generated_folder()

@@ -18,7 +18,7 @@ import typer
 
 import stridemap
 from stridemap.cli.app import app
-from stridemap.solver.model.model import available
+from stridemap.solver.model.loading import available
 from stridemap.sweeps.config import Search, load_config, parse_config
 from stridemap.sweeps.run import sweep
 from stridemap.sweeps.tables import cell_schema, orbit_schema

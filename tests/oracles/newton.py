@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from stridemap.solver.model.model import load
+from stridemap.solver.model.loading import load
 
 
 def solve(matrix, right):

@@ -8,7 +8,7 @@ import numpy as np
 from scipy.stats import qmc
 
 from stridemap.solver.cycles.search import find_orbits
-from stridemap.solver.model.model import load
+from stridemap.solver.model.loading import load
 
 REFERENCE = json.loads((Path(__file__).parent / "reference_orbits.json").read_text(encoding="utf-8"))
 TYPICAL = ({"k": 0.5}, {"k": 6.0}, {"k": 22.5})

@@ -8,7 +8,7 @@ import mpmath
 import numpy as np
 import pytest
 
-from stridemap.solver.model.model import load
+from stridemap.solver.model.loading import load
 
 MODELS = ("wobbling", "compass", "simplest_walker", "goswami_compass", "rimless_wheel")
 COUNT = 1000

@@ -13,7 +13,8 @@ from stridemap.derive import STANCE_FOOT, Body, Clock, Parameter, Walker, rollin
 from stridemap.derive.models import compass, simplest_walker, wobbling
 from stridemap.derive.models.controller import OMEGA, hip_torque
 from stridemap.solver.cycles.search import find_orbits, offer
-from stridemap.solver.model.model import Model, load
+from stridemap.solver.model.loading import load
+from stridemap.solver.model.model import Model
 
 # -- the walkers -----------------------------------------------------------------------------------------
 

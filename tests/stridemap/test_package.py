@@ -13,7 +13,7 @@ import pytest
 
 import stridemap
 from stridemap.codegen import generated_folder
-from stridemap.solver.model.model import available, load
+from stridemap.solver.model.loading import available, load
 
 ROOT = Path(__file__).resolve().parents[2]
 LEFT_OUT = shutil.ignore_patterns(

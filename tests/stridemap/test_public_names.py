@@ -14,7 +14,7 @@ import pytest
 
 import stridemap
 from stridemap.errors import InputError
-from stridemap.solver.model.model import available
+from stridemap.solver.model.loading import available
 from tests.oracles.reference import REFERENCE, TWO_CYCLES, reference_name
 
 PARTS = [

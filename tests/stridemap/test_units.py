@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 
 import stridemap
-from stridemap.solver.model.model import available
+from stridemap.solver.model.loading import available
 from stridemap.units import MEASURES, QUANTITIES, STANDARD_GRAVITY
 
 InputError = stridemap.InputError

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 import stridemap.sweeps
 from stridemap.errors import InputError
-from stridemap.solver.model.model import load
+from stridemap.solver.model.loading import load
 from stridemap.sweeps.config import Range, canonical_json, load_config, parse_config
 
 PAPER = Path(stridemap.sweeps.__file__).parent / "paper.toml"

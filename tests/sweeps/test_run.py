@@ -14,7 +14,7 @@ import stridemap
 from stridemap.solver.backends.library import InterpretedKernels, load_kernels
 from stridemap.solver.cycles import solver as limit_cycle
 from stridemap.solver.cycles.solver import Solver
-from stridemap.solver.model.model import load
+from stridemap.solver.model.loading import load
 from stridemap.sweeps import run
 from stridemap.sweeps.config import canonical_json, parse_config
 from stridemap.sweeps.run import sweep

@@ -15,7 +15,7 @@ import pytest
 
 from stridemap.errors import InputError
 from stridemap.solver.cycles.orbit import Orbit
-from stridemap.solver.model.model import load
+from stridemap.solver.model.loading import load
 from stridemap.sweeps.config import canonical_json, parse_config
 from stridemap.sweeps.grid import Grid
 from stridemap.sweeps.store import Store, read_cells, read_orbits, read_provenance

@@ -7,7 +7,7 @@ from matplotlib.patches import Patch
 from stridemap.paper.figures.material import PLANE, TYPICAL, Data
 from stridemap.paper.figures.raster import NONE, STABLE, letters, rastered
 from stridemap.solver.branches.refinement import refined
-from stridemap.solver.model.model import load
+from stridemap.solver.model.loading import load
 from stridemap.views import style
 
 HEIGHT = 66 * style.MM

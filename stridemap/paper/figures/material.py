@@ -15,7 +15,7 @@ from stridemap.solver.api import find_orbits
 from stridemap.solver.branches.joining import branches
 from stridemap.solver.branches.main_branch import walks
 from stridemap.solver.cycles.orbit import Orbit
-from stridemap.solver.model.model import load
+from stridemap.solver.model.loading import load
 from stridemap.sweeps.config import SweepConfig, load_config
 from stridemap.sweeps.run import sweep
 from stridemap.sweeps.store import read_orbits

@@ -7,7 +7,7 @@ from matplotlib.patches import Arc, Circle
 from numpy.typing import NDArray
 
 from stridemap.paper.figures.material import Data
-from stridemap.solver.model.model import load
+from stridemap.solver.model.loading import load
 from stridemap.views import style, walker
 
 Array = NDArray[np.float64]

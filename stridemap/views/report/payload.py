@@ -13,7 +13,8 @@ import numpy as np
 import pandas as pd
 from scipy.integrate import DOP853
 
-from stridemap.solver.model.model import Model, Parameter
+from stridemap.solver.model.model import Model
+from stridemap.spec import Parameter
 from stridemap.views.report.quantities import MEASURES, Quantity, printed, rate_symbol, symbol, units
 
 NEEDED = ("section_state", "state_derivative", "impact_map", "swing_foot", "drawing")

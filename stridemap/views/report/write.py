@@ -12,7 +12,8 @@ from pathlib import Path
 
 from stridemap.derive.printers.javascript import equations
 from stridemap.errors import InputError
-from stridemap.solver.model.model import Model, load
+from stridemap.solver.model.loading import load
+from stridemap.solver.model.model import Model
 from stridemap.sweeps.store import read_cells, read_orbits, read_provenance
 from stridemap.views.report import sections
 from stridemap.views.report.payload import NEEDED, functions, payload

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from stridemap.solver.model.model import load
+from stridemap.solver.model.loading import load
 from stridemap.solver.walks.simulator import walk
 from tests.oracles.walkers import cycle_near, cycles, derived
 

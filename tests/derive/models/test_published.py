@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from stridemap.solver.model.model import load
+from stridemap.solver.model.loading import load
 from stridemap.solver.observables.motion import motion
 from tests.oracles.walkers import cycle_near, cycles
 

@@ -10,7 +10,7 @@ import subprocess
 import numpy as np
 import pytest
 
-from stridemap.solver.model.model import load
+from stridemap.solver.model.loading import load
 from tests.oracles.states import MODELS, lacking, need
 
 STRICT = ["-std=c99", "-pedantic", "-Wall", "-Wextra", "-Werror"]

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 from cffi import FFI
 
-from stridemap.solver.model.model import load
+from stridemap.solver.model.loading import load
 from tests.oracles.newton import by_hand
 from tests.oracles.states import (
     COUNT,

@@ -16,7 +16,7 @@ from stridemap.solver.backends import lanes as lockstep
 from stridemap.solver.backends.compiler import compile_shared, find_compiler, processor_features
 from stridemap.solver.backends.library import CompiledKernels, LockstepKernels, load_kernels
 from stridemap.solver.cycles.search import SearchOptions, find_orbits
-from stridemap.solver.model.model import load
+from stridemap.solver.model.loading import load
 from tests.oracles.reference import REFERENCE, section_point
 
 pytestmark = pytest.mark.skipif(

@@ -19,7 +19,8 @@ from stridemap.solver.backends.library import (
 from stridemap.solver.cycles import solver as limit_cycle
 from stridemap.solver.cycles.search import SearchOptions, find_orbits
 from stridemap.solver.kernels.catalogue import CYCLE_STEPS, SEARCH_STEPS
-from stridemap.solver.model.model import Model, load
+from stridemap.solver.model.loading import load
+from stridemap.solver.model.model import Model
 
 needs_compiler = pytest.mark.skipif(
     not any(map(shutil.which, ("cc", "gcc", "clang"))),

@@ -6,7 +6,7 @@ import pytest
 from stridemap.solver.branches.continuation import follow
 from stridemap.solver.cycles.search import find_orbits
 from stridemap.solver.cycles.solver import Solver
-from stridemap.solver.model.model import load
+from stridemap.solver.model.loading import load
 from tests.oracles.reference import REFERENCE, TWO_CYCLES
 
 RANGE = (0.3, 3.0)

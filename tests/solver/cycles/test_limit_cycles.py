@@ -14,7 +14,7 @@ from stridemap.errors import InputError
 from stridemap.solver.cycles.orbit import Orbit, Status
 from stridemap.solver.cycles.search import SearchOptions, distinct, find_orbits, merge, offer
 from stridemap.solver.kernels.step_map import StepMap
-from stridemap.solver.model.model import load
+from stridemap.solver.model.loading import load
 from stridemap.solver.walks.simulator import Outcome, swing, walk
 from tests.oracles.reference import (
     POINTS,

@@ -10,7 +10,7 @@ from scipy.integrate import solve_ivp
 from stridemap.solver.cycles import floquet
 from stridemap.solver.kernels.runge_kutta import ORDER
 from stridemap.solver.kernels.step_map import StepMap
-from stridemap.solver.model.model import load
+from stridemap.solver.model.loading import load
 from stridemap.solver.walks.simulator import swing, walk
 from tests.oracles.reference import (
     POINTS,

@@ -8,7 +8,7 @@ from scipy.integrate import quad
 from scipy.optimize import brentq, minimize_scalar
 
 from stridemap.solver.cycles.orbit import group_letter
-from stridemap.solver.model.model import load
+from stridemap.solver.model.loading import load
 from stridemap.solver.walks.simulator import swing
 from tests.oracles.reference import POINTS, orbits_at, parameters, point_name, section_point
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from stridemap.errors import InputError
-from stridemap.solver.model.model import load
+from stridemap.solver.model.loading import load
 from stridemap.solver.walks import simulator as simulate
 from stridemap.solver.walks.simulator import Outcome, swing, trajectory, walk
 from tests.oracles.reference import LIFTING, REFERENCE, reference_name, section_point

@@ -15,7 +15,7 @@ from stridemap.paper.evaluate import STATEMENTS
 from stridemap.paper.profiles import sampled, with_profiles
 from stridemap.paper.select import at, main_branch, slices, stable, typical
 from stridemap.solver.branches.edges import BISECTIONS
-from stridemap.solver.model.model import load
+from stridemap.solver.model.loading import load
 from tests.oracles.claim_tables import changed, swapped
 
 IDS = [f"C{i}" for i in range(1, 21)]

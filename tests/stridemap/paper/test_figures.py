@@ -7,7 +7,7 @@ import pandas as pd
 import pytest
 
 import stridemap
-from stridemap.solver.model.model import load
+from stridemap.solver.model.loading import load
 from stridemap.sweeps.config import parse_config
 from stridemap.sweeps.run import sweep
 from stridemap.sweeps.store import read_orbits

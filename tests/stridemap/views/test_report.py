@@ -15,7 +15,7 @@ import pytest
 import stridemap
 from stridemap.derive.printers.javascript import equations, function
 from stridemap.errors import InputError
-from stridemap.solver.model.model import available, load
+from stridemap.solver.model.loading import available, load
 from stridemap.sweeps import store
 from stridemap.sweeps.run import sweep
 from stridemap.sweeps.store import read_cells, read_provenance

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import stridemap
-from stridemap.solver.model.model import load
+from stridemap.solver.model.loading import load
 from stridemap.solver.observables.motion import motions
 from stridemap.sweeps.config import parse_config
 from stridemap.sweeps.run import sweep
