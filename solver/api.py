@@ -1,54 +1,96 @@
-"""The solver's public functions for one point, by model name and keyword parameters."""
+"""The solver's public functions for one point, by model name and parameters."""
 
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from stridemap.errors import InputError
-from stridemap.solver.cycles import search
+from stridemap.solver.backends.base import Backend
+from stridemap.solver.backends.selection import named_backend
 from stridemap.solver.cycles.orbit import Orbit
+from stridemap.solver.cycles.orbits import Orbits
+from stridemap.solver.cycles.search import find_all
+from stridemap.solver.cycles.solver import Solver
 from stridemap.solver.model.loading import load
 from stridemap.solver.model.model import Model
+from stridemap.solver.observables.motion import Motion
+from stridemap.solver.options import AcceptanceOptions, SearchOptions
 from stridemap.solver.walks.simulator import Walk, walk
 
 
 def find_orbits(
-    model: str | Path | Model, *, options: search.SearchOptions | None = None, **params: float
-) -> list[Orbit]:
-    """All limit cycles at one point of parameter space, ordered by period.
+    model: str | Path | Model,
+    params: Mapping[str, float] | None = None,
+    *,
+    options: SearchOptions | None = None,
+    acceptance: AcceptanceOptions | None = None,
+    backend: str | Backend | None = None,
+    **keywords: float,
+) -> Orbits:
+    """All limit cycles of one walking step at one point of parameter space, ordered by period.
 
     Parameters
     ----------
     model : str, path or Model
         Name of a built-in model, path of a model file (``.py``), folder that `stridemap derive` wrote, or
         what `load` or `derive_model` returned.
-    options : SearchOptions, optional
-    **params : float
+    params : mapping of str to float, optional
         Parameters by name; what is not given comes from the preset.
+    options : SearchOptions, optional
+    acceptance : AcceptanceOptions, optional
+    backend : str or Backend, optional
+        What runs the kernels: "lanes", "scalar" or "interpreter"; by default the fastest that works here.
+    **keywords : float
+        Parameters too: ``k=6`` says what ``params={"k": 6}`` says.
 
     Returns
     -------
-    list of Orbit
-        Empty where no limit cycle was found.
+    Orbits
+        A sequence of `Orbit`; empty where no limit cycle was found.
 
     Raises
     ------
     InputError
-        For an unknown model or parameter, or a value out of range.
+        For an unknown model, parameter or backend, or a value out of range.
 
     Examples
     --------
-    >>> [round(orbit.period, 4) for orbit in find_orbits("wobbling", k=6, alpha=0.25, omega=3)]
+    >>> orbits = find_orbits("wobbling", {"k": 6, "alpha": 0.25, "omega": 3})
+    >>> [round(orbit.period, 4) for orbit in orbits]
     [1.1545, 1.1837]
     """
     loaded = load(model)
-    return search.find_orbits(loaded, loaded.point(params)[None, :], options)[0]
+    solver = Solver.for_model(loaded, named_backend(backend), acceptance)
+    return find_all(solver, loaded.point(joined(params, keywords))[None, :], options)[1]
+
+
+def motion(orbit: Orbit, samples: int = 201) -> Motion:
+    """One limit cycle as a motion over one step, without a leading axis.
+
+    Parameters
+    ----------
+    orbit : Orbit
+    samples : int
+        Number of times, both ends included.
+
+    Raises
+    ------
+    InputError
+        When there is no limit cycle, or for fewer than two samples.
+    """
+    return orbit.motion(samples)
 
 
 def simulate(
-    model: str | Path | Model, state: Mapping[str, Any] | None = None, *, steps: int = 10, **params: float
+    model: str | Path | Model,
+    state: Mapping[str, Any] | None = None,
+    *,
+    steps: int = 10,
+    params: Mapping[str, float] | None = None,
+    **keywords: float,
 ) -> Walk:
     """Walk from a state just after touchdown, with an event-driven integrator.
 
@@ -57,10 +99,12 @@ def simulate(
     model : str, path or Model
         As for `find_orbits`.
     state : mapping of str to float, optional
-        Section point; by default the limit cycle with the smallest largest multiplier at that point.
+        Section point; by default that of the limit cycle with the smallest spectral radius at that point.
     steps : int
-    **params : float
+    params : mapping of str to float, optional
         Parameters by name; what is not given comes from the preset.
+    **keywords : float
+        Parameters too.
 
     Returns
     -------
@@ -72,24 +116,39 @@ def simulate(
         For unusable input, or when no state is given and there is no limit cycle.
     """
     loaded = load(model)
-    point = loaded.point(params)
+    point = loaded.point(joined(params, keywords))
     if steps < 1:
         raise InputError(f"steps = {steps} is not allowed: at least 1 step is needed")
     if state is None:
-        orbits = search.find_orbits(loaded, point[None, :])[0]
-        if not orbits:
+        orbits = find_all(Solver.for_model(loaded), point[None, :])[1]
+        if not len(orbits):
             raise InputError("there is no limit cycle to start from at this point; give a state")
-        state = min(orbits, key=lambda orbit: orbit.spectral_radius).state
+        state = orbits[int(orbits.spectral_radius.argmin())].state
     return walk(loaded, point, section_state(loaded.section, state), steps)
 
 
-def section_state(names: tuple[str, ...], state: Mapping[str, Any]) -> np.ndarray:
+def joined(params: Mapping[str, float] | None, keywords: Mapping[str, float]) -> dict[str, float]:
+    """Parameters given as a mapping and as keywords.
+
+    Raises
+    ------
+    InputError
+        When `params` is not a mapping, or a parameter is given in both.
+    """
+    if params is not None and not isinstance(params, Mapping):
+        raise InputError(f"params = {params!r} is not a mapping; write params={{'name': value}}")
+    if twice := sorted(set(params or {}) & set(keywords)):
+        raise InputError(f"{', '.join(twice)} is given twice, in params and as a keyword; leave one out")
+    return {**(params or {}), **keywords}
+
+
+def section_state(names: tuple[str, ...], state: Mapping[str, Any]) -> NDArray[np.float64]:
     """A section point from its entries by name, shape (nz,).
 
     Raises
     ------
     InputError
-        When a name is missing or unknown, or a value is no finite number.
+        When a name is missing or unknown, or a value is not a finite number.
     """
     if set(state) != set(names):
         missing, unknown = sorted(set(names) - set(state)), sorted(set(state) - set(names))
@@ -104,5 +163,5 @@ def section_state(names: tuple[str, ...], state: Mapping[str, Any]) -> np.ndarra
             or not isinstance(value, int | float | np.number)
             or not np.isfinite(value)
         ):
-            raise InputError(f"{name} = {value!r} of the state is no finite number")
+            raise InputError(f"{name} = {value!r} of the state is not a finite number")
     return np.array([float(state[name]) for name in names])

@@ -22,14 +22,25 @@ if TYPE_CHECKING:
     from stridemap.errors import CompilerError, InputError, StorageError, StridemapError, WorkerError
     from stridemap.paper.claim import Claim, Verdict
     from stridemap.paper.evaluate import claims
-    from stridemap.solver.api import find_orbits, simulate
-    from stridemap.solver.cycles.orbit import Orbit, Status
-    from stridemap.solver.cycles.search import SearchOptions
-    from stridemap.solver.model.loading import load
+    from stridemap.quantities import QUANTITIES
+    from stridemap.solver.api import find_orbits, motion, simulate
+    from stridemap.solver.backends.base import Backend
+    from stridemap.solver.backends.interpreter import Interpreter
+    from stridemap.solver.backends.lanes import Lanes
+    from stridemap.solver.backends.scalar import ScalarC
+    from stridemap.solver.cycles.gait import is_physical_gait
+    from stridemap.solver.cycles.orbit import Orbit
+    from stridemap.solver.cycles.orbits import Orbits
+    from stridemap.solver.cycles.status import Status
+    from stridemap.solver.model.loading import available, load
     from stridemap.solver.model.model import Model
-    from stridemap.solver.observables.motion import Motion, motion
-    from stridemap.sweeps.run import sweep
-    from stridemap.sweeps.store import read_cells, read_orbits
+    from stridemap.solver.observables.motion import Motion
+    from stridemap.solver.options import AcceptanceOptions, ContinuationOptions, SearchOptions
+    from stridemap.solver.walks.simulator import Outcome, Step, Walk
+    from stridemap.spec import ModelSpec, Parameter, Quantity
+    from stridemap.sweeps.config import SweepConfig, load_config, parse_config
+    from stridemap.sweeps.run import Progress, Summary, sweep
+    from stridemap.sweeps.store import read_cells, read_orbits, read_provenance
     from stridemap.units import Units
     from stridemap.views.animate import animate
 
@@ -47,7 +58,12 @@ _HOMES = _public()
 
 __all__ = ["__version__", *sorted(_HOMES)]
 
-provide(derive_file="stridemap.codegen:derive_file")
+provide(
+    animate="stridemap.views.animate:animate",
+    derive_file="stridemap.codegen:derive_file",
+    plot="stridemap.views.plots:plot",
+    simulate="stridemap.solver.api:simulate",
+)
 
 
 def __getattr__(name: str) -> Any:

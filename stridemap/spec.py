@@ -319,6 +319,11 @@ class ModelSpec:
         return len(self.entries(argument))
 
     @property
+    def names(self) -> tuple[str, ...]:
+        """Names of the parameters, in order."""
+        return tuple(a.name for a in self.parameters)
+
+    @property
     def scales(self) -> tuple[float, ...]:
         """Half-width of the search box along each entry of the section: what counts as far in a state."""
         return tuple(self.search_box[name][1] for name in self.section)

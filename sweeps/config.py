@@ -15,14 +15,15 @@ import tomllib
 from collections.abc import Iterable, Mapping
 from decimal import Context, Decimal, localcontext
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, Literal, TypeVar
+from typing import Annotated, Any, Literal, TypeVar
 
-from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_validator
+from pydantic import BaseModel, ConfigDict, Field, PrivateAttr, ValidationError, model_validator
 
 from stridemap.errors import InputError
-
-if TYPE_CHECKING:
-    from stridemap.spec import Parameter
+from stridemap.solver.model.loading import available, load
+from stridemap.solver.model.model import Model
+from stridemap.solver.options import AcceptanceOptions, ContinuationOptions, Options, SearchOptions
+from stridemap.spec import Parameter
 
 MAX_COUNT = 1_000_000_000
 """Largest count that any whole-number setting may take."""
@@ -33,6 +34,7 @@ CYCLES_PER_CELL = 3
 
 _STRICT = ConfigDict(frozen=True, extra="forbid", strict=True, allow_inf_nan=False)
 _Model = TypeVar("_Model", bound=BaseModel)
+_Options = TypeVar("_Options", bound=Options)
 
 
 # A field's description completes the sentence "<key> = <value> must be ...": see `_sentence`.
@@ -107,6 +109,11 @@ class Search(BaseModel):
             raise ValueError(f"period_min = {self.period_min} must be below period_max = {self.period_max}")
         return self
 
+    @property
+    def options(self) -> SearchOptions:
+        """The options of the search at one point."""
+        return SearchOptions(self.starts, self.seed, self.period_min, self.period_max)
+
 
 class _File(BaseModel):
     """The top level of a file, before the model is known and its tables are read."""
@@ -117,6 +124,8 @@ class _File(BaseModel):
     params: dict[str, Any] = Field({}, description="a table of numbers, [params]")
     grid: dict[str, Any] = Field({}, description="a table of lists or ranges, [grid]")
     search: dict[str, Any] = Field({}, description="a table, [search]")
+    acceptance: dict[str, Any] = Field({}, description="a table, [acceptance]")
+    continuation: dict[str, Any] = Field({}, description="a table, [continuation]")
     max_cells: int = Field(
         2_000_000, ge=1, le=MAX_COUNT, description=f"a whole number from 1 to {MAX_COUNT:,}"
     )
@@ -136,14 +145,28 @@ class SweepConfig(BaseModel):
         parameters: a file's order of keys and of values numbers no cells.
     search : Search
         Settings of the search for limit cycles.
+    acceptance : AcceptanceOptions
+        What a solution must satisfy to be accepted as a limit cycle.
+    continuation : ContinuationOptions
+        Step control with which branches are followed from cell to cell.
     """
 
     model_config = _STRICT
+    _loaded: Model | None = PrivateAttr(None)
 
     model: str
     params: dict[str, float]
     grid: dict[str, tuple[float, ...]]
     search: Search
+    acceptance: AcceptanceOptions = AcceptanceOptions()
+    continuation: ContinuationOptions = ContinuationOptions()
+
+    @property
+    def loaded(self) -> Model:
+        """The model, loaded once."""
+        if self._loaded is None:
+            self._loaded = load(self.model)
+        return self._loaded
 
     @property
     def n_cells(self) -> int:
@@ -159,11 +182,9 @@ class SweepConfig(BaseModel):
 
     def canonical(self) -> str:
         """Return the configuration as canonical JSON (see `canonical_json`)."""
-        from stridemap.solver.model.loading import load
-
         data = self.model_dump()
         data["search"]["subgrid"] = self.strides
-        data["model"] = load(self.model).name  # where a model file lies is no part of the configuration
+        data["model"] = self.loaded.name  # where a model file lies is no part of the configuration
         return canonical_json(data)
 
     @property
@@ -228,12 +249,9 @@ def parse_config(data: Mapping[str, Any], source: str = "configuration") -> Swee
     ------
     InputError
         For the first thing that is wrong: an unknown key, model or parameter, a parameter both fixed and
-        varied, a value that is no finite number or out of range, a grid that is empty, has duplicate
+        varied, a value that is not a finite number or is out of range, a grid that is empty, has duplicate
         values or has more than ``max_cells`` cells.
     """
-    # Here and not at the top, so that reading this module does not load CasADi.
-    from stridemap.solver.model.loading import load
-
     file = _validated(_File, data, source)
     try:
         model = load(_beside(source, file.model))
@@ -259,21 +277,36 @@ def parse_config(data: Mapping[str, Any], source: str = "configuration") -> Swee
                 f"{source}: [search] subgrid names {name}, which is not in [grid]{_hint(name, grid)}; "
                 f"the grid has {', '.join(grid)}"
             )
-    return SweepConfig(model=model.source, params=params, grid=grid, search=search)
+    config = SweepConfig(
+        model=model.source,
+        params=params,
+        grid=grid,
+        search=search,
+        acceptance=_record(AcceptanceOptions, file.acceptance, f"{source}: [acceptance]"),
+        continuation=_record(ContinuationOptions, file.continuation, f"{source}: [continuation]"),
+    )
+    config._loaded = model
+    return config
+
+
+def _record(cls: type[_Options], values: Mapping[str, Any], where: str) -> _Options:
+    """A record of options from its table."""
+    try:
+        return cls.from_mapping(values)
+    except InputError as error:
+        raise InputError(f"{where} {error}") from None
 
 
 def _beside(source: str, model: str) -> str:
-    """Where a model that is no built-in one lies: its path is meant from the folder of the configuration."""
-    from stridemap.solver.model.loading import available
-
+    """Where a model that is not built in lies: its path is meant from the folder of the configuration."""
     path = Path(source).parent / model
     if model in available():
         return model
     return str(path) if model.endswith(".py") or (path / "manifest.json").exists() else model
 
 
-def _check_names(file: _File, parameters: Mapping[str, "Parameter"], source: str) -> None:
-    """Refuse names that are no parameters, names that are both fixed and varied, and an empty grid."""
+def _check_names(file: _File, parameters: Mapping[str, Parameter], source: str) -> None:
+    """Refuse names that are not parameters, names that are both fixed and varied, and an empty grid."""
     for table, entries in (("params", file.params), ("grid", file.grid)):
         for name in entries:
             if name not in parameters:
@@ -290,7 +323,7 @@ def _check_names(file: _File, parameters: Mapping[str, "Parameter"], source: str
         )
 
 
-def _axis(value: Any, parameter: "Parameter", where: str) -> Range | list[float]:
+def _axis(value: Any, parameter: Parameter, where: str) -> Range | list[float]:
     """Return a ``[grid]`` entry as a `Range` that is in order, or as a list, all in the parameter's range."""
     if isinstance(value, Mapping):
         spec = _validated(Range, value, where)
@@ -345,7 +378,7 @@ def _check_size(axes: Mapping[str, Range | list[float]], limit: int, source: str
         )
 
 
-def _checked(value: Any, parameter: "Parameter", where: str) -> float:
+def _checked(value: Any, parameter: Parameter, where: str) -> float:
     """Return `value` as a float in the parameter's range; `where` names it in the message if it is not."""
     number = math.nan
     if isinstance(value, int | float) and not isinstance(value, bool):

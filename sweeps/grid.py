@@ -8,13 +8,11 @@ import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-if TYPE_CHECKING:
-    from stridemap.solver.model.model import Model
+from stridemap.solver.model.model import Model
 
 Ints = NDArray[np.int64]
 Floats = NDArray[np.float64]
@@ -88,7 +86,7 @@ class Grid:
         columns = np.moveaxis(np.asarray(indices, dtype=np.int64), -1, 0)
         return np.asarray(np.ravel_multi_index(tuple(columns), self.shape), dtype=np.int64)
 
-    def points(self, model: "Model", fixed: Mapping[str, float], cells: ArrayLike | None = None) -> Floats:
+    def points(self, model: Model, fixed: Mapping[str, float], cells: ArrayLike | None = None) -> Floats:
         """Return parameter points, shape(n, n_parameters), in the model's order of parameters.
 
         Parameters
@@ -105,7 +103,7 @@ class Grid:
         ValueError
             If axes and `fixed` together are not exactly the model's parameters.
         """
-        parameters = [parameter.name for parameter in model.parameters]
+        parameters = list(model.spec.names)
         if sorted([*self.names, *fixed]) != sorted(parameters):
             raise ValueError(f"{self.names} and {tuple(fixed)} together must be the parameters {parameters}")
         indices = self.indices(np.arange(self.n_cells) if cells is None else cells)

@@ -5,19 +5,22 @@ import subprocess
 from importlib.metadata import version
 from typing import Any
 
-from stridemap.solver.backends.library import Kernels
+from stridemap.solver.backends.base import Kernels
 from stridemap.solver.model.files import GENERATED
-from stridemap.solver.model.model import Model
+from stridemap.sweeps.tables import FORMAT
 
 PACKAGES = ("stridemap", "numpy", "scipy", "casadi", "pyarrow")
 
+DECIDING = ("format", "model_hash", "versions", "arithmetic", "tile_cells")
+"""Entries on which the numbers depend. A sweep is continued only where they are the same; the commit and the
+compiler's name are for readers."""
 
-def provenance(model: Model, kernels: Kernels) -> dict[str, Any]:
+
+def provenance(kernels: Kernels) -> dict[str, Any]:
     """Model, versions, compiler and commit, as plain values without time or host.
 
     Parameters
     ----------
-    model : Model
     kernels : Kernels
 
     Returns
@@ -25,10 +28,13 @@ def provenance(model: Model, kernels: Kernels) -> dict[str, Any]:
     dict
         `commit` is None outside a checkout.
     """
+    model = kernels.model
     return {
+        "format": FORMAT,
         "model": model.name,
         "model_hash": model.hash,
         "versions": {"python": platform.python_version(), **{name: version(name) for name in PACKAGES}},
+        "arithmetic": kernels.backend.arithmetic,
         "compiler": kernels.compiler,
         "commit": _commit(),
     }
@@ -36,24 +42,14 @@ def provenance(model: Model, kernels: Kernels) -> dict[str, Any]:
 
 def _commit() -> str | None:
     """The checkout's commit, with a mark where there are changes on top of it."""
-    command = [
-        "git",
-        "-C",
-        str(GENERATED),
-        "describe",
-        "--always",
-        "--dirty",
-        "--abbrev=40",
-        "--exclude=*",
-    ]
+    git = ["git", "-C", str(GENERATED)]
+    describe = [*git, "describe", "--always", "--dirty", "--abbrev=40", "--exclude=*"]
     try:
-        run = subprocess.run(command, capture_output=True, text=True, check=False, timeout=10)
+        run = subprocess.run(describe, capture_output=True, text=True, check=False, timeout=10)
     except (OSError, subprocess.TimeoutExpired):
         return None
     # A package installed below somebody else's checkout is not of that checkout.
     tracked = subprocess.run(
-        ["git", "-C", str(GENERATED), "ls-files", "--error-unmatch", "compass/manifest.json"],
-        capture_output=True,
-        check=False,
+        [*git, "ls-files", "--error-unmatch", "compass/manifest.json"], capture_output=True, check=False
     )
     return run.stdout.strip() or None if tracked.returncode == 0 else None

@@ -1,21 +1,18 @@
 """Sweeps: every limit cycle of every cell of a grid of parameters.
 
 Many starts on a subgrid give the first cycles. From every cycle found in a cell its branch is followed to
-the neighbours in all grid directions, around folds, until nothing new appears. The grid is cut into tiles. In
-one round, each tile with open offers is worked on by itself; what arrives in another tile waits for the next
-round. Tiles and rounds do not depend on the number of workers, so neither do the tables.
+the neighbours in all grid directions, around folds, until nothing new appears. The grid is cut into tiles.
+In one round, each tile with incoming guesses is worked on by itself; what reaches another tile waits for the
+next round. Tiles and rounds do not depend on the number of workers, so neither do the tables.
 """
 
 import contextlib
-import multiprocessing
 import os
-import signal
-import threading
-import warnings
 from collections import defaultdict
-from collections.abc import Callable, Iterator, Mapping
-from concurrent.futures import BrokenExecutor, Executor, Future, ProcessPoolExecutor, as_completed
+from collections.abc import Callable, Mapping
+from concurrent.futures import BrokenExecutor, Executor, Future, as_completed
 from dataclasses import dataclass
+from functools import cached_property
 from itertools import count
 from pathlib import Path
 from typing import Any
@@ -26,26 +23,25 @@ import pyarrow as pa
 import pyarrow.compute
 from numpy.typing import NDArray
 
-from stridemap.errors import InputError
-from stridemap.solver.backends.library import LockstepKernels, load_kernels
-from stridemap.solver.cycles.search import SearchOptions
-from stridemap.solver.model.loading import load
-from stridemap.solver.model.model import Model
+from stridemap.errors import InputError, WorkerError
+from stridemap.solver.backends.base import Backend
+from stridemap.solver.backends.selection import load_kernels, named_backend
 from stridemap.sweeps.config import SweepConfig, load_config
+from stridemap.sweeps.executors import interrupts_held, processes
 from stridemap.sweeps.grid import Grid, tiles
 from stridemap.sweeps.provenance import provenance
 from stridemap.sweeps.store import Store, read_cells
-from stridemap.sweeps.tables import cell_table, orbit_schema, orbit_table
-from stridemap.sweeps.tiles import Offer, Result, Task, work
+from stridemap.sweeps.tables import cell_table, orbit_schema
+from stridemap.sweeps.tiles import Guess, Result, Task, work
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
 TILE_CELLS = 160
 KIND, REASON, SOURCE = "_kind", "_reason", "_source"
-"""Columns of a part beside those of orbits: what a row is, why a cell failed, where an offer comes from."""
+"""Columns of a part beside those of orbits: what a row is, why a cell failed, where a guess comes from."""
 
-KINDS = ORBIT, FAILURE, SEEN, OFFER = "orbit", "failure", "seen", "offer"
+KINDS = ORBIT, FAILURE, SEEN, GUESS = "orbit", "failure", "seen", "guess"
 """Kinds of rows of a part."""
 
 
@@ -96,6 +92,8 @@ def sweep(
     workers: int | None = None,
     executor: Executor | None = None,
     resume: bool = False,
+    backend: str | Backend | None = None,
+    tile_cells: int = TILE_CELLS,
     progress: Callable[[Progress], None] | None = None,
 ) -> Summary:
     """Find all limit cycles of a grid and write ``orbits.parquet`` and ``cells.parquet``.
@@ -106,11 +104,17 @@ def sweep(
     out : path
         Output folder.
     workers : int, optional
-        Number of processes; by default one a core.
+        Number of processes; by default one per core.
     executor : concurrent.futures.Executor, optional
-        Runs the tiles in place of processes of our own. It is not shut down.
+        Runs the tiles in place of processes of our own. It is not shut down. A tile carries all that it
+        needs, so it may be computed on another machine.
     resume : bool
         Continue from the tiles that an earlier run finished.
+    backend : str or Backend, optional
+        What runs the kernels: "lanes", "scalar" or "interpreter"; by default the fastest that works here.
+    tile_cells : int
+        Largest number of cells in a piece of work. Which cycles are found may depend on it, never on the
+        number of workers.
     progress : callable, optional
         Called with a `Progress` after each tile.
 
@@ -121,82 +125,48 @@ def sweep(
     Raises
     ------
     InputError
-        For unusable configuration or output folder, or when a worker process dies; finished tiles stay.
+        For unusable configuration, output folder or arguments.
+    WorkerError
+        When a worker process dies; finished tiles stay.
+    StorageError
+        When the disk is full; finished tiles stay.
     """
     config = config if isinstance(config, SweepConfig) else load_config(config)
     if workers is not None and workers < 1:
         raise InputError(f"workers = {workers} is not allowed: at least 1 is needed")
-    model = load(config.model)
-    software = provenance(model, load_kernels(model))
+    if tile_cells < 1:
+        raise InputError(f"tile_cells = {tile_cells} is not allowed: at least 1 is needed")
+    kernels = load_kernels(config.loaded, named_backend(backend))
+    software = {**provenance(kernels), "tile_cells": tile_cells}
     store = Store.resume(out, config, software) if resume else Store.create(out, config, software)
-    run = _Run(config, model, store, progress or (lambda _: None))
+    run = _Run(config, kernels.backend, tile_cells, store, progress or (lambda _: None))
     if store.finished:
         return run.summary_of_finished()
     with contextlib.ExitStack() as stack:
-        pool = executor or stack.enter_context(_processes(workers or os.cpu_count() or 1))
+        pool = executor or stack.enter_context(processes(workers or os.cpu_count() or 1))
         return run.all_rounds(pool)
-
-
-@contextlib.contextmanager
-def _processes(workers: int) -> Iterator[Executor]:
-    """Worker processes that leave an interrupt to the parent; what has begun is finished."""
-    context = multiprocessing.get_context("spawn")
-    pool = ProcessPoolExecutor(workers, mp_context=context, initializer=_follow_parent)
-    try:
-        yield pool
-    finally:
-        pool.shutdown(wait=True, cancel_futures=True)
-
-
-@contextlib.contextmanager
-def _interrupts_held() -> Iterator[None]:
-    """Hold interrupts back; a process started in here never gets one, not even while it starts."""
-    came: list[int] = []
-    mask = getattr(signal, "pthread_sigmask", None)  # what a process inherits; not on Windows
-    blocked = mask(signal.SIG_BLOCK, {signal.SIGINT}) if mask else None
-    # Another thread may take a blocked signal, and Python then interrupts the main thread all the same.
-    held = (signal.SIGINT, signal.SIGTERM) if threading.current_thread() is threading.main_thread() else ()
-    handlers = {number: signal.signal(number, lambda got, _: came.append(got)) for number in held}
-    try:
-        yield
-    finally:
-        for signum, handler in handlers.items():
-            signal.signal(signum, handler)
-        if mask:
-            mask(signal.SIG_SETMASK, blocked)
-    for number in came[:1]:
-        signal.raise_signal(number)
-
-
-def _follow_parent() -> None:
-    """Leave interrupts and warnings to the parent, and end when it is killed."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
-    warnings.simplefilter("ignore")
-    parent = multiprocessing.parent_process()
-    if parent is not None:
-
-        def wait() -> None:
-            parent.join()
-            os._exit(1)
-
-        threading.Thread(target=wait, daemon=True).start()
 
 
 class _Run:
     """The rounds of one sweep."""
 
     def __init__(
-        self, config: SweepConfig, model: Model, store: Store, progress: Callable[[Progress], None]
+        self,
+        config: SweepConfig,
+        backend: Backend,
+        tile_cells: int,
+        store: Store,
+        progress: Callable[[Progress], None],
     ) -> None:
-        self.config, self.model, self.store, self.progress = config, model, store, progress
+        self.config, self.backend, self.store, self.progress = config, backend, store, progress
+        self.model = config.loaded
         self.grid = Grid.from_mapping(config.grid)
-        self.tiles = tiles(self.grid, TILE_CELLS)
-        search = config.search
-        self.options = SearchOptions(search.starts, search.seed, search.period_min, search.period_max)
+        self.tiles = tiles(self.grid, tile_cells)
+        self.options = config.search.options
         self.parts: list[pa.Table] = []
         self.failures: dict[int, str] = {}
         self.orbits_found = 0
-        # For each tile what its cells have: cycles, and what the search gave before it was completed.
+        # For each tile what its cells have: cycles, and what the search gave before it converged.
         self.known: dict[int, list[tuple[int, Floats]]] = defaultdict(list)
         self.seen: dict[int, list[tuple[int, Floats]]] = defaultdict(list)
 
@@ -206,30 +176,32 @@ class _Run:
         owner = self.tiles.tile_of(seeds)
         tasks = [self._task(1, tile, seeds[owner == tile], []) for tile in np.unique(owner).tolist()]
         for round_ in count(1):
-            offers = self._run_round(pool, round_, tasks)
-            tasks = [self._task(round_ + 1, tile, seeds[:0], offers[tile]) for tile in sorted(offers)]
+            incoming = self._run_round(pool, round_, tasks)
+            tasks = [self._task(round_ + 1, tile, seeds[:0], incoming[tile]) for tile in sorted(incoming)]
             if not tasks:
                 return self._finish()
         raise AssertionError("count has no end")
 
-    def _task(self, round_: int, tile: int, seeds: Ints, offers: list[Offer]) -> Task:
+    def _task(self, round_: int, tile: int, seeds: Ints, incoming: list[Guess]) -> Task:
         return Task(
             model=self.model,
             grid=self.grid,
             params=dict(self.config.params),
-            options=self.options,
-            lockstep=isinstance(load_kernels(self.model), LockstepKernels),
+            search=self.options,
+            acceptance=self.config.acceptance,
+            continuation=self.config.continuation,
+            backend=self.backend,
             round=round_,
             tile=tile,
             cells=self.tiles[tile],
             seeds=seeds,
-            offers=offers,
+            incoming=incoming,
             known=self.known[tile],
             seen=self.seen[tile],
         )
 
-    def _run_round(self, pool: Executor, round_: int, tasks: list[Task]) -> dict[int, list[Offer]]:
-        """Compute the tiles of a round that no earlier run finished; returns the offers for each tile."""
+    def _run_round(self, pool: Executor, round_: int, tasks: list[Task]) -> dict[int, list[Guess]]:
+        """Compute the tiles of a round that no earlier run finished; returns the guesses for each tile."""
         done = [task for task in tasks if self.store.has_part(round_, task.tile)]
         finished = len(done)
         self._report(round_, finished, len(tasks))
@@ -237,16 +209,16 @@ class _Run:
         futures: list[Future[Result]] = []
         found = 0
         try:
-            with _interrupts_held():  # processes are started where tasks are submitted
+            with interrupts_held():  # processes are started where tasks are submitted
                 futures += [pool.submit(work, task) for task in open_tasks]
             for future in as_completed(futures):
                 result = future.result()
                 self.store.write_part(result.round, result.tile, self._part(result))
                 finished += 1
-                found += sum(self._counts(row["period"]) for row in result.rows)
+                found += int(np.count_nonzero(self._counts(result.orbits["period"].to_numpy())))
                 self._report(round_, finished, len(tasks), found)
         except BrokenExecutor:
-            raise InputError(
+            raise WorkerError(
                 "a worker process died (out of memory, or a script that sweeps without "
                 '`if __name__ == "__main__":`?); finished tiles are kept: continue with --resume, '
                 "perhaps with fewer --workers"
@@ -267,21 +239,46 @@ class _Run:
         return (period > shortest) & (period <= longest)
 
     def _part(self, result: Result) -> pa.Table:
-        names = [*self.model.section, "period"]
-        rows: list[Mapping[str, Any]] = [{**row, KIND: ORBIT} for row in result.rows]
-        rows += [{"cell": cell, KIND: FAILURE, REASON: why} for cell, why in sorted(result.failures.items())]
-        for cell, u in result.seen:
-            rows.append({"cell": cell, KIND: SEEN, **dict(zip(names, u.tolist(), strict=True))})
-        for cell, source, u in result.offers:
-            point = dict(zip(names, u.tolist(), strict=True))
-            rows.append({"cell": cell, KIND: OFFER, SOURCE: source, **point})
+        """What is kept of a finished tile, in one table."""
+        failures = sorted(result.failures.items())
+        tables = [
+            self._rows(ORBIT, {name: result.orbits[name] for name in result.orbits.column_names}),
+            self._rows(
+                FAILURE, {"cell": [cell for cell, _ in failures], REASON: [why for _, why in failures]}
+            ),
+            self._rows(SEEN, self._unknowns(result.seen)),
+            self._rows(
+                GUESS,
+                {
+                    **self._unknowns([(guess.cell, guess.u) for guess in result.outgoing]),
+                    SOURCE: [guess.source for guess in result.outgoing],
+                },
+            ),
+        ]
+        return pa.concat_tables(tables)
+
+    def _rows(self, kind: str, columns: Mapping[str, Any]) -> pa.Table:
+        """Rows of a part of one kind; null in the columns that are not given."""
+        schema = self._part_schema
+        n = len(columns["cell"])
+        nulls = {field.name: pa.nulls(n, field.type) for field in schema}
+        return pa.Table.from_pydict({**nulls, **columns, KIND: [kind] * n}, schema=schema)
+
+    @cached_property
+    def _part_schema(self) -> pa.Schema:
         fields = [field.with_nullable(True) for field in orbit_schema(self.model)]
         fields += [pa.field(KIND, pa.string()), pa.field(REASON, pa.string()), pa.field(SOURCE, pa.int64())]
-        return pa.Table.from_pylist(rows, schema=pa.schema(fields))
+        return pa.schema(fields)
 
-    def _absorb(self, parts: list[tuple[int, pa.Table]]) -> dict[int, list[Offer]]:
-        """Take up the finished parts of a round, in the order of tiles; returns the offers for each tile."""
-        offers: dict[int, list[Offer]] = defaultdict(list)
+    def _unknowns(self, points: list[tuple[int, Floats]]) -> dict[str, Any]:
+        """Cells and section points with periods as columns."""
+        names = (*self.model.section, "period")
+        u = np.array([u for _, u in points]).reshape(len(points), len(names))
+        return {"cell": [cell for cell, _ in points], **dict(zip(names, u.T, strict=True))}
+
+    def _absorb(self, parts: list[tuple[int, pa.Table]]) -> dict[int, list[Guess]]:
+        """Take up the finished parts of a round, in the order of tiles; returns the guesses for each tile."""
+        incoming: dict[int, list[Guess]] = defaultdict(list)
         for tile, part in parts:
             of_kind = {kind: part.filter(pa.compute.equal(part[KIND], kind)) for kind in KINDS}
             failed = of_kind[FAILURE]
@@ -291,10 +288,10 @@ class _Run:
             self.orbits_found += int(np.count_nonzero(self._counts(orbits["period"].to_numpy())))
             self.known[tile] += self._points(of_kind[ORBIT])
             self.seen[tile] += self._points(of_kind[SEEN])
-            made = of_kind[OFFER]
+            made = of_kind[GUESS]
             for (cell, u), source in zip(self._points(made), made[SOURCE].to_pylist(), strict=True):
-                offers[int(self.tiles.tile_of([cell])[0])].append(Offer(cell, source, u))
-        return offers
+                incoming[int(self.tiles.tile_of([cell])[0])].append(Guess(cell, source, u))
+        return incoming
 
     def _points(self, rows: pa.Table) -> list[tuple[int, Floats]]:
         """Cells and section points with periods of rows of a part."""
@@ -303,7 +300,7 @@ class _Run:
 
     def _finish(self) -> Summary:
         schema = orbit_schema(self.model)
-        orbits = pa.concat_tables(self.parts).cast(schema) if self.parts else orbit_table(self.model, [])
+        orbits = pa.concat_tables(self.parts).cast(schema) if self.parts else schema.empty_table()
         orbits = orbits.filter(self._counts(orbits["period"].to_numpy()))
         points = self.grid.points(self.model, self.config.params)
         found = np.bincount(orbits["cell"].to_numpy(), minlength=self.grid.n_cells)

@@ -1,6 +1,6 @@
 """The output folder of a sweep: two Parquet tables, and a part file for each finished piece of work.
 
-``orbits.parquet`` has a row a limit cycle, ``cells.parquet`` a row a grid cell. While a sweep runs, its
+``orbits.parquet`` has one row per limit cycle, ``cells.parquet`` one per grid cell. While a sweep runs, its
 finished (round, tile) pieces are files in the subfolder ``parts``, which `Store.finish` removes once both
 tables are in place. Every file is written under another name, flushed to the disk and renamed, so a kill
 at any moment leaves the old or the new file, and every file carries the sweep's provenance, so nothing is
@@ -21,8 +21,9 @@ import pandas as pd
 import pyarrow as pa
 import pyarrow.parquet as pq
 
-from stridemap.errors import InputError
+from stridemap.errors import InputError, StorageError
 from stridemap.sweeps.config import SweepConfig, canonical_json
+from stridemap.sweeps.provenance import DECIDING
 
 ORBITS, CELLS, PARTS = "orbits.parquet", "cells.parquet", "parts"
 
@@ -81,7 +82,7 @@ class Store:
         ------
         InputError
             As `create` does, except for an unfinished sweep; and if what is to be continued was computed
-            with other software than `provenance` tells. Nothing is touched.
+            with different software than `provenance` says. Nothing is touched.
         """
         store = cls(Path(folder), _with_configuration(provenance, config))
         outputs, parts = store._outputs(), store._parts()
@@ -105,7 +106,7 @@ class Store:
 
         Raises
         ------
-        InputError
+        StorageError
             If the file cannot be written; what was stored before stays.
         """
         self._write(self._part(round_, tile), data if isinstance(data, pa.Table) else pa.table(dict(data)))
@@ -134,7 +135,7 @@ class Store:
 
         Raises
         ------
-        InputError
+        StorageError
             If a file cannot be written; the parts stay.
         """
         # The other columns break ties, so that the order of the rows given never shows.
@@ -165,10 +166,11 @@ class Store:
                 f"{path} is output of another configuration ({difference}); give another folder, or the "
                 "configuration it was begun with"
             )
-        if same_software and found != self.provenance:
+        found, own = ({name: one.get(name) for name in DECIDING} for one in (found, self.provenance))
+        if same_software and found != own:
             raise InputError(
-                f"{path} was computed with other software ({_difference(found, self.provenance)}); give "
-                "another folder, or continue with the software it was begun with"
+                f"{path} was computed with different software ({_difference(found, own)}); give another "
+                "folder, or continue with the software that it was begun with"
             )
 
     def _make_folder(self) -> None:
@@ -200,7 +202,7 @@ class Store:
             temporary.replace(path)
             _sync(path.parent)
         except OSError as error:
-            raise InputError(
+            raise StorageError(
                 f"cannot write {path} ({error.strerror or error}); make room or give a folder that can be "
                 "written, and continue with --resume"
             ) from None

@@ -4,6 +4,7 @@ The cache key is the hash of source, flags and compiler, so nothing stale is eve
 instructions that a processor must have, so a cache that several machines share serves each what it can run.
 """
 
+import ctypes
 import hashlib
 import os
 import shlex
@@ -11,20 +12,87 @@ import shutil
 import subprocess
 import tempfile
 from collections.abc import Sequence
+from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
 from platformdirs import user_cache_path
 
-from stridemap.errors import InputError
+from stridemap.errors import CompilerError, InputError, StorageError
 
 FLAGS = ("-O1", "-std=c99", "-ffp-contract=off", "-fPIC", "-shared")
 """Contraction is off, so that compiled code and virtual machine agree to the last bit; higher levels of
 optimisation were measured and are not faster on straight-line code."""
 
 
-class CompileError(InputError):
-    """The compiler did not accept a source."""
+@dataclass(frozen=True)
+class Compiler:
+    """A C compiler.
+
+    Parameters
+    ----------
+    command : str
+        Its command line.
+    """
+
+    command: str
+
+    @classmethod
+    def found(cls) -> "Compiler | None":
+        """The one that the environment variable CC names, or else the first of cc, gcc and clang on the path.
+
+        Raises
+        ------
+        InputError
+            When CC names a command that does not exist.
+        """
+        command = find_compiler()
+        return None if command is None else cls(command)
+
+    @classmethod
+    def named(cls, command: str | None) -> "Compiler":
+        """The one with this command line; without it, the one that is found.
+
+        Raises
+        ------
+        CompilerError
+            When there is none.
+        """
+        compiler = cls.found() if command is None else cls(command)
+        if compiler is None:
+            raise CompilerError("no C compiler was found here; install gcc or clang, or set CC to one")
+        return compiler
+
+    @property
+    def version(self) -> str:
+        """First line of what it says of itself."""
+        return version(shlex.split(self.command)[0])
+
+    def library(self, name: str, text: str, flags: Sequence[str]) -> ctypes.CDLL:
+        """A source, compiled or from the cache, as a library of this process.
+
+        Parameters
+        ----------
+        name : str
+            File name of the source.
+        text : str
+            The source.
+        flags : sequence of str
+
+        Raises
+        ------
+        CompilerError
+            When the compiler fails, or what it wrote cannot be loaded.
+        """
+        built = compile_shared(name, text, self.command, flags)
+        try:
+            return ctypes.CDLL(str(built))
+        except OSError as error:
+            built.unlink(missing_ok=True)
+            raise CompilerError(
+                f"the C compiler {self.command!r} wrote no library that can be loaded ({error}); "
+                "set CC to one that works"
+            ) from None
 
 
 def find_compiler() -> str | None:
@@ -105,10 +173,12 @@ def compile_shared(name: str, text: str, compiler: str, flags: Sequence[str] = F
 
     Raises
     ------
-    CompileError
+    CompilerError
         When the compiler fails.
     InputError
-        When it cannot be run, or the cache cannot be written.
+        When it cannot be run.
+    StorageError
+        When the cache cannot be written.
     """
     command = [*shlex.split(compiler), *flags]
     stem = f"{Path(name).stem}-{_key(text, command)}"
@@ -127,13 +197,13 @@ def compile_shared(name: str, text: str, compiler: str, flags: Sequence[str] = F
             )
             if run.returncode or not built.exists():
                 said = (run.stderr.strip() or run.stdout.strip() or "it said nothing").splitlines()[0]
-                raise CompileError(
+                raise CompilerError(
                     f"the C compiler {compiler!r} failed on {name} ({said}); set CC to one that works"
                 )
             library = folder / f"{stem}-{_digest(built)}.so"
             built.replace(library)
     except OSError as error:
-        raise InputError(
+        raise StorageError(
             f"cannot write compiled kernels to {folder}: {error.strerror}; "
             "set STRIDEMAP_CACHE to a folder that can be written"
         ) from None

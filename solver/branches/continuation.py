@@ -1,45 +1,39 @@
 """Branches of limit cycles followed from one parameter point to another, around folds, on arrays of points.
 
 Pseudo-arclength continuation (H. B. Keller 1977; E. L. Allgower and K. Georg, Introduction to Numerical
-Continuation Methods, 2003, chapters 2 and 6): a branch is a curve in the space of section point, period
-and the fraction `s` of the way between the points. A step along its tangent is corrected by Newton's method
-in the plane across it, so that a fold, where the curve turns back in `s`, is passed like any other point.
+Continuation Methods, 2003, chapters 2 and 6): a branch is a curve of points x = (u, s), with section point
+and period u and the fraction s of the way from the parameters of the first point to those of the other. From
+a point x1 with the unit tangent tau, the next one solves the residual's equation R(u, s) = 0 together with
 
-A branch ends where it arrives (s = 1), or back where it began (s = 0): there it has led around a fold to
-the other cycle of a pair.
+    <u - u1, tau_u> + (s - s1) tau_s = ds,
+
+which keeps it in the plane across the tangent at the arclength ds. So a fold, where the curve turns back in
+s, is passed like any other point.
+
+A branch ends where it has reached its target (s = 1), or back where it began (s = 0): there it has led around
+a fold to the other cycle of a pair.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from stridemap.solver.cycles.solver import Solver
+from stridemap.solver.options import ContinuationOptions
 
 Array = NDArray[np.float64]
 Index = NDArray[np.int64]
 Mask = NDArray[np.bool_]
 
-STEPS_MAX = 24
-"""Steps along a branch, failed ones included."""
-DS_MIN, DS_MAX = 1e-3, 1.5
-"""Length of a step; 1 is the way between the points, or the half width of the search box."""
-GROWTH, SHRINKING = 2.0, 0.35
-"""Of the step length after a step that was easily corrected, and after one that failed."""
-CORRECTIONS = 4
-TOLERANCE = 1e-4
-"""Correction that is the last: what comes out is a guess, to be completed."""
-CONTRACTION = 0.5
-"""Largest ratio of one correction to the one before."""
-NEAR, ALIGNED = 0.5, 0.7
-"""Largest first correction, in terms of the step; smallest cosine of the angle that the tangent turns by."""
 DIFFERENCE = 1e-6
 """Of `s`, for the derivative with respect to it."""
 
 
 @dataclass(frozen=True)
-class Ends:
-    """Where branches ended; those that ended nowhere are left out.
+class BranchEnds:
+    """Where branches ended; those that were given up are left out.
 
     Parameters
     ----------
@@ -47,83 +41,93 @@ class Ends:
         Row of each branch among those that were followed, ascending.
     u : ndarray, shape (k, nz + 1)
         Section point and period: a guess.
-    arrived : ndarray of bool, shape (k,)
-        Whether at the other parameter point, or back at its own.
+    reached : ndarray of bool, shape (k,)
+        Whether at the target, or back at the branch's own parameter point.
     """
 
     branch: Index
     u: Array
-    arrived: Mask
+    reached: Mask
 
 
 def follow(
-    solver: Solver, u: Array, params: Array, towards: Array, period_range: tuple[float, float]
-) -> Ends:
-    """Follow branches from limit cycles towards other parameter points.
+    solver: Solver,
+    u: Array,
+    params: Array,
+    target: Array,
+    period_range: tuple[float, float],
+    options: ContinuationOptions | None = None,
+) -> BranchEnds:
+    """Follow branches from limit cycles to other parameter points.
 
     Parameters
     ----------
     solver : Solver
     u : ndarray, shape (m, nz + 1)
         Section points and periods of limit cycles.
-    params, towards : ndarray, shape (m, n_params)
-        Their parameters, and where to go.
+    params, target : ndarray, shape (m, n_params)
+        Their parameters, and those to be reached.
     period_range : (float, float)
         A branch that leaves it is given up.
+    options : ContinuationOptions, optional
 
     Returns
     -------
-    Ends
+    BranchEnds
     """
     if not len(u):
-        return Ends(np.empty(0, dtype=np.int64), u, np.empty(0, dtype=bool))
-    return _Branches(solver, u, params, towards).follow(period_range)
+        return BranchEnds(np.empty(0, dtype=np.int64), u, np.empty(0, dtype=bool))
+    return _Branches(solver, u, params, target, options or ContinuationOptions()).follow(period_range)
 
 
 class _Branches:
-    """Branches on their way. Points on them are (u, s), shape (m, nz + 2)."""
+    """Branches that are being followed. Points on them are x = (u, s), shape (m, nz + 2)."""
 
-    def __init__(self, solver: Solver, u: Array, params: Array, towards: Array) -> None:
-        self.kernels = solver.kernels
-        self.u, self.params, self.way = u, params, towards - params
+    def __init__(
+        self, solver: Solver, u: Array, params: Array, target: Array, options: ContinuationOptions
+    ) -> None:
+        self.kernels, self.options = solver.kernels, options
+        self.u, self.params, self.direction = u, params, target - params
         self.scale = np.array([*solver.model.spec.scales, 1.0, 1.0])
-        self.resolution = np.maximum(
-            solver.search_steps(u[:, -1], params), solver.search_steps(u[:, -1], towards)
-        )
+        choose = solver.resolution.search_n_rk
+        self.n_rk = np.maximum(choose(u[:, -1], params), choose(u[:, -1], target))
 
-    def follow(self, period_range: tuple[float, float]) -> Ends:
+    def follow(self, period_range: tuple[float, float]) -> BranchEnds:
         """Follow all of them to their ends."""
+        options = self.options
         at, x = np.arange(len(self.u)), np.column_stack([self.u, np.zeros(len(self.u))])
         ahead = np.zeros_like(x)
         ahead[:, -1] = 1.0
         tangent = self._tangent(self._first_system(at, x), ahead)
-        ds = np.where(np.isfinite(tangent).all(axis=1), DS_MAX, 0.0)
+        ds = np.where(np.isfinite(tangent).all(axis=1), options.ds_max, 0.0)
         ends = [(at[:0], x[:0, :-1], np.empty(0, dtype=bool))]
-        for _ in range(STEPS_MAX):
-            go_on = ds >= DS_MIN
+        for _ in range(options.max_steps):
+            go_on = ds >= options.ds_min
             at, x, tangent, ds = at[go_on], x[go_on], tangent[go_on], ds[go_on]
             if not len(at):
                 break
             y, new, good, easy = self._step(at, x, tangent, ds)
             s0, s1 = x[:, -1], y[:, -1]
-            arrived, back = good & (s1 >= 1), good & (s1 <= 0)
-            over = arrived | back
+            reached, back = good & (s1 >= 1), good & (s1 <= 0)
+            over = reached | back
             # Where the plane across the tangent has led beyond: the point in between.
-            part = (arrived[over] - s0[over]) / (s1[over] - s0[over])
-            ends.append((at[over], x[over, :-1] + part[:, None] * (y - x)[over, :-1], arrived[over]))
+            part = (reached[over] - s0[over]) / (s1[over] - s0[over])
+            ends.append((at[over], x[over, :-1] + part[:, None] * (y - x)[over, :-1], reached[over]))
             x, tangent = np.where(good[:, None], y, x), np.where(good[:, None], new, tangent)
-            ds = np.minimum(np.where(good, np.where(easy, GROWTH, 1.0), SHRINKING) * ds, DS_MAX)
+            factor = np.where(good, np.where(easy, options.step_growth, 1.0), options.step_shrink)
+            ds = np.minimum(factor * ds, options.ds_max)
             inside = (x[:, -2] > period_range[0]) & (x[:, -2] <= period_range[1])
             ds[over | ~inside] = 0.0
-        branch, u, arrived = (np.concatenate(column) for column in zip(*ends, strict=True))
+        branch, u, reached = (np.concatenate(column) for column in zip(*ends, strict=True))
         order = np.argsort(branch, kind="stable")
-        return Ends(branch[order], u[order], arrived[order])
+        return BranchEnds(branch[order], u[order], reached[order])
 
     def _step(self, at: Index, x: Array, tangent: Array, ds: Array) -> tuple[Array, Array, Mask, Mask]:
-        """One step along the tangent, corrected: new points and tangents, whether they hold, and easily.
+        """One arclength step, corrected: new points and tangents, whether they hold, and were easily found.
 
         The derivative at the predicted point serves for all corrections, and for the new tangent.
         """
+        options = self.options
         y, across, length = self._predicted(x, tangent, ds)
         matrix, residual = self._system(at, y)
         new = self._tangent(matrix, tangent)
@@ -132,21 +136,22 @@ class _Branches:
         y += change
         size = self._norm(change)
         with np.errstate(invalid="ignore"):
-            near = (size < NEAR * length) & ((new * tangent / self.scale**2).sum(axis=1) > ALIGNED)
-        good, easy = near & (size < TOLERANCE), np.zeros(len(at), dtype=bool)
+            cosine = (new * tangent / self.scale**2).sum(axis=1)
+            near = (size < options.max_correction_ratio * length) & (cosine > options.min_tangent_cosine)
+        good, easy = near & (size < options.tolerance), np.zeros(len(at), dtype=bool)
         open_ = np.flatnonzero(near & ~good)
-        for turn in range(CORRECTIONS):
+        for attempt in range(options.max_corrections):
             if not len(open_):
                 break
             residual = self._residual(at[open_], y[open_, :-1], y[open_, -1:])
             change = _solved(matrix[open_], np.column_stack([-residual, np.zeros(len(open_))]))
             y[open_] += change
             now = self._norm(change)
-            done = now < TOLERANCE
+            done = now < options.tolerance
             good[open_[done]] = True
-            easy[open_[done]] = turn < CORRECTIONS - 1
+            easy[open_[done]] = attempt < options.max_corrections - 1
             with np.errstate(invalid="ignore"):
-                shrinking = now < CONTRACTION * size[open_]
+                shrinking = now < options.max_contraction * size[open_]
             size[open_] = now
             open_ = open_[~done & shrinking]
         return y, new, good, easy
@@ -171,17 +176,17 @@ class _Branches:
         """Derivative of the residual with a last row to be filled in, shape (m, nz + 2, nz + 2); residual."""
         u, s = x[:, :-1], x[:, -1:]
         n = u.shape[1]
-        jacobian, residual = self._evaluate("jacobian", at, u, s)
+        jacobian, residual = self._evaluate(self.kernels.jacobian, at, u, s)
         beside = self._residual(at, u, s + DIFFERENCE)
         matrix = np.zeros((len(x), n + 1, n + 1))
-        matrix[:, :n, :n] = jacobian.transpose(0, 2, 1)  # a matrix comes column by column
+        matrix[:, :n, :n] = jacobian
         matrix[:, :n, n] = (beside - residual) / DIFFERENCE
         return matrix, residual
 
     def _first_system(self, at: Index, x: Array) -> Array:
         """The same where branches begin: those that leave one cycle have one derivative in common."""
         _, first, same = np.unique(
-            np.hstack([self.u, self.params, self.resolution[:, None]]),
+            np.hstack([self.u, self.params, self.n_rk[:, None]]),
             axis=0, return_index=True, return_inverse=True,
         )  # fmt: skip
         matrix, residual = (part[same.ravel()] for part in self._system(at[first], x[first]))
@@ -190,14 +195,16 @@ class _Branches:
         return matrix
 
     def _residual(self, at: Index, u: Array, s: Array) -> Array:
-        return self._evaluate("residual", at, u, s)[0]
+        return self._evaluate(lambda n_rk, u, p: (self.kernels.residual(n_rk, u, p),), at, u, s)[0]
 
-    def _evaluate(self, kind: str, at: Index, u: Array, s: Array) -> list[Array]:
+    def _evaluate(
+        self, kernel: Callable[[int, Array, Array], tuple[Array, ...]], at: Index, u: Array, s: Array
+    ) -> list[Array]:
         """A kernel at points of branches, each at its own resolution."""
-        params = self.params[at] + s * self.way[at]
-        resolution = self.resolution[at]
-        groups = [np.flatnonzero(resolution == n) for n in np.unique(resolution)]
-        parts = [self.kernels(f"{kind}_{resolution[rows[0]]}", u[rows], params[rows]) for rows in groups]
+        params = self.params[at] + s * self.direction[at]
+        n_rk = self.n_rk[at]
+        groups = [np.flatnonzero(n_rk == n) for n in np.unique(n_rk)]
+        parts = [kernel(n_rk[rows[0]].item(), u[rows], params[rows]) for rows in groups]
         back = np.argsort(np.concatenate(groups), kind="stable")
         return [np.concatenate(part)[back] for part in zip(*parts, strict=True)]
 

@@ -1,35 +1,20 @@
-"""Limit cycles as values."""
+"""One limit cycle as a value."""
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, field, fields
-from enum import StrEnum
+from dataclasses import dataclass, field
 from typing import Any, NoReturn
 
-
-class Status(StrEnum):
-    """How a search for a limit cycle ended."""
-
-    CONVERGED = "converged"
-    """A limit cycle, closed to 1e-11, with an integration error below 1e-9."""
-    INACCURATE = "inaccurate"
-    """A limit cycle whose integration error stays above 1e-9 at the finest resolution."""
-    NOT_CONVERGED = "not_converged"
-    """Newton's method did not close the cycle."""
-    NOT_A_STEP = "not_a_step"
-    """Closed, but not at a descending foot ahead of the hip, or the walker turns over on the way."""
-    LATER_TOUCHDOWN = "later_touchdown"
-    """Closed, but an earlier touchdown would have ended the step."""
-    OUT_OF_RANGE = "out_of_range"
-    """Closed, with a period outside the range that was asked for."""
-
-    @property
-    def found(self) -> bool:
-        """Whether it is a limit cycle."""
-        return self in (Status.CONVERGED, Status.INACCURATE)
+from stridemap.errors import InputError
+from stridemap.quantities import MEASURED, QUANTITIES
+from stridemap.services import service
+from stridemap.solver.cycles.status import Status
+from stridemap.solver.model.model import Model
+from stridemap.solver.observables.motion import Motion, motions
+from stridemap.spec import Quantity
 
 
-class FrozenDict(dict[str, float]):
+class FrozenDict(dict[str, Any]):
     """A dict that refuses to be changed; otherwise as any, for JSON, pickles and `dataclasses.asdict`."""
 
     def _refuse(self, *_args: Any, **_values: Any) -> NoReturn:
@@ -46,13 +31,15 @@ class FrozenDict(dict[str, float]):
 
 @dataclass(frozen=True)
 class Orbit:
-    """A limit cycle, or the reason why there is none; numbers of a failure are NaN.
+    """A limit cycle, or the reason why there is none.
 
-    Units: upper-body mass M, leg length L, time sqrt(L/g).
+    Every measured quantity (`stridemap.quantities`) is an attribute too: ``orbit.cot``, ``orbit.group``.
+    The numbers of a failure are NaN; what the model lacks is None. Units are the model's
+    (``orbit.model.spec.units``).
 
     Parameters
     ----------
-    model : str
+    model : Model
     params : mapping of str to float
         Every parameter of the model.
     status : Status
@@ -61,94 +48,95 @@ class Orbit:
     period : float
     multipliers : tuple of complex
         Floquet multipliers by falling modulus.
-    spectral_radius : float
-        Largest modulus of a multiplier.
-    stable : bool
-        Whether it is below 1.
-    group : str or None
-        Solution group: A, B, C, ... by whole oscillations of the spring in one period.
-    step_length, speed : float
-    d_max : float
-        Largest distance between stance foot and zero moment point; NaN where the contact is lost.
-    work, work_positive, work_net : float
-        Integral of the absolute, positive and signed power of the hip over a step.
-    cot, cot_per_speed : float
-        Work per weight and step length; the paper's variant, work per weight and mean speed.
-    min_vertical_force : float
-        Smallest vertical ground force; the contact is physical if it is positive.
-    friction : float
-        Largest ratio of horizontal to vertical ground force; NaN where the contact is lost.
-    clearance : float
-        Lowest height of the swing foot (negative: the scuff that compass models ignore).
-    peaks : int
-        Local maxima of the stance angle's rate within the step.
-    x_zero_crossings : int or None
-        Sign changes of the wobbling mass's position within the step.
-    residual : float
-        Largest entry of the closing error.
-    integration_error : float
-        Largest change of the closing error at twice the resolution.
+    measures : mapping of str
+        The measured quantities by name.
     """
 
-    model: str
+    model: Model
     params: Mapping[str, float]
     status: Status
     state: Mapping[str, float] = field(default_factory=dict)
     period: float = math.nan
     multipliers: tuple[complex, ...] = ()
-    spectral_radius: float = math.nan
-    stable: bool = False
-    group: str | None = None
-    step_length: float = math.nan
-    speed: float = math.nan
-    d_max: float = math.nan
-    work: float = math.nan
-    work_positive: float = math.nan
-    work_net: float = math.nan
-    cot: float = math.nan
-    cot_per_speed: float = math.nan
-    min_vertical_force: float = math.nan
-    friction: float = math.nan
-    clearance: float = math.nan
-    peaks: int = 0
-    x_zero_crossings: int | None = None
-    residual: float = math.nan
-    integration_error: float = math.nan
+    measures: Mapping[str, Any] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "params", FrozenDict(self.params))
         object.__setattr__(self, "state", FrozenDict(self.state))
+        everything = {name: self.measures.get(name, missing(QUANTITIES[name])) for name in MEASURED}
+        object.__setattr__(self, "measures", FrozenDict(everything))
+
+    def __getattr__(self, name: str) -> Any:
+        measures = self.__dict__.get("measures", {})
+        if name not in measures:
+            raise AttributeError(f"an Orbit has no attribute {name!r}; measured are {', '.join(measures)}")
+        return measures[name]
+
+    def __dir__(self) -> list[str]:
+        return sorted({*super().__dir__(), *self.measures})
+
+    def __repr__(self) -> str:
+        if not self.status.found:
+            return f"<no limit cycle of {self.model.name}: {self.status.value}>"
+        kind = f"group {self.group}, " if self.group else ""
+        stable = "stable" if self.stable else "unstable"
+        return (
+            f"<limit cycle of {self.model.name}: {kind}period {self.period:.6g}, {stable} "
+            f"(largest multiplier {self.spectral_radius:.4g})>"
+        )
 
     def to_dict(self) -> dict[str, Any]:
         """Plain values for JSON, without model and parameters; what is not a number is None."""
-        out: dict[str, Any] = {}
-        for f in fields(self):
-            value = getattr(self, f.name)
-            if f.name in ("model", "params"):
-                continue
-            if f.name == "state":
-                value = dict(value)
-            elif f.name == "multipliers":
-                value = [[m.real, m.imag] for m in value]
-            elif isinstance(value, Status):
-                value = str(value)
-            elif isinstance(value, float) and not math.isfinite(value):
-                value = None
-            out[f.name] = value
-        return out
+        out: dict[str, Any] = {
+            "status": self.status.value,
+            "state": {name: _plain(value) for name, value in self.state.items()},
+            "period": _plain(self.period),
+            "multipliers": [[m.real, m.imag] for m in self.multipliers],
+        }
+        return out | {name: _plain(value) for name, value in self.measures.items()}
+
+    @property
+    def section_point(self) -> list[float]:
+        """Section point and period: the unknowns that the cycle solves."""
+        return [*self.state.values(), self.period]
+
+    def motion(self, samples: int = 201) -> Motion:
+        """The cycle as a motion over one step.
+
+        Parameters
+        ----------
+        samples : int
+            Number of times, both ends included.
+
+        Raises
+        ------
+        InputError
+            When there is no limit cycle, or for fewer than two samples.
+        """
+        if not self.status.found:
+            raise InputError(f"there is no limit cycle to follow: its status is {self.status}")
+        point = self.model.point(self.params)[None, :]
+        return motions(self.model, [self.section_point], point, samples, squeeze=True)
+
+    def simulate(self, steps: int = 10) -> Any:
+        """Walk from the cycle's section point with the event-driven integrator: see `stridemap.simulate`."""
+        return service("simulate")(self.model, self.state, steps=steps, params=self.params)
+
+    def plot(self, kind: str = "profiles", **options: Any) -> Any:
+        """Draw the cycle with matplotlib: see `stridemap.views.plot`."""
+        return service("plot")(self, kind, **options)
+
+    def animate(self, path: Any, **options: Any) -> Any:
+        """Write the walker's motion as a looping GIF: see `stridemap.animate`."""
+        return service("animate")(self, path, **options)
 
 
-def group_letter(index: int) -> str:
-    """Letter of a solution group: 0 is A, 25 is Z, 26 is AA.
+def missing(quantity: Quantity) -> Any:
+    """What stands for a quantity that was not measured."""
+    if quantity.optional:
+        return None
+    return {"float": math.nan, "int": 0, "bool": False, "str": ""}[quantity.type]
 
-    Parameters
-    ----------
-    index : int
-        Number of whole spring oscillations in one period.
-    """
-    letters = ""
-    index += 1
-    while index > 0:
-        index, rest = divmod(index - 1, 26)
-        letters = chr(ord("A") + rest) + letters
-    return letters
+
+def _plain(value: Any) -> Any:
+    return None if isinstance(value, float) and not math.isfinite(value) else value

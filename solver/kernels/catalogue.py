@@ -1,18 +1,19 @@
-"""The functions that the solver runs, by name, and their C.
+"""Which functions the solver runs, what each is called, and their C.
 
-`search_<n>`        Newton's method from a rough guess on n Runge-Kutta steps, with the residual there
-`limit_cycle_<n>`   Newton's method from a good guess, with Jacobian and residual there
-`residual_<n>`      the residual alone
-`jacobian_<n>`      the residual with its Jacobian
-`trace_<n>`         the states and observables at the n + 1 nodes of a step
-`advance`           a part of a Runge-Kutta step, observed
+`search(n)`        Newton's method from a rough guess on n RK steps, with the residual there
+`limit_cycle(n)`   Newton's method from a good guess, with Jacobian and residual there
+`residual(n)`      the residual alone
+`jacobian(n)`      the residual with its Jacobian
+`trace(n)`         the states and observables at the n + 1 nodes of a step
+`ADVANCE`          a part of an RK step, observed
 
-In C every name begins with the model's, so that kernels of several models link into one program.
-
-The same CasADi functions run in CasADi's virtual machine where there is no C compiler.
+In C every name begins with the model's, so that kernels of several models link into one program. The same
+CasADi functions run in CasADi's virtual machine where there is no C compiler.
 """
 
 from dataclasses import dataclass
+from enum import StrEnum
+from typing import NamedTuple
 
 import casadi as ca
 
@@ -20,11 +21,70 @@ from stridemap.solver.kernels.observation import Observation
 from stridemap.solver.kernels.step_map import BLOCK, StepMap
 from stridemap.solver.model.model import Model
 
-SEARCH_STEPS = (12, 24, 48)
+
+class Kind(StrEnum):
+    """What a kernel computes."""
+
+    SEARCH = "search"
+    LIMIT_CYCLE = "limit_cycle"
+    RESIDUAL = "residual"
+    JACOBIAN = "jacobian"
+    TRACE = "trace"
+    ADVANCE = "advance"
+
+
+class Kernel(NamedTuple):
+    """A kernel of a model.
+
+    Parameters
+    ----------
+    kind : Kind
+    n_rk : int
+        RK steps per step of the walker; 0 where that means nothing.
+    """
+
+    kind: Kind
+    n_rk: int = 0
+
+    @property
+    def name(self) -> str:
+        """What it is called in C, after the model's name."""
+        return f"{self.kind}_{self.n_rk}" if self.n_rk else str(self.kind)
+
+
+def search(n_rk: int) -> Kernel:
+    """Newton's method from a rough guess."""
+    return Kernel(Kind.SEARCH, n_rk)
+
+
+def limit_cycle(n_rk: int) -> Kernel:
+    """Newton's method from a good guess."""
+    return Kernel(Kind.LIMIT_CYCLE, n_rk)
+
+
+def residual(n_rk: int) -> Kernel:
+    """The residual."""
+    return Kernel(Kind.RESIDUAL, n_rk)
+
+
+def jacobian(n_rk: int) -> Kernel:
+    """The residual and its Jacobian."""
+    return Kernel(Kind.JACOBIAN, n_rk)
+
+
+def trace(n_rk: int) -> Kernel:
+    """States and observables at the nodes of a step."""
+    return Kernel(Kind.TRACE, n_rk)
+
+
+ADVANCE = Kernel(Kind.ADVANCE)
+"""A part of an RK step, observed."""
+
+SEARCH_N_RK = (12, 24, 48)
 """Resolutions of the search from rough guesses."""
 
-CYCLE_STEPS = (24, 36, 48, 72, 96, 144, 192, 288, 384)
-"""Resolutions of accepted limit cycles; each is checked at twice as many steps."""
+CYCLE_N_RK = (24, 36, 48, 72, 96, 144, 192, 288, 384)
+"""Resolutions of accepted limit cycles; each is checked at twice as many RK steps."""
 
 
 @dataclass(frozen=True)
@@ -33,47 +93,44 @@ class Newton:
 
     Parameters
     ----------
-    steps, jacobian_steps : int
+    n_rk, jacobian_n_rk : int
         Resolutions of the residual and of its Jacobian.
     abstol, abstol_step : float
-        It stops at this residual, or after a step of this size.
+        It stops at this residual, or after a Newton step of this size.
     iterations : int
         It stops after these in any case.
-    closing : str
-        Kernel: `residual_<n>` or `jacobian_<n>`.
+    closing : Kernel
+        A residual, or one with its Jacobian.
     """
 
-    steps: int
-    jacobian_steps: int
+    n_rk: int
+    jacobian_n_rk: int
     abstol: float
     abstol_step: float
     iterations: int
-    closing: str
+    closing: Kernel
 
 
 NEWTON = {
-    **{f"search_{n}": Newton(n, n, 1e-12, 1e-4, 10, closing=f"residual_{n}") for n in SEARCH_STEPS},
+    **{search(n): Newton(n, n, 1e-12, 1e-4, 10, closing=residual(n)) for n in SEARCH_N_RK},
     **{
-        f"limit_cycle_{n}": Newton(n, n // 2 // BLOCK * BLOCK, 1e-14, 1e-9, 6, closing=f"jacobian_{n}")
-        for n in CYCLE_STEPS
+        limit_cycle(n): Newton(n, n // 2 // BLOCK * BLOCK, 1e-14, 1e-9, 6, closing=jacobian(n))
+        for n in CYCLE_N_RK
     },
 }
-"""The kernels that are Newton's method, by name."""
+"""The kernels that are Newton's method."""
 
-LOCKSTEP = (
-    *(f"residual_{n}" for n in sorted({*SEARCH_STEPS, *CYCLE_STEPS})),
-    *(
-        f"jacobian_{n}"
-        for n in sorted({*SEARCH_STEPS, *CYCLE_STEPS, *(m.jacobian_steps for m in NEWTON.values())})
-    ),
-    *(f"trace_{2 * n}" for n in CYCLE_STEPS),
-    "advance",
+BRANCH_FREE = (
+    *(residual(n) for n in sorted({*SEARCH_N_RK, *CYCLE_N_RK})),
+    *(jacobian(n) for n in sorted({*SEARCH_N_RK, *CYCLE_N_RK, *(m.jacobian_n_rk for m in NEWTON.values())})),
+    *(trace(2 * n) for n in CYCLE_N_RK),
+    ADVANCE,
 )
 """The kernels without branches, which can work on many points in lockstep."""
 
 
-def build(model: Model) -> dict[str, ca.Function]:
-    """All kernels of a model, by name.
+def build(model: Model) -> dict[Kernel, ca.Function]:
+    """All kernels of a model.
 
     Parameters
     ----------
@@ -81,28 +138,33 @@ def build(model: Model) -> dict[str, ca.Function]:
 
     Returns
     -------
-    dict of str to casadi.Function
+    dict of Kernel to casadi.Function
     """
     step_map = StepMap(model)
     observation = Observation(step_map)
-    kernels = [_newton(step_map, name, method) for name, method in NEWTON.items()]
-    for name in LOCKSTEP:
-        kind, _, n = name.partition("_")
-        maker = {"residual": step_map.residual, "jacobian": step_map.jacobian, "trace": observation.trace}
-        kernels.append(maker[kind](int(n)) if n else observation.advance)
-    return {kernel.name().removeprefix(f"{model.name}_"): kernel for kernel in kernels}
+    kernels = {kernel: _newton(step_map, kernel, method) for kernel, method in NEWTON.items()}
+    makers = {
+        Kind.RESIDUAL: step_map.residual,
+        Kind.JACOBIAN: step_map.jacobian,
+        Kind.TRACE: observation.trace,
+    }
+    for kernel in BRANCH_FREE:
+        kernels[kernel] = observation.advance if kernel == ADVANCE else makers[kernel.kind](kernel.n_rk)
+    return kernels
 
 
-def _newton(step_map: StepMap, name: str, method: Newton) -> ca.Function:
+def _newton(step_map: StepMap, kernel: Kernel, method: Newton) -> ca.Function:
     """(u0, p) -> (u, R) or (u, J, R)."""
     u0, p = ca.MX.sym("u0", step_map.nz + 1), ca.MX.sym("p", step_map.n_params)
     u = step_map.rootfinder(
-        method.steps, method.iterations, method.abstol, method.abstol_step, method.jacobian_steps
+        method.n_rk, method.iterations, method.abstol, method.abstol_step, method.jacobian_n_rk
     )(u0, p)
-    closing = step_map.residual if method.closing.startswith("residual") else step_map.jacobian
-    outputs = closing(method.steps).call([u, p])
-    names = closing(method.steps).name_out()
-    return ca.Function(f"{step_map.model.name}_{name}", [u0, p], [u, *outputs], ["u0", "p"], ["u", *names])
+    closing = step_map.residual if method.closing.kind == Kind.RESIDUAL else step_map.jacobian
+    outputs = closing(method.n_rk).call([u, p])
+    names = closing(method.n_rk).name_out()
+    return ca.Function(
+        f"{step_map.model.name}_{kernel.name}", [u0, p], [u, *outputs], ["u0", "p"], ["u", *names]
+    )
 
 
 def c_source(model: Model) -> str:

@@ -15,13 +15,18 @@ OBSERVABLES = ("d", "vertical_force", "friction", "foot_height", "peak", "touchd
 `d`, stance foot minus zero moment point; vertical ground force; horizontal over vertical ground force;
 height of the swing foot; acceleration of the stance angle (its falling zeros are peaks of the rate);
 touchdown condition; position of the wobbling mass. Zero where a model has no such angle or mass. The power
-of each actuator follows.
+of each motor follows.
 """
 
 
+def power(coordinate: str) -> str:
+    """Name of the row that holds the power of the motor on a coordinate."""
+    return f"power_{coordinate}"
+
+
 def observables(model: Model) -> tuple[str, ...]:
-    """Names of the rows: `OBSERVABLES`, then ``power_<coordinate>`` for each actuator."""
-    return (*OBSERVABLES, *(f"power_{name}" for name in model.actuated))
+    """Names of the rows: `OBSERVABLES`, then the power of each motor."""
+    return (*OBSERVABLES, *map(power, model.actuated))
 
 
 @dataclass(frozen=True)
@@ -37,7 +42,7 @@ class Observation:
 
     @property
     def width(self) -> int:
-        """Length of the state with the net work of each actuator."""
+        """Length of the state with the net work of each motor."""
         return 2 * self.step_map.n + len(self.step_map.model.actuated)
 
     def _values(self, t: ca.SX, y: ca.SX, p: ca.SX) -> ca.SX:
@@ -63,14 +68,14 @@ class Observation:
         return torque * ca.vertcat(*rates)
 
     def _powers(self, t: ca.SX, y: ca.SX, p: ca.SX) -> ca.SX:
-        """Power of each actuator."""
+        """Power of each motor."""
         sm = self.step_map
         if not sm.model.actuated:
             return ca.SX(0, 1)
         return self._powers_of(sm.call("controller_torque", t=t, q=y[: sm.n], v=y[sm.n :], p=p)["u"], y)
 
     def _working_rate(self, phase: ca.SX, w: ca.SX, p: ca.SX) -> ca.SX:
-        """Time derivative of the state and of each actuator's net work."""
+        """Time derivative of the state and of each motor's net work."""
         sm = self.step_map
         y = w[: 2 * sm.n]
         if not sm.model.actuated:
@@ -89,10 +94,10 @@ class Observation:
         return ca.Function("observe", [t, y, p], outputs, ["t", "y", "p"], ["g", "dg"])
 
     @cached_property
-    def working_step(self) -> ca.Function:
-        """One step of state and net works: (y, phase, turns, h, p) -> y with y = (state, works)."""
+    def working_rk_step(self) -> ca.Function:
+        """One RK step of state and net works: (y, phase, increments, h, p) -> y with y = (state, works)."""
         sm = self.step_map
-        return sm.one_step("working_step", self._working_rate, ca.SX.sym("w", self.width))
+        return sm.rk_step("working_step", self._working_rate, ca.SX.sym("w", self.width))
 
     @cached_property
     def advance(self) -> ca.Function:
@@ -100,7 +105,7 @@ class Observation:
         sm = self.step_map
         t, w, h = ca.MX.sym("t"), ca.MX.sym("w", self.width), ca.MX.sym("h")
         p = ca.MX.sym("p", sm.n_params)
-        end = self.working_step(w, sm.phase(t, p), sm.turns(h, p), h, p)
+        end = self.working_rk_step(w, sm.phase(t, p), sm.phase_increments(h, p), h, p)
         g, dg = self.observe(t + h, end[: 2 * sm.n], p)
         return ca.Function(
             f"{sm.model.name}_advance", [t, w, h, p], [end, g, dg], ["t", "w", "h", "p"], ["w_end", "g", "dg"]
@@ -108,16 +113,16 @@ class Observation:
 
     @cached_property
     def _block(self) -> ca.Function:
-        """`BLOCK` working steps, observed at the start of each.
+        """`BLOCK` working RK steps, observed at the start of each.
 
-        (t, turns, w, h, p) -> (w_end, nodes, g, dg)
+        (t, increments, w, h, p) -> (w_end, nodes, g, dg)
         """
         sm = self.step_map
         t, w, h = ca.MX.sym("t"), ca.MX.sym("w", self.width), ca.MX.sym("h")
-        p, turns = ca.MX.sym("p", sm.n_params), ca.MX.sym("turns", 2, STAGES)
+        p, increments = ca.MX.sym("p", sm.n_params), ca.MX.sym("turns", 2, STAGES)
         nodes = [w]
         for i in range(BLOCK):
-            nodes.append(self.working_step(nodes[-1], sm.phase(t + i * h, p), turns, h, p))
+            nodes.append(self.working_rk_step(nodes[-1], sm.phase(t + i * h, p), increments, h, p))
         # Every node is kept: just after touchdown the power can cross zero several times between two.
         seen = [self.observe(t + i * h, node[: 2 * sm.n], p) for i, node in enumerate(nodes[:-1])]
         outputs = [
@@ -126,15 +131,15 @@ class Observation:
             ca.horzcat(*[s[0] for s in seen]),
             ca.horzcat(*[s[1] for s in seen]),
         ]
-        inputs = {"t": t, "turns": turns, "w": w, "h": h, "p": p}
+        inputs = {"t": t, "turns": increments, "w": w, "h": h, "p": p}
         return ca.Function(
             "working_steps", [*inputs.values()], outputs, [*inputs], ["w_end", "nodes", "g", "dg"]
         )
 
-    def trace(self, steps: int) -> ca.Function:
-        """A whole step of `steps` Runge-Kutta steps, observed at steps + 1 nodes.
+    def trace(self, n_rk: int) -> ca.Function:
+        """A whole step of `n_rk` RK steps, observed at n_rk + 1 nodes.
 
-        (u, p) -> (w, g, dg, R): state and net works at the nodes, shape (width, steps + 1),
+        (u, p) -> (w, g, dg, R): state and net works at the nodes, shape (width, n_rk + 1),
         observables and their derivatives at the nodes, and the residual at this resolution.
         """
         sm = self.step_map
@@ -142,16 +147,16 @@ class Observation:
         z, period = u[: sm.nz], u[sm.nz]
         w = ca.vertcat(sm.start(z, p)[0], ca.DM.zeros(len(sm.model.actuated)))
         parts = []
-        h = period / steps
-        turns = sm.turns(h, p)
-        for i in range(0, steps, BLOCK):
-            w, *part = self._block((i / steps) * period, turns, w, h, p)
+        h = period / n_rk
+        increments = sm.phase_increments(h, p)
+        for i in range(0, n_rk, BLOCK):
+            w, *part = self._block((i / n_rk) * period, increments, w, h, p)
             parts.append(part)
         parts.append([w, *self.observe(period, w[: 2 * sm.n], p)])
         nodes, g, dg = (ca.horzcat(*column) for column in zip(*parts, strict=True))
         residual = sm.landing(w[: 2 * sm.n], z, p)
         return ca.Function(
-            f"{sm.model.name}_trace_{steps}",
+            f"{sm.model.name}_trace_{n_rk}",
             [u, p],
             [nodes, g, dg, residual],
             ["u", "p"],

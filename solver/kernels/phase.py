@@ -16,7 +16,7 @@ from stridemap.solver.model.model import Model
 Pair = tuple[Any, Any]
 
 
-class Sines:
+class PhaseNamespace:
     """CasADi's functions for generated equations, with the cosine and sine of the phase given.
 
     Parameters
@@ -77,14 +77,14 @@ class Oscillator:
         )
 
     @staticmethod
-    def later(start: ca.SX, turn: ca.SX) -> ca.SX:
-        """The phase after a turn."""
-        return ca.vertcat(*rotated((start[0], start[1]), (turn[0], turn[1])))
+    def advance_phase(start: ca.SX, increment: ca.SX) -> ca.SX:
+        """The phase after an increment."""
+        return ca.vertcat(*rotated((start[0], start[1]), (increment[0], increment[1])))
 
     def call(self, name: str, phase: ca.SX, **values: ca.SX) -> dict[str, ca.SX]:
         """Call a generated function with cosine and sine of the phase in the place of the time."""
         t = ca.SX.sym("t")
-        return _called(self.model, name, Sines(t, phase), t, values)
+        return _called(self.model, name, PhaseNamespace(t, phase), t, values)
 
 
 class PlainTime:
@@ -101,31 +101,31 @@ class PlainTime:
         self.at = ca.Function("phase", [t, p], [ca.vertcat(t, 0)], ["t", "p"], ["phase"])
 
     @staticmethod
-    def later(start: ca.SX, turn: ca.SX) -> ca.SX:
-        """The time after some more of it."""
-        return start + turn
+    def advance_phase(start: ca.SX, increment: ca.SX) -> ca.SX:
+        """The time after an increment."""
+        return start + increment
 
     def call(self, name: str, phase: ca.SX, **values: ca.SX) -> dict[str, ca.SX]:
         """Call a generated function with the time."""
-        return _called(self.model, name, Sines(phase[0]), phase[0], values)
+        return _called(self.model, name, PhaseNamespace(phase[0]), phase[0], values)
 
 
-def clock_of(model: Model) -> Oscillator | PlainTime:
+def clock_for(model: Model) -> Oscillator | PlainTime:
     """How time enters the equations of a model."""
     t, p, phase = ca.SX.sym("t"), ca.SX.sym("p", len(model.parameters)), ca.SX.sym("phase", 2)
     n = len(model.coordinates)
-    sines = Sines(t, phase)
+    namespace = PhaseNamespace(t, phase)
     values = {"q": ca.SX.sym("q", n), "v": ca.SX.sym("v", n), "p": p}
-    outputs = _called(model, "state_derivative", sines, t, values)
+    outputs = _called(model, "state_derivative", namespace, t, values)
     outside = any(ca.depends_on(value, t) for value in outputs.values())
-    angle = sines.angles[0] if sines.angles else ca.SX(0)
-    if outside or not all(ca.is_equal(angle, other, 4) for other in sines.angles):
+    angle = namespace.angles[0] if namespace.angles else ca.SX(0)
+    if outside or not all(ca.is_equal(angle, other, 4) for other in namespace.angles):
         return PlainTime(model)
     return Oscillator(model, angle, t, p)
 
 
 def _called(
-    model: Model, name: str, namespace: Sines, t: ca.SX, values: dict[str, ca.SX]
+    model: Model, name: str, namespace: PhaseNamespace, t: ca.SX, values: dict[str, ca.SX]
 ) -> dict[str, ca.SX]:
     inputs = model.spec.functions[name].arguments
     scalars = [t if key == "t" else ca.vertsplit(values[key]) for key in inputs]

@@ -20,7 +20,7 @@ NODES: tuple[float, ...] = tuple(_C.tolist())
 """Where the stages lie, in terms of the step."""
 
 
-def step(rate: Callable[[Any, ca.SX], ca.SX], times: Sequence[Any], y: ca.SX, h: ca.SX) -> ca.SX:
+def rk_step(rate: Callable[[Any, ca.SX], ca.SX], times: Sequence[Any], y: ca.SX, h: ca.SX) -> ca.SX:
     """Advance ``dy/dt = rate(t, y)`` by one step.
 
     Parameters

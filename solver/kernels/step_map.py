@@ -7,8 +7,8 @@ Time is scaled to the period: a limit cycle is a zero of
 with P the flow over the time T, followed by the impact, and h the touchdown condition. R is smooth
 and free of branches and event detection; which touchdown it is, is checked afterwards.
 
-The state y is (q, v); a point on the section is z. One SX graph holds a Runge-Kutta step with its
-derivative, so that sines, cosines and eliminations are shared; MX chains the steps.
+The state y is (q, v); a point on the section is z. One SX graph holds an RK step with its
+derivative, so that sines, cosines and eliminations are shared; MX chains the RK steps.
 """
 
 from collections.abc import Callable
@@ -16,12 +16,13 @@ from functools import cached_property
 
 import casadi as ca
 
-from stridemap.solver.kernels.phase import clock_of
-from stridemap.solver.kernels.runge_kutta import NODES, STAGES, step
+from stridemap.solver.kernels import runge_kutta
+from stridemap.solver.kernels.phase import clock_for
+from stridemap.solver.kernels.runge_kutta import NODES, STAGES
 from stridemap.solver.model.model import Model
 
 BLOCK = 12
-"""Runge-Kutta steps in one block; every resolution is a multiple of it."""
+"""RK steps in one block; every resolution is a multiple of it."""
 
 
 class StepMap:
@@ -37,7 +38,7 @@ class StepMap:
         self.n = len(model.coordinates)
         self.nz = len(model.section)
         self.n_params = len(model.parameters)
-        self._clock = clock_of(model)
+        self._clock = clock_for(model)
         self._whole: dict[str, ca.Function] = {}
 
     # -- pieces ------------------------------------------------------------------------------------------
@@ -81,31 +82,34 @@ class StepMap:
         return self._clock.at
 
     @cached_property
-    def turns(self) -> ca.Function:
+    def phase_increments(self) -> ca.Function:
         """(h, p) -> for each stage, the phase's advance since the start of the step."""
         h, p = ca.SX.sym("h"), ca.SX.sym("p", self.n_params)
         columns = [self.phase(node * h, p) for node in NODES]
         return ca.Function("turns", [h, p], [ca.cse(ca.horzcat(*columns))], ["h", "p"], ["turns"])
 
-    def one_step(self, name: str, rate: Callable[[ca.SX, ca.SX, ca.SX], ca.SX], y: ca.SX) -> ca.Function:
-        """One Runge-Kutta step: (y, phase, turns, h, p) -> y, for a rate of (phase, y, p)."""
-        phase, turns, h = ca.SX.sym("phase", 2), ca.SX.sym("turns", 2, STAGES), ca.SX.sym("h")
+    def rk_step(self, name: str, rate: Callable[[ca.SX, ca.SX, ca.SX], ca.SX], y: ca.SX) -> ca.Function:
+        """One RK step: (y, phase, increments, h, p) -> y, for a rate of (phase, y, p)."""
+        phase, increments, h = ca.SX.sym("phase", 2), ca.SX.sym("turns", 2, STAGES), ca.SX.sym("h")
         p = ca.SX.sym("p", self.n_params)
-        phases = [self._clock.later(phase, turns[:, i]) if node else phase for i, node in enumerate(NODES)]
-        end = step(lambda s, x: rate(s, x, p), phases, y, h)
-        inputs = {"y": y, "phase": phase, "turns": turns, "h": h, "p": p}
+        phases = [
+            self._clock.advance_phase(phase, increments[:, i]) if node else phase
+            for i, node in enumerate(NODES)
+        ]
+        end = runge_kutta.rk_step(lambda s, x: rate(s, x, p), phases, y, h)
+        inputs = {"y": y, "phase": phase, "turns": increments, "h": h, "p": p}
         return ca.Function(name, [*inputs.values()], [ca.cse(end)], [*inputs], ["y_end"])
 
     @cached_property
-    def plain_step(self) -> ca.Function:
-        """One step of the state: (y, phase, turns, h, p) -> y."""
-        return self.one_step("plain_step", self.rate_at_phase, ca.SX.sym("y", 2 * self.n))
+    def plain_rk_step(self) -> ca.Function:
+        """One RK step of the state: (y, phase, increments, h, p) -> y."""
+        return self.rk_step("plain_step", self.rate_at_phase, ca.SX.sym("y", 2 * self.n))
 
     @cached_property
-    def variational_step(self) -> ca.Function:
+    def variational_rk_step(self) -> ca.Function:
         """One step of the state and its tangents, y of shape (2 n, 1 + nz)."""
         y = ca.SX.sym("y", 2 * self.n, 1 + self.nz)
-        return self.one_step("variational_step", self._variational_rate, y)
+        return self.rk_step("variational_step", self._variational_rate, y)
 
     @cached_property
     def start(self) -> ca.Function:
@@ -160,57 +164,57 @@ class StepMap:
 
     # -- whole steps -------------------------------------------------------------------------------------
 
-    def _block(self, one_step: ca.Function) -> ca.Function:
-        """`BLOCK` steps as one function, so that the C of a long chain stays short.
+    def _block(self, rk_step: ca.Function) -> ca.Function:
+        """`BLOCK` RK steps as one function, so that the C of a long chain stays short.
 
-        (y, t, turns, h, p) -> y
+        (y, t, increments, h, p) -> y
         """
-        y0, p = ca.MX.sym("y", *one_step.size_in("y")), ca.MX.sym("p", self.n_params)
-        t, turns, h = ca.MX.sym("t"), ca.MX.sym("turns", 2, STAGES), ca.MX.sym("h")
+        y0, p = ca.MX.sym("y", *rk_step.size_in("y")), ca.MX.sym("p", self.n_params)
+        t, increments, h = ca.MX.sym("t"), ca.MX.sym("turns", 2, STAGES), ca.MX.sym("h")
         y = y0
         for i in range(BLOCK):
-            y = one_step(y, self.phase(t + i * h, p), turns, h, p)
-        inputs = {"y": y0, "t": t, "turns": turns, "h": h, "p": p}
-        return ca.Function(f"{one_step.name()}s", [*inputs.values()], [y], [*inputs], ["y_end"])
+            y = rk_step(y, self.phase(t + i * h, p), increments, h, p)
+        inputs = {"y": y0, "t": t, "turns": increments, "h": h, "p": p}
+        return ca.Function(f"{rk_step.name()}s", [*inputs.values()], [y], [*inputs], ["y_end"])
 
     @cached_property
     def _plain_block(self) -> ca.Function:
-        return self._block(self.plain_step)
+        return self._block(self.plain_rk_step)
 
     @cached_property
     def _variational_block(self) -> ca.Function:
-        return self._block(self.variational_step)
+        return self._block(self.variational_rk_step)
 
-    def _flow(self, block: ca.Function, y: ca.MX, period: ca.MX, p: ca.MX, steps: int) -> ca.MX:
-        """The state after `period`; `steps` is a multiple of `BLOCK`."""
-        h = period / steps
-        turns = self.turns(h, p)
-        for i in range(0, steps, BLOCK):
-            y = block(y, (i / steps) * period, turns, h, p)
+    def _flow(self, block: ca.Function, y: ca.MX, period: ca.MX, p: ca.MX, n_rk: int) -> ca.MX:
+        """The state after `period`; `n_rk` is a multiple of `BLOCK`."""
+        h = period / n_rk
+        increments = self.phase_increments(h, p)
+        for i in range(0, n_rk, BLOCK):
+            y = block(y, (i / n_rk) * period, increments, h, p)
         return y
 
-    def residual(self, steps: int) -> ca.Function:
-        """(u, p) -> R with u = (z, T) and a step of the walker cut into `steps` Runge-Kutta steps."""
+    def residual(self, n_rk: int) -> ca.Function:
+        """(u, p) -> R with u = (z, T) and a step of the walker cut into `n_rk` RK steps."""
 
         def outputs(z: ca.MX, period: ca.MX, p: ca.MX) -> list[ca.MX]:
-            y = self._flow(self._plain_block, self.start(z, p)[0], period, p, steps)
+            y = self._flow(self._plain_block, self.start(z, p)[0], period, p, n_rk)
             return [self.landing(y, z, p)]
 
-        return self._of_whole_step(f"residual_{steps}", outputs, ["R"])
+        return self._of_whole_step(f"residual_{n_rk}", outputs, ["R"])
 
-    def jacobian(self, steps: int) -> ca.Function:
+    def jacobian(self, n_rk: int) -> ca.Function:
         """(u, p) -> (dR/du, R), by forward sensitivities through every stage."""
 
         def outputs(z: ca.MX, period: ca.MX, p: ca.MX) -> list[ca.MX]:
-            y = self._flow(self._variational_block, ca.horzcat(*self.start(z, p)), period, p, steps)
+            y = self._flow(self._variational_block, ca.horzcat(*self.start(z, p)), period, p, n_rk)
             return list(self.landing_with_derivative(y, z, period, p))
 
-        return self._of_whole_step(f"jacobian_{steps}", outputs, ["J", "R"])
+        return self._of_whole_step(f"jacobian_{n_rk}", outputs, ["J", "R"])
 
     def _of_whole_step(
         self, name: str, outputs: Callable[[ca.MX, ca.MX, ca.MX], list[ca.MX]], names: list[str]
     ) -> ca.Function:
-        """A function of (u, p), given as one of (z, T, p). Built once a name, so that it is printed once."""
+        """A function of (u, p), given as one of (z, T, p). Built once per name, to be printed once."""
         if name not in self._whole:
             u, p = ca.MX.sym("u", self.nz + 1), ca.MX.sym("p", self.n_params)
             out = outputs(u[: self.nz], u[self.nz], p)
@@ -219,11 +223,11 @@ class StepMap:
 
     def rootfinder(
         self,
-        steps: int,
+        n_rk: int,
         iterations: int,
         abstol: float,
         abstol_step: float,
-        jacobian_steps: int | None = None,
+        jacobian_n_rk: int | None = None,
     ) -> ca.Function:
         """Newton's method on R as one CasADi rootfinder: (u0, p) -> u.
 
@@ -231,15 +235,15 @@ class StepMap:
         `abstol_step` (the error left is of the order of its square), or after `iterations`; whether it
         arrived is for the caller to judge from the residual.
 
-        With fewer `jacobian_steps` the derivative is that of a coarser integration, which costs less and
+        With a smaller `jacobian_n_rk` the derivative is that of a coarser integration, which costs less and
         does not change what the iteration converges to.
         """
-        derivative = self.jacobian(steps)
-        if jacobian_steps is not None and jacobian_steps != steps:
+        derivative = self.jacobian(n_rk)
+        if jacobian_n_rk is not None and jacobian_n_rk != n_rk:
             u, p = ca.MX.sym("u", self.nz + 1), ca.MX.sym("p", self.n_params)
-            coarse, _ = self.jacobian(jacobian_steps)(u, p)
-            outputs = [coarse, self.residual(steps)(u, p)]
-            derivative = ca.Function(f"coarse_jacobian_{steps}", [u, p], outputs, ["u", "p"], ["J", "R"])
+            coarse, _ = self.jacobian(jacobian_n_rk)(u, p)
+            outputs = [coarse, self.residual(n_rk)(u, p)]
+            derivative = ca.Function(f"coarse_jacobian_{n_rk}", [u, p], outputs, ["u", "p"], ["J", "R"])
         options = {
             "jacobian_function": derivative,
             "abstol": abstol,
@@ -247,4 +251,4 @@ class StepMap:
             "max_iter": iterations,
             "error_on_fail": False,
         }
-        return ca.rootfinder(f"newton_{steps}", "fast_newton", self.residual(steps), options)
+        return ca.rootfinder(f"newton_{n_rk}", "fast_newton", self.residual(n_rk), options)

@@ -1,6 +1,6 @@
 """Zeros and extrema of observables along traced steps, on arrays of orbits.
 
-A trace holds nodes; between nodes, one Runge-Kutta step of the right size from the node on the left gives
+A trace holds nodes; between nodes, one RK step of the right size from the node on the left gives
 the state at any time with the integrator's own accuracy, so zeros are located exactly and not by
 interpolation.
 """
@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from stridemap.solver.backends.library import Kernels
+from stridemap.solver.backends.base import Advanced, Kernels, Traced
 from stridemap.solver.kernels.observation import observables
 
 Array = NDArray[np.float64]
@@ -18,7 +18,7 @@ Index = NDArray[np.int64]
 
 LOCATE_ITERATIONS = 30
 LOCATE_TOLERANCE = 1e-5
-"""Of the Runge-Kutta step. What is read off is stationary at these times: the error left is the square."""
+"""Of the RK step. What is read off is stationary at these times: the error left is the square."""
 
 
 @dataclass(frozen=True)
@@ -43,9 +43,14 @@ class Trace:
     g: Array
     dg: Array
 
+    @classmethod
+    def of(cls, kernels: Kernels, u: Array, params: Array, traced: Traced) -> "Trace":
+        """What a kernel traced from section points with periods `u`."""
+        return cls(kernels, params, u[:, -1], traced.w, traced.g, traced.dg)
+
     @property
     def h(self) -> Array:
-        """Size of the Runge-Kutta steps, shape (n,)."""
+        """Size of the RK steps, shape (n,)."""
         return self.period / (self.w.shape[1] - 1)
 
     def observable(self, name: str) -> tuple[Array, Array]:
@@ -64,11 +69,10 @@ class Trace:
         parts = (self.params, self.period, self.w, self.g, self.dg)
         return Trace(self.kernels, *(a[index] for a in parts))
 
-    def advance(self, orbit: Index, node: Index, tau: Array) -> tuple[Array, Array, Array]:
+    def advance(self, orbit: Index, node: Index, tau: Array) -> Advanced:
         """State with work, observables and derivatives at a time `tau` after a node."""
         t = node * self.h[orbit]
-        w, g, dg = self.kernels("advance", t, self.w[orbit, node], tau, self.params[orbit])
-        return w, g, dg
+        return self.kernels.advance(t, self.w[orbit, node], tau, self.params[orbit])
 
 
 @dataclass(frozen=True)

@@ -1,110 +1,267 @@
-"""What is measured on a limit cycle, on arrays of orbits.
+"""How each measured quantity is computed, on arrays of limit cycles: one function of its name each.
 
-Extrema are found in continuous time, ends included; the work is split at the zeros of the power.
+The entries, with labels and definitions, are in `stridemap.quantities`. Extrema are found in continuous
+time, ends included (`solver.observables.reductions`).
 """
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from stridemap.solver.observables.events import Brackets, Trace, brackets, locate
+from stridemap.quantities import MEASURED
+from stridemap.solver.model.model import Model
+from stridemap.solver.observables.events import Trace
+from stridemap.solver.observables.reductions import count_zeros, extreme, works
 
 Array = NDArray[np.float64]
 
 
-def extreme(trace: Trace, name: str, score: np.ufunc | None = None) -> Array:
-    """Largest value of ``score(g)`` of an observable over a step, ends included, shape (n,).
+@dataclass(frozen=True)
+class Cycles:
+    """Limit cycles that are to be measured, and what several quantities have in common.
+
+    ``cycles["cot"]`` is a quantity of all of them, computed once.
 
     Parameters
     ----------
+    model : Model
+    params : ndarray, shape (m, n_params)
+    u : ndarray, shape (m, nz + 1)
+        Section points with periods.
+    multipliers : ndarray of complex, shape (m, nz)
+    residuals, integration_errors : ndarray, shape (m,)
     trace : Trace
-    name : str
-        One of `observables`.
-    score : numpy ufunc, optional
-        ``numpy.absolute`` or ``numpy.negative``; the value itself if it is left out.
     """
-    value = score or np.positive
-    g, _ = trace.observable(name)
-    best = value(g).max(axis=1)
-    turns = brackets(trace, name, derivative=True)
-    # Only a turning point beside the best nodes can beat them: a generous bound on what it can gain.
-    near = np.maximum(value(g[turns.orbit, turns.node]), value(g[turns.orbit, turns.node + 1]))
-    slope = np.maximum(np.abs(turns.f_lower), np.abs(turns.f_upper)) * trace.h[turns.orbit]
-    candidates = turns.take(near + slope >= best[turns.orbit])
-    _, _, seen = locate(trace, candidates)
-    np.maximum.at(best, candidates.orbit, value(seen[:, candidates.row]))
-    return best
+
+    model: Model
+    params: Array
+    u: Array
+    multipliers: NDArray[np.complex128]
+    residuals: Array
+    integration_errors: Array
+    trace: Trace
+    _known: dict[str, Any] = field(default_factory=dict)
+
+    def __getitem__(self, name: str) -> Any:
+        """A quantity, shape (m,); None where the model lacks it."""
+        if name not in self._known:
+            self._known[name] = MEASURES[name](self)
+        return self._known[name]
+
+    @property
+    def period(self) -> Array:
+        """Periods, shape (m,)."""
+        return self.u[:, -1]
+
+    @cached_property
+    def start(self) -> dict[str, Array]:
+        """Coordinates and rates just after touchdown."""
+        return self.model.evaluate("section_state", z=self.u[:, :-1], p=self.params)
+
+    @cached_property
+    def end(self) -> dict[str, Array]:
+        """Coordinates and rates just before the next touchdown."""
+        n, state = len(self.model.coordinates), self.trace.w[:, -1]
+        return {"q": state[:, :n], "v": state[:, n : 2 * n]}
+
+    @cached_property
+    def load(self) -> dict[str, Array]:
+        """Mass of the walker, its weight, and the weight's component along the ground."""
+        return self.model.evaluate("total_mass", p=self.params)
+
+    @cached_property
+    def works(self) -> tuple[Array, Array, Array]:
+        """Absolute, positive and net work of all motors over a step."""
+        return works(self.trace)
+
+    @cached_property
+    def energy(self) -> Array:
+        """What a step costs: down a slope gravity supplies energy; uphill the motors' work has it already."""
+        return self["work"] + np.maximum(self.load["pull"], 0.0) * self["step_length"]
+
+    def where_in_contact(self, values: Array) -> Array:
+        """NaN where the foot would lift: there the ground force's ratios run to infinity."""
+        return np.where(self["min_vertical_force"] > 0, values, np.nan)
 
 
-def work(trace: Trace) -> tuple[Array, Array, Array]:
-    """Absolute, positive and net work of all actuators over a step, shape (n,) each."""
-    model = trace.kernels.model
-    total, positive, net = (np.zeros(len(trace.period)) for _ in range(3))
-    for i, name in enumerate(model.actuated):
-        column = 2 * len(model.coordinates) + i
-        one, done = _work_of(trace, f"power_{name}", column)
-        total += one
-        positive += 0.5 * (one + done)
-        net += done
-    return total, positive, net
+MEASURES: dict[str, Callable[[Cycles], Any]] = {}
+"""The function of each measured quantity, by the quantity's name."""
 
 
-def _work_of(trace: Trace, power: str, column: int) -> tuple[Array, Array]:
-    """Absolute and net work of one actuator.
-
-    The net work is integrated with the state; between two zeros of the power its change has one sign.
-    """
-    kinks = brackets(trace, power)
-    _, w, _ = locate(trace, kinks)
-    n = len(trace.period)
-    net = trace.w[:, -1, column] - trace.w[:, 0, column]
-    # Rows (orbit, work so far): start, kinks in order of time, end.
-    orbit = np.concatenate([np.arange(n), kinks.orbit, np.arange(n)])
-    so_far = np.concatenate([trace.w[:, 0, column], w[:, column], trace.w[:, -1, column]])
-    order = np.argsort(orbit, kind="stable")
-    orbit, so_far = orbit[order], so_far[order]
-    same = orbit[1:] == orbit[:-1]
-    pieces = np.diff(so_far)[same]
-    total = np.zeros(n)
-    np.add.at(total, orbit[1:][same], np.abs(pieces))
-    return total, net
+def measured(cycles: Cycles) -> dict[str, Any]:
+    """Every measured quantity by name, in the registry's order; None for those that the model lacks."""
+    return {name: cycles[name] for name in MEASURED}
 
 
-def count_zeros(trace: Trace, name: str, falling_only: bool = False) -> NDArray[np.int64]:
-    """Number of zeros of an observable strictly within a step, shape (n,)."""
-    found = brackets(trace, name)
-    if falling_only:
-        found = found.take(found.f_lower > found.f_upper)
-    return np.bincount(found.orbit, minlength=len(trace.period))
+def _measure(function: Callable[[Cycles], Any]) -> Callable[[Cycles], Any]:
+    """Enter a function as the one that computes the quantity of its name."""
+    MEASURES[function.__name__] = function
+    return function
 
 
-def earlier_touchdown(trace: Trace, side: Array) -> NDArray[np.bool_]:
-    """Whether the swing foot touches down before the end of the step, shape (n,).
+# -- stability -------------------------------------------------------------------------------------------
+
+
+@_measure
+def spectral_radius(cycles: Cycles) -> Array:
+    """Largest modulus of a multiplier."""
+    radius: Array = np.abs(cycles.multipliers).max(axis=1, initial=0.0)
+    return radius
+
+
+@_measure
+def stable(cycles: Cycles) -> NDArray[np.bool_]:
+    """Whether the largest multiplier is below 1."""
+    below: NDArray[np.bool_] = cycles["spectral_radius"] < 1.0
+    return below
+
+
+@_measure
+def group(cycles: Cycles) -> NDArray[np.object_] | None:
+    """Letter of the solution group; None without a spring mode."""
+    if "spring_mode" not in cycles.model.spec.functions:
+        return None
+    frequency = cycles.model.evaluate("spring_mode", p=cycles.params)["frequency"]
+    oscillations, inverse = np.unique(
+        (frequency * cycles.period / (2 * np.pi)).astype(np.int64), return_inverse=True
+    )
+    letters = np.array([group_letter(n) for n in oscillations.tolist()], dtype=object)
+    return letters[inverse.ravel()]
+
+
+def group_letter(index: int) -> str:
+    """Letter of a solution group: 0 is A, 25 is Z, 26 is AA.
 
     Parameters
     ----------
-    trace : Trace
-    side : ndarray, shape (n, N + 1)
-        Negative where a touchdown is admissible.
+    index : int
+        Number of whole spring oscillations in one period.
     """
-    found = brackets(trace, "touchdown")
-    rising = found.take(found.f_lower < found.f_upper)
-    last = trace.w.shape[1] - 2
-    rising = rising.take(~_is_the_touchdown(rising, trace, last))
-    left, right = side[rising.orbit, rising.node] < 0, side[rising.orbit, rising.node + 1] < 0
-    # Where the stance leg passes the vertical in the same interval, the zero itself decides.
-    doubtful = np.flatnonzero(left != right)
-    if len(doubtful):
-        model = trace.kernels.model
-        n = len(model.coordinates)
-        _, w, _ = locate(trace, rising.take(doubtful))
-        q, v, p = w[:, :n], w[:, n : 2 * n], trace.params[rising.orbit[doubtful]]
-        right[doubtful] = model.evaluate("touchdown_condition", q=q, v=v, p=p)["side"] < 0
-    return np.bincount(rising.orbit[right], minlength=len(trace.period)) > 0
+    letters = ""
+    index += 1
+    while index > 0:
+        index, rest = divmod(index - 1, 26)
+        letters = chr(ord("A") + rest) + letters
+    return letters
 
 
-def _is_the_touchdown(found: Brackets, trace: Trace, last: int) -> NDArray[np.bool_]:
-    """Whether a bracket ends where the step ends: the condition is zero there but for rounding."""
-    row = trace.row("touchdown")
-    end_slope = np.abs(trace.dg[found.orbit, -1, row])
-    near_zero = np.abs(trace.g[found.orbit, -1, row]) < 1e-6 * end_slope * trace.h[found.orbit]
-    return (found.node == last) & near_zero & (found.upper == trace.h[found.orbit])
+# -- the step ----------------------------------------------------------------------------------------------
+
+
+@_measure
+def step_length(cycles: Cycles) -> Array:
+    """Distance from the stance foot to the next."""
+    return cycles.model.evaluate("step_length", **cycles.start, p=cycles.params)["length"]
+
+
+@_measure
+def speed(cycles: Cycles) -> Array:
+    """Step length over period."""
+    speed: Array = cycles["step_length"] / cycles.period
+    return speed
+
+
+@_measure
+def peaks(cycles: Cycles) -> NDArray[np.int64]:
+    """Local maxima of the stance angle's rate: falling zeros of its acceleration."""
+    return count_zeros(cycles.trace, "peak", falling_only=True)
+
+
+@_measure
+def x_zero_crossings(cycles: Cycles) -> NDArray[np.int64] | None:
+    """Sign changes of the wobbling mass's position; None without one."""
+    return count_zeros(cycles.trace, "wobble") if cycles.model.spec.wobbling else None
+
+
+@_measure
+def wobble_amplitude(cycles: Cycles) -> Array | None:
+    """Largest excursion of the wobbling mass either way; None without one."""
+    return extreme(cycles.trace, "wobble", np.absolute) if cycles.model.spec.wobbling else None
+
+
+@_measure
+def touchdown_speed(cycles: Cycles) -> Array:
+    """Speed of the swing foot just before it strikes."""
+    velocity = cycles.model.evaluate("swing_foot", **cycles.end, p=cycles.params)["dfoot"]
+    return np.hypot(velocity[:, 0], velocity[:, 1])
+
+
+# -- energy ------------------------------------------------------------------------------------------------
+
+
+@_measure
+def work(cycles: Cycles) -> Array:
+    """Integral of the motors' absolute power."""
+    return cycles.works[0]
+
+
+@_measure
+def work_positive(cycles: Cycles) -> Array:
+    """Integral of the positive part of the motors' power."""
+    return cycles.works[1]
+
+
+@_measure
+def work_net(cycles: Cycles) -> Array:
+    """Integral of the motors' power."""
+    return cycles.works[2]
+
+
+@_measure
+def cot(cycles: Cycles) -> Array:
+    """Energy per weight and step length."""
+    cost: Array = cycles.energy / (cycles.load["weight"] * cycles["step_length"])
+    return cost
+
+
+@_measure
+def cot_per_speed(cycles: Cycles) -> Array:
+    """Energy per weight and mean speed, as the paper has it."""
+    cost: Array = cycles.energy * cycles.period / (cycles.load["weight"] * cycles["step_length"])
+    return cost
+
+
+# -- the ground --------------------------------------------------------------------------------------------
+
+
+@_measure
+def d_max(cycles: Cycles) -> Array:
+    """Largest distance of stance foot and zero moment point."""
+    return cycles.where_in_contact(extreme(cycles.trace, "d", np.absolute))
+
+
+@_measure
+def min_vertical_force(cycles: Cycles) -> Array:
+    """Smallest vertical ground force."""
+    return -extreme(cycles.trace, "vertical_force", np.negative)
+
+
+@_measure
+def friction(cycles: Cycles) -> Array:
+    """Largest ratio of horizontal to vertical ground force."""
+    return cycles.where_in_contact(extreme(cycles.trace, "friction", np.absolute))
+
+
+@_measure
+def clearance(cycles: Cycles) -> Array:
+    """Lowest height of the swing foot."""
+    return -extreme(cycles.trace, "foot_height", np.negative)
+
+
+# -- the numbers themselves --------------------------------------------------------------------------------
+
+
+@_measure
+def residual(cycles: Cycles) -> Array:
+    """Largest entry of the closing error."""
+    return cycles.residuals
+
+
+@_measure
+def integration_error(cycles: Cycles) -> Array:
+    """Largest change of the closing error at twice the resolution."""
+    return cycles.integration_errors

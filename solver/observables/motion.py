@@ -7,11 +7,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stridemap.errors import InputError
-from stridemap.solver.backends.library import load_kernels
-from stridemap.solver.cycles.orbit import Orbit
-from stridemap.solver.cycles.search import section_point
-from stridemap.solver.cycles.solver import Solver
-from stridemap.solver.model.loading import load
+from stridemap.solver.backends.base import Backend
+from stridemap.solver.backends.selection import load_kernels
+from stridemap.solver.kernels.resolution import Resolution
 from stridemap.solver.model.model import Model
 from stridemap.solver.observables.events import Trace
 
@@ -23,7 +21,8 @@ class Motion:
     """A step of the walker at evenly spaced times from just after a touchdown to just before the next.
 
     The leading axes, ``...`` below, are those of the cycles asked for, then n samples. Positions are from
-    the stance foot. Units: upper-body mass M, leg length L, time sqrt(L/g).
+    the stance foot. Units are the model's (``model.spec.units``): upper-body mass M, leg length L and time
+    sqrt(L/g) unless it is written in SI units.
 
     Parameters
     ----------
@@ -75,33 +74,13 @@ class Motion:
         raise InputError(f"{self.model.name} has no coordinate {name!r}; its coordinates are {known}")
 
 
-def motion(orbit: Orbit, samples: int = 201) -> Motion:
-    """One limit cycle as a motion, without a leading axis.
-
-    Parameters
-    ----------
-    orbit : Orbit
-    samples : int
-        Number of times, both ends included.
-
-    Raises
-    ------
-    InputError
-        When the orbit is none, or for fewer than two samples.
-    """
-    if not orbit.status.found:
-        raise InputError(f"there is no limit cycle to follow: its status is {orbit.status}")
-    model = load(orbit.model)
-    params = model.point(orbit.params)
-    return motions(model, np.array([section_point(orbit)]), params[None, :], samples, squeeze=True)
-
-
 def motions(
     model: Model,
     cycles: Array | Sequence[Sequence[float]],
     params: Array,
     samples: int,
     squeeze: bool = False,
+    backend: Backend | None = None,
 ) -> Motion:
     """Many limit cycles of one model as motions, with the leading axis of the cycles.
 
@@ -109,12 +88,14 @@ def motions(
     ----------
     model : Model
     cycles : array_like, shape (m, nz + 1)
-        Section points with periods, as from `section_point`.
+        Section points with periods.
     params : ndarray, shape (m, n_params)
     samples : int
         Number of times, both ends included.
     squeeze : bool
         Whether the leading axis of a single cycle is left out.
+    backend : Backend, optional
+        What runs the kernels.
 
     Raises
     ------
@@ -124,7 +105,7 @@ def motions(
     if samples < 2:
         raise InputError(f"samples = {samples} is not allowed: at least 2 are needed")
     u = np.asarray(cycles, dtype=np.float64)
-    t, w = _sampled(model, u, params, samples)
+    t, w = _sampled(model, u, params, samples, backend)
     n = len(model.coordinates)
     values = {"t": t, "q": w[..., :n], "v": w[..., n : 2 * n], "p": params[:, None, :]}
     drawing = model.evaluate("drawing", **values)
@@ -152,19 +133,20 @@ def _torques(model: Model, values: dict[str, Array]) -> Array:
     return model.evaluate("controller_torque", **values)["u"]
 
 
-def _sampled(model: Model, u: Array, params: Array, samples: int) -> tuple[Array, Array]:
+def _sampled(
+    model: Model, u: Array, params: Array, samples: int, backend: Backend | None
+) -> tuple[Array, Array]:
     """Times, shape (m, samples), and states there, with the integrator's own accuracy between its nodes."""
-    kernels = load_kernels(model)
+    kernels = load_kernels(model, backend)
     m = len(u)
-    steps = 2 * Solver(model, kernels).cycle_steps(u[:, -1], params)
+    n_rk = 2 * Resolution(model).cycle_n_rk(u[:, -1], params)
     t = u[:, -1:] * np.linspace(0, 1, samples)
     states = np.empty((m, samples, 2 * len(model.coordinates) + len(model.actuated)))
-    for n in np.unique(steps):
-        at = np.flatnonzero(steps == n)
-        w, g, dg, _ = kernels(f"trace_{n}", u[at], params[at])
-        trace = Trace(kernels, params[at], u[at, -1], w, g, dg)
+    for n in np.unique(n_rk).tolist():
+        at = np.flatnonzero(n_rk == n)
+        trace = Trace.of(kernels, u[at], params[at], kernels.trace(n, u[at], params[at]))
         orbit = np.repeat(np.arange(len(at)), samples)
         node = np.minimum((np.tile(np.linspace(0, 1, samples), len(at)) * n).astype(np.int64), n - 1)
         tau = t[at].ravel() - node * trace.h[orbit]
-        states[at] = trace.advance(orbit, node, tau)[0].reshape(len(at), samples, -1)
+        states[at] = trace.advance(orbit, node, tau).w.reshape(len(at), samples, -1)
     return t, states

@@ -1,0 +1,184 @@
+"""What every backend offers: the kernels of a model, called on arrays of points, with named results.
+
+A backend is a value that is passed as an argument. It says what the last bits of its results depend on
+(`Backend.arithmetic`); two backends whose arithmetic is equal give the same bytes.
+"""
+
+from abc import ABC, abstractmethod
+from functools import cache
+from typing import NamedTuple
+
+import casadi as ca
+import numpy as np
+from numpy.typing import NDArray
+
+from stridemap.solver.kernels import catalogue
+from stridemap.solver.kernels.catalogue import ADVANCE, Kernel
+from stridemap.solver.model.model import Model
+
+Array = NDArray[np.float64]
+
+
+class Searched(NamedTuple):
+    """Of Newton's method from rough guesses: solutions, shape (n, nz + 1), and the residuals there."""
+
+    u: Array
+    residual: Array
+
+
+class Solved(NamedTuple):
+    """Of Newton's method from good guesses.
+
+    Solutions, shape (n, nz + 1); the Jacobians there, shape (n, nz + 1, nz + 1), row by row; the residuals.
+    """
+
+    u: Array
+    jacobian: Array
+    residual: Array
+
+
+class Linearised(NamedTuple):
+    """Jacobians, shape (n, nz + 1, nz + 1), row by row, and residuals, shape (n, nz + 1)."""
+
+    jacobian: Array
+    residual: Array
+
+
+class Traced(NamedTuple):
+    """States with net works, observables and their time derivatives at the nodes, and residuals.
+
+    Shapes (n, n_rk + 1, width), (n, n_rk + 1, n_observables) twice, and (n, nz + 1).
+    """
+
+    w: Array
+    g: Array
+    dg: Array
+    residual: Array
+
+
+class Advanced(NamedTuple):
+    """States with net works, observables and their time derivatives after a part of an RK step."""
+
+    w: Array
+    g: Array
+    dg: Array
+
+
+class Kernels(ABC):
+    """The kernels of one model, mapped over arrays of points.
+
+    In what follows u is a section point with its period, shape (n, nz + 1), p are parameters, shape
+    (n, n_params), and `n_rk` is the number of RK steps per step of the walker. Where a point's computation
+    breaks down its results are NaN.
+
+    Parameters
+    ----------
+    model : Model
+    backend : Backend
+        What runs them.
+    """
+
+    def __init__(self, model: Model, backend: "Backend") -> None:
+        self.model = model
+        self.backend = backend
+        self.functions = _functions(model)
+
+    @property
+    @abstractmethod
+    def compiler(self) -> str:
+        """Compiler and flags, or what runs in their place."""
+
+    @abstractmethod
+    def _map(self, kernel: Kernel, inputs: list[Array], outputs: list[Array]) -> None:
+        """Call `kernel` for every point; fills `outputs`."""
+
+    def search(self, n_rk: int, u: Array, p: Array) -> Searched:
+        """Newton's method from rough guesses."""
+        return Searched(*self.call(catalogue.search(n_rk), u, p))
+
+    def limit_cycle(self, n_rk: int, u: Array, p: Array) -> Solved:
+        """Newton's method from good guesses."""
+        u, jacobian, residual = self.call(catalogue.limit_cycle(n_rk), u, p)
+        return Solved(u, _by_rows(jacobian), residual)
+
+    def residual(self, n_rk: int, u: Array, p: Array) -> Array:
+        """Closing errors with the touchdown condition, shape (n, nz + 1)."""
+        (residual,) = self.call(catalogue.residual(n_rk), u, p)
+        return residual
+
+    def jacobian(self, n_rk: int, u: Array, p: Array) -> Linearised:
+        """Residuals with their derivatives with respect to u."""
+        jacobian, residual = self.call(catalogue.jacobian(n_rk), u, p)
+        return Linearised(_by_rows(jacobian), residual)
+
+    def trace(self, n_rk: int, u: Array, p: Array) -> Traced:
+        """Whole steps, observed at their nodes."""
+        return Traced(*self.call(catalogue.trace(n_rk), u, p))
+
+    def advance(self, t: Array, w: Array, h: Array, p: Array) -> Advanced:
+        """One RK step of size h from a node at time t, observed at its end."""
+        return Advanced(*self.call(ADVANCE, t, w, h, p))
+
+    def call(self, kernel: Kernel, *inputs: Array) -> list[Array]:
+        """Call a kernel at n points.
+
+        Parameters
+        ----------
+        kernel : Kernel
+        *inputs : ndarray, shape (n, size of the input)
+            One array per input, in the kernel's order; one row per point.
+
+        Returns
+        -------
+        list of ndarray
+            One array per output: shape (n, rows), or (n, columns, rows) for a matrix, as CasADi stores it.
+            NaN where a point's computation broke down.
+        """
+        function = self.functions[kernel]
+        n = len(inputs[0])
+        arrays = [np.ascontiguousarray(x, dtype=np.float64) for x in inputs]
+        for i, array in enumerate(arrays):
+            if array.size != n * function.nnz_in(i):
+                raise ValueError(
+                    f"{kernel.name}: input {function.name_in(i)} has shape {array.shape}, "
+                    f"not ({n}, {function.nnz_in(i)})"
+                )
+        outputs = [np.empty((n, function.nnz_out(i))) for i in range(function.n_out())]
+        if n:
+            self._map(kernel, [a.reshape(n, -1) for a in arrays], outputs)
+        shapes = [function.size_out(i) for i in range(function.n_out())]
+        return [
+            out if columns == 1 else out.reshape(n, columns, rows)
+            for out, (rows, columns) in zip(outputs, shapes, strict=True)
+        ]
+
+
+class Backend(ABC):
+    """Something that runs kernels."""
+
+    @property
+    @abstractmethod
+    def arithmetic(self) -> str:
+        """What the last bits of the results depend on."""
+
+    @abstractmethod
+    def kernels(self, model: Model) -> Kernels:
+        """The kernels of a model.
+
+        Raises
+        ------
+        CompilerError
+            When the compiler fails.
+        InputError
+            When the C is not the one that the manifest names.
+        """
+
+
+@cache
+def _functions(model: Model) -> dict[Kernel, ca.Function]:
+    return catalogue.build(model)
+
+
+def _by_rows(matrices: Array) -> Array:
+    """CasADi stores matrices column by column."""
+    return matrices.transpose(0, 2, 1)

@@ -1,0 +1,36 @@
+"""How arrays of points are handed to a shared library, and what its return values mean."""
+
+import ctypes
+
+import numpy as np
+from numpy.typing import NDArray
+
+from stridemap.solver.kernels.catalogue import Kernel
+
+Array = NDArray[np.float64]
+
+
+def pointers(arrays: list[Array]) -> ctypes.Array:
+    """Addresses of arrays."""
+    return (ctypes.c_void_p * len(arrays))(*[a.ctypes.data for a in arrays])
+
+
+def sizes(arrays: list[Array]) -> ctypes.Array:
+    """Numbers per point of each array."""
+    return (ctypes.c_longlong * len(arrays))(*[a.shape[1] for a in arrays])
+
+
+def check(status: int, kernel: Kernel) -> None:
+    """Raise what a return value stands for.
+
+    Raises
+    ------
+    MemoryError
+        When there was no memory for the work space.
+    RuntimeError
+        When the kernel broke down.
+    """
+    if status == 1:
+        raise MemoryError(f"no memory for the work space of kernel {kernel.name}")
+    if status:
+        raise RuntimeError(f"kernel {kernel.name} broke down")

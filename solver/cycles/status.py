@@ -1,0 +1,38 @@
+"""How a search for a limit cycle ended."""
+
+from enum import StrEnum
+
+import numpy as np
+
+
+class Status(StrEnum):
+    """How a search for a limit cycle ended."""
+
+    CONVERGED = "converged"
+    """A limit cycle, closed to 1e-11, with an integration error below 1e-9."""
+    INACCURATE = "inaccurate"
+    """A limit cycle whose integration error stays above 1e-9 at the finest resolution."""
+    NOT_CONVERGED = "not_converged"
+    """Newton's method did not close the cycle."""
+    NOT_A_STEP = "not_a_step"
+    """Closed, but not at a descending foot ahead of the hip, or the walker turns over on the way."""
+    LATER_TOUCHDOWN = "later_touchdown"
+    """Closed, but an earlier touchdown would have ended the step."""
+    OUT_OF_RANGE = "out_of_range"
+    """Closed, with a period outside the range that was asked for."""
+
+    @property
+    def found(self) -> bool:
+        """Whether it is a limit cycle."""
+        return self in (Status.CONVERGED, Status.INACCURATE)
+
+    @property
+    def code(self) -> int:
+        """Its number in arrays."""
+        return CODES[self]
+
+
+STATUSES = np.array(list(Status), dtype=object)
+"""Every status at its code."""
+
+CODES = {status: code for code, status in enumerate(Status)}

@@ -1,0 +1,63 @@
+"""How many RK steps a step of the walker needs: the resolution follows its fastest mode."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from stridemap.solver.kernels.catalogue import CYCLE_N_RK, SEARCH_N_RK
+from stridemap.solver.model.model import Model
+
+Array = NDArray[np.float64]
+Index = NDArray[np.int64]
+
+SEARCH_PHASE, CYCLE_PHASE = 1.5, 0.45
+"""Phase of the fastest mode in one RK step at most. A search needs only to come near; but at twice its phase,
+sweeps were seen to lose cycles with a stiff spring."""
+
+
+@dataclass(frozen=True)
+class Resolution:
+    """Chooses among the resolutions for which there are kernels.
+
+    Parameters
+    ----------
+    model : Model
+    """
+
+    model: Model
+
+    def fastest_mode(self, params: Array) -> Array:
+        """Largest modulus of an eigenvalue of the swing phase linearised upright at rest, shape (n,)."""
+        unique, inverse = np.unique(params, axis=0, return_inverse=True)
+        n = len(self.model.coordinates)
+        rest = {"t": 0.0, "q": np.zeros(n), "v": np.zeros(n), "p": unique}
+        dv_dq = self.model.evaluate("state_derivative_dq", **rest)["dv_dq"]
+        dv_dv = self.model.evaluate("state_derivative_dv", **rest)["dv_dv"]
+        kinematics = np.broadcast_to(np.eye(n, 2 * n, n), (len(unique), n, 2 * n))
+        linear = np.concatenate([kinematics, np.concatenate([dv_dq, dv_dv], axis=2)], axis=1)
+        # Beyond the range of numbers: any resolution will do, Newton's method fails at each.
+        modes = np.full(len(unique), np.inf)
+        finite = np.isfinite(linear).all(axis=(1, 2))
+        modes[finite] = np.abs(np.linalg.eigvals(linear[finite])).max(axis=1)
+        return modes[inverse.ravel()]
+
+    def cycle_n_rk(self, period: Array, params: Array) -> Index:
+        """RK steps with which limit cycles of these periods are first computed, shape (n,)."""
+        return coarsest(self._phase(period, params), CYCLE_N_RK, CYCLE_PHASE)
+
+    def search_n_rk(self, period: Array, params: Array) -> Index:
+        """RK steps of a search near a period, shape (n,)."""
+        return coarsest(self._phase(period, params), SEARCH_N_RK, SEARCH_PHASE)
+
+    def _phase(self, period: Array, params: Array) -> Array:
+        """Phase of the fastest mode in a period; 0 where that is not a number, which no resolution helps."""
+        with np.errstate(over="ignore", invalid="ignore"):
+            phase: Array = self.fastest_mode(params) * np.abs(period)
+        return np.nan_to_num(phase, posinf=0.0)
+
+
+def coarsest(phase: Array, choices: tuple[int, ...], per_rk_step: float = 1.0) -> Index:
+    """Fewest RK steps of at most `per_rk_step` of a phase each; the most there are where that is too few."""
+    index = np.searchsorted(np.array(choices) * per_rk_step, phase)
+    return np.array(choices)[np.minimum(index, len(choices) - 1)]

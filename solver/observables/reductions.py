@@ -1,0 +1,111 @@
+"""From a traced step to one number per cycle: extrema in continuous time, works, counts of zeros.
+
+Extrema include the ends of the step; the work is split at the zeros of the power.
+"""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from stridemap.solver.kernels.observation import power
+from stridemap.solver.observables.events import Brackets, Trace, brackets, locate
+
+Array = NDArray[np.float64]
+
+
+def extreme(trace: Trace, name: str, score: np.ufunc | None = None) -> Array:
+    """Largest value of ``score(g)`` of an observable over a step, ends included, shape (n,).
+
+    Parameters
+    ----------
+    trace : Trace
+    name : str
+        One of `observables`.
+    score : numpy ufunc, optional
+        ``numpy.absolute`` or ``numpy.negative``; the value itself if it is left out.
+    """
+    value = score or np.positive
+    g, _ = trace.observable(name)
+    best = value(g).max(axis=1)
+    turns = brackets(trace, name, derivative=True)
+    # Only a turning point beside the best nodes can beat them: a generous bound on what it can gain.
+    near = np.maximum(value(g[turns.orbit, turns.node]), value(g[turns.orbit, turns.node + 1]))
+    slope = np.maximum(np.abs(turns.f_lower), np.abs(turns.f_upper)) * trace.h[turns.orbit]
+    candidates = turns.take(near + slope >= best[turns.orbit])
+    _, _, seen = locate(trace, candidates)
+    np.maximum.at(best, candidates.orbit, value(seen[:, candidates.row]))
+    return best
+
+
+def works(trace: Trace) -> tuple[Array, Array, Array]:
+    """Absolute, positive and net work of all motors over a step, shape (n,) each."""
+    model = trace.kernels.model
+    total, positive, net = (np.zeros(len(trace.period)) for _ in range(3))
+    for i, name in enumerate(model.actuated):
+        column = 2 * len(model.coordinates) + i
+        one, done = _work_of(trace, power(name), column)
+        total += one
+        positive += 0.5 * (one + done)
+        net += done
+    return total, positive, net
+
+
+def _work_of(trace: Trace, observable: str, column: int) -> tuple[Array, Array]:
+    """Absolute and net work of one motor.
+
+    The net work is integrated with the state; between two zeros of the power its change has one sign.
+    """
+    kinks = brackets(trace, observable)
+    _, w, _ = locate(trace, kinks)
+    n = len(trace.period)
+    net = trace.w[:, -1, column] - trace.w[:, 0, column]
+    # Rows (orbit, work so far): start, kinks in order of time, end.
+    orbit = np.concatenate([np.arange(n), kinks.orbit, np.arange(n)])
+    so_far = np.concatenate([trace.w[:, 0, column], w[:, column], trace.w[:, -1, column]])
+    order = np.argsort(orbit, kind="stable")
+    orbit, so_far = orbit[order], so_far[order]
+    same = orbit[1:] == orbit[:-1]
+    pieces = np.diff(so_far)[same]
+    total = np.zeros(n)
+    np.add.at(total, orbit[1:][same], np.abs(pieces))
+    return total, net
+
+
+def count_zeros(trace: Trace, name: str, falling_only: bool = False) -> NDArray[np.int64]:
+    """Number of zeros of an observable strictly within a step, shape (n,)."""
+    found = brackets(trace, name)
+    if falling_only:
+        found = found.take(found.f_lower > found.f_upper)
+    return np.bincount(found.orbit, minlength=len(trace.period))
+
+
+def earlier_touchdown(trace: Trace, side: Array) -> NDArray[np.bool_]:
+    """Whether the swing foot touches down before the end of the step, shape (n,).
+
+    Parameters
+    ----------
+    trace : Trace
+    side : ndarray, shape (n, N + 1)
+        Negative where a touchdown is admissible.
+    """
+    found = brackets(trace, "touchdown")
+    rising = found.take(found.f_lower < found.f_upper)
+    last = trace.w.shape[1] - 2
+    rising = rising.take(~_is_the_touchdown(rising, trace, last))
+    left, right = side[rising.orbit, rising.node] < 0, side[rising.orbit, rising.node + 1] < 0
+    # Where the stance leg passes the vertical in the same interval, the zero itself decides.
+    doubtful = np.flatnonzero(left != right)
+    if len(doubtful):
+        model = trace.kernels.model
+        n = len(model.coordinates)
+        _, w, _ = locate(trace, rising.take(doubtful))
+        q, v, p = w[:, :n], w[:, n : 2 * n], trace.params[rising.orbit[doubtful]]
+        right[doubtful] = model.evaluate("touchdown_condition", q=q, v=v, p=p)["side"] < 0
+    return np.bincount(rising.orbit[right], minlength=len(trace.period)) > 0
+
+
+def _is_the_touchdown(found: Brackets, trace: Trace, last: int) -> NDArray[np.bool_]:
+    """Whether a bracket ends where the step ends: the condition is zero there but for rounding."""
+    row = trace.row("touchdown")
+    end_slope = np.abs(trace.dg[found.orbit, -1, row])
+    near_zero = np.abs(trace.g[found.orbit, -1, row]) < 1e-6 * end_slope * trace.h[found.orbit]
+    return (found.node == last) & near_zero & (found.upper == trace.h[found.orbit])
