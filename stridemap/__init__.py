@@ -9,8 +9,10 @@ Function(mass_matrix:(q[3],p[8])->(M[3x3]) SXFunction)
 """
 
 import ast
+import sys
 from importlib import import_module
 from importlib.metadata import version
+from inspect import getsource
 from typing import TYPE_CHECKING, Any
 
 from stridemap.services import provide
@@ -49,7 +51,7 @@ __version__ = version("stridemap")
 
 def _public() -> dict[str, str]:
     """Where each public name lives, from the list above."""
-    (block,) = (node for node in ast.parse(__loader__.get_source(__name__)).body if isinstance(node, ast.If))
+    (block,) = (node for node in ast.parse(getsource(sys.modules[__name__])).body if isinstance(node, ast.If))
     imports = (node for node in block.body if isinstance(node, ast.ImportFrom))
     return {alias.name: node.module or "" for node in imports for alias in node.names}
 

@@ -75,14 +75,46 @@ class Orbits(Sequence[Orbit]):
             return cls.empty(model)
         if len(found) == 1:
             return found[0]
-        arrays = (np.concatenate([getattr(part, name) for part in found]) for name in _ARRAYS)
+        arrays = {name: np.concatenate([getattr(part, name) for part in found]) for name in _ARRAYS}
         measures = {name: np.concatenate([part.measures[name] for part in found]) for name in MEASURED}
-        return cls(model, *arrays, measures)
+        return cls(model=model, measures=measures, **arrays)
+
+    @classmethod
+    def from_columns(cls, model: Model, columns: Mapping[str, Any]) -> "Orbits":
+        """Limit cycles from the columns of a table, as `columns` gives them or `stridemap.read_orbits` has them.
+
+        Parameters
+        ----------
+        model : Model
+        columns : mapping of str to array_like, shape (n,)
+            Parameters, section point, period and status; multipliers and measures where they are known.
+        """
+
+        def array(name: str) -> Array:
+            return np.asarray(columns[name], dtype=np.float64)
+
+        codes = np.array([CODES[Status(value)] for value in columns["status"]], dtype=np.int64)
+        n, nz = len(codes), len(model.section)
+        multipliers = np.full((n, nz), np.nan + 0j)
+        for i in range(nz):
+            if f"multiplier_{i}_re" in columns:
+                multipliers[:, i] = array(f"multiplier_{i}_re") + 1j * array(f"multiplier_{i}_im")
+        return cls(
+            model,
+            np.column_stack([array(name) for name in model.spec.names]),
+            np.column_stack([array(name) for name in (*model.section, "period")]),
+            codes,
+            np.full((n, nz + 1, nz + 1), np.nan),
+            multipliers,
+            {name: column(QUANTITIES[name], columns.get(name), n) for name in MEASURED},
+        )
 
     def take(self, index: Any) -> "Orbits":
         """Some of them: by number, by a mask, or by a slice."""
-        arrays = (getattr(self, name)[index] for name in _ARRAYS)
-        return Orbits(self.model, *arrays, {name: m[index] for name, m in self.measures.items()})
+        arrays = {name: getattr(self, name)[index] for name in _ARRAYS}
+        return Orbits(
+            model=self.model, measures={name: m[index] for name, m in self.measures.items()}, **arrays
+        )
 
     # -- a sequence --------------------------------------------------------------------------------------
 
@@ -196,7 +228,11 @@ def column(quantity: Quantity, values: Any, n: int) -> NDArray[Any]:
     """Measured values as a column; one of None where the model lacks the quantity."""
     if values is None:
         return unmeasured(quantity, n)
-    return np.asarray(values, dtype=object if quantity.optional else _DTYPES[quantity.type])
+    if not quantity.optional:
+        return np.asarray(values, dtype=_DTYPES[quantity.type])
+    return np.array(
+        [None if value != value else value for value in np.asarray(values).tolist()], dtype=object
+    )
 
 
 def _scalar(value: Any) -> Any:

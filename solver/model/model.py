@@ -2,7 +2,6 @@
 
 import difflib
 import hashlib
-import importlib.util
 import json
 from collections.abc import Mapping
 from functools import cached_property
@@ -176,8 +175,7 @@ class Model:
     @cached_property
     def equations(self) -> ModuleType:
         """The namespace-neutral Python module of the model's equations."""
-        name = f"stridemap_equations_{self.name}"
-        module = importlib.util.module_from_spec(importlib.util.spec_from_loader(name, loader=None))
+        module = ModuleType(f"stridemap_equations_{self.name}")
         exec(compile(self.text(f"{self.name}.py"), self.files.path(f"{self.name}.py"), "exec"), vars(module))
         return module
 
