@@ -81,7 +81,7 @@ class Orbits(Sequence[Orbit]):
 
     @classmethod
     def from_columns(cls, model: Model, columns: Mapping[str, Any]) -> "Orbits":
-        """Limit cycles from the columns of a table, as `columns` gives them or `stridemap.read_orbits` has them.
+        """Limit cycles from the columns of a table, such as those of `stridemap.read_orbits`.
 
         Parameters
         ----------
@@ -231,7 +231,7 @@ def column(quantity: Quantity, values: Any, n: int) -> NDArray[Any]:
     if not quantity.optional:
         return np.asarray(values, dtype=_DTYPES[quantity.type])
     return np.array(
-        [None if value != value else value for value in np.asarray(values).tolist()], dtype=object
+        [value if (value == value) is True else None for value in np.asarray(values).tolist()], dtype=object
     )
 
 
