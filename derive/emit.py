@@ -8,12 +8,13 @@ import sympy as sp
 
 from stridemap import spec
 from stridemap.derive.functions import Functions
+from stridemap.derive.parts import STANCE_FOOT, Body, Line
 from stridemap.derive.printers import c as print_c
 from stridemap.derive.printers import docs as print_example
 from stridemap.derive.printers import python as print_python
 from stridemap.derive.program import Program
-from stridemap.derive.validate.mechanics import check_rates
-from stridemap.derive.walker import STANCE_FOOT, Body, Line, Walker
+from stridemap.derive.validate.section import validate_section_rates
+from stridemap.derive.walker import Walker
 from stridemap.errors import InputError
 from stridemap.spec import Coordinate, Function, Input, Mass, ModelSpec, Output, Parameter, UnitNames
 
@@ -49,7 +50,7 @@ def emit(walker: Walker, generator: str) -> tuple[dict[str, str], ModelSpec]:
 
 def _printed(walker: Walker, generator: str) -> tuple[dict[str, str], ModelSpec]:
     functions = Functions(walker)
-    check_rates(functions.mechanics)
+    validate_section_rates(functions.mechanics)
     programs = list(functions.programs())
     python = print_python.module(walker.title, programs, generator)
     model_hash = hashlib.sha256(print_python.body(programs).encode()).hexdigest()
