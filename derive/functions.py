@@ -101,7 +101,7 @@ class Functions:
         """Velocity terms, gravity, springs and dampers, on the left-hand side of the equation of motion."""
         outputs = [Output("h", self.mechanics.velocity_terms, "Coriolis and centrifugal forces")]
         for name, force in self.mechanics.conservative_forces.items():
-            outputs.append(Output(f"v_{name}", force, f"gradient of the potential energy of the {name}"))
+            outputs.append(Output(f"v_{name}", force, f"gradient of the {name} potential"))
         terms = " + ".join(o.name for o in outputs[1:])
         source = f"{self._source('bias_forces')}: M ddq + h + v = Q with v = {terms}"
         if source.startswith("M ddq"):

@@ -4,7 +4,7 @@ C, Python and CasADi evaluate what it prints in the same order, so they agree to
 their sines do.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 
 import sympy as sp
 
@@ -28,12 +28,22 @@ class ExpressionPrinter:
         Prints a function call from its name and printed argument.
     pi : str
         How the number pi is written.
+    names : mapping of Symbol to str
+        What symbols are called, where it is not by their own names. (To rename them in the expression would
+        change the order of its terms.)
     """
 
-    def __init__(self, number: Callable[[int], str], call: Callable[[str, str], str], pi: str) -> None:
+    def __init__(
+        self,
+        number: Callable[[int], str],
+        call: Callable[[str, str], str],
+        pi: str,
+        names: Mapping[sp.Symbol, str],
+    ) -> None:
         self._number = number
         self._call = call
         self._pi = pi
+        self._names = names
 
     def __call__(self, expr: sp.Expr) -> str:
         """Print `expr`; raises TypeError for an operation that is not in the table."""
@@ -83,7 +93,7 @@ class ExpressionPrinter:
 
     def _atom(self, expr: sp.Expr) -> str:
         if expr.is_Symbol:
-            return str(expr.name)
+            return self._names.get(expr, str(expr.name))
         if expr is sp.pi:
             return self._pi
         if expr.is_Add or (expr.is_Mul or expr.is_Pow):

@@ -38,8 +38,10 @@ C = frozenset(
 )
 
 JAVASCRIPT = frozenset(
-    "arguments await debugger eval function implements in instanceof interface let null package super "
-    "typeof undefined var with yield Infinity Math NaN".split()
+    "arguments await break case catch class const continue debugger default delete do else enum eval export "
+    "extends false finally for function if implements import in instanceof interface let new null package "
+    "private protected public return static super switch this throw true try typeof undefined var void while "
+    "with yield Infinity Math NaN".split()
 )
 
 ARGUMENTS = {
