@@ -24,9 +24,9 @@ C = frozenset(
     "floor fma fmax fmin fmod frexp hypot ilogb isfinite isinf isnan isnormal ldexp lgamma log log10 "
     "log1p log2 logb lrint lround llrint llround modf nan nearbyint nextafter nexttoward pow remainder "
     "remquo rint round scalbln scalbn signbit sin sinh sqrt tan tanh tgamma trunc fpclassify isgreater "
-    "isless isunordered float_t double_t math_errhandling HUGE_VAL HUGE_VALF HUGE_VALL INFINITY NAN M_E "
-    "M_LOG2E M_LOG10E M_LN2 M_LN10 M_PI M_PI_2 M_PI_4 M_1_PI M_2_PI M_2_SQRTPI M_SQRT2 M_SQRT1_2 I "
-    "complex imaginary "
+    "isgreaterequal isless islessequal islessgreater isunordered float_t double_t math_errhandling "
+    "HUGE_VAL HUGE_VALF HUGE_VALL INFINITY NAN M_E M_LOG2E M_LOG10E M_LN2 M_LN10 M_PI M_PI_2 M_PI_4 M_1_PI "
+    "M_2_PI M_2_SQRTPI M_SQRT2 M_SQRT1_2 I complex imaginary "
     # stdio.h, stdlib.h, errno.h, assert.h
     "FILE EOF BUFSIZ NULL SEEK_SET SEEK_CUR SEEK_END size_t fpos_t stdin stdout stderr fclose fflush "
     "fgetc fgets fopen fprintf fputc fputs fread freopen fscanf fseek fsetpos ftell fwrite getc getchar "
