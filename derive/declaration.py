@@ -67,7 +67,7 @@ class Declaration:
 
     @property
     def phase(self) -> Coordinate | None:
-        """The coordinate that is no motion but the phase of a clock that is not reset."""
+        """The phase of a clock that is not reset: the one coordinate that describes no motion."""
         return self.clock.coordinate if self.clock is not None and not self.clock.resets else None
 
     @property

@@ -1,7 +1,7 @@
 """Equations of motion, impact and ground force of a declared walker, from one Lagrangian.
 
 The stance foot has two coordinates of its own. Holding it (or making it roll) gives the swing phase, the
-two held rows give the ground force, and releasing it gives the impact: nothing is derived twice.
+two rows of the held foot give the ground force, and releasing it gives the impact: nothing is derived twice.
 """
 
 from collections.abc import Iterable
@@ -73,7 +73,7 @@ class Mechanics:
         """What the mass matrix is made of: the kinetic energy.
 
         The phase of a clock has a row of its own in it, one that nothing else enters, so that it keeps its
-        rate. It is no energy, and no other function has it.
+        rate. It is not an energy, and does not appear in any other function.
         """
         phase = self.walker.phase
         return self.floating_kinetic + (phase.rate**2 / 2 if phase is not None else 0)

@@ -61,7 +61,7 @@ class Parameter(spec.Parameter):
     unit : str
     meaning : str
     lower, upper : float or None
-        Ends of the allowed range; None is no limit (but finite).
+        Ends of the allowed range; None means that there is none (but values must be finite).
     lower_open, upper_open : bool
         Whether that end itself is excluded.
     """
@@ -154,7 +154,7 @@ class Massless:
     Parameters
     ----------
     mass : sympy.Symbol
-        The mass in the bodies' expressions; it is no parameter of the model.
+        The mass in the bodies' expressions; it is not a parameter of the model.
     coordinates : tuple of Coordinate
     """
 

@@ -44,7 +44,7 @@ class Argument:
 class Output:
     """A named result: a scalar, a vector, shape (n, 1), or a matrix, shape (n, m).
 
-    A matrix of one column is told from a vector by `is_matrix`.
+    `is_matrix` tells a matrix of one column from a vector.
     """
 
     name: str

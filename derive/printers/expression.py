@@ -67,7 +67,9 @@ class ExpressionPrinter:
             sign, expr = "-", -expr
         coefficient, rest = expr.as_coeff_Mul()
         if not coefficient.is_Rational:
-            raise TypeError(f"cannot print the number {coefficient}: only integers and fractions are known")
+            raise TypeError(
+                f"cannot print the number {coefficient}: generated code has only integers and fractions"
+            )
         above = [] if coefficient.p == 1 and rest is not sp.S.One else [self._number(int(coefficient.p))]
         below = [] if coefficient.q == 1 else [self._number(int(coefficient.q))]
         for factor in rest.as_ordered_factors() if rest is not sp.S.One else []:
@@ -85,8 +87,8 @@ class ExpressionPrinter:
         """A power as factors: the languages have no power of their own in common."""
         if not (2 * exponent).is_Integer or exponent > HIGHEST_POWER:
             raise TypeError(
-                f"cannot print the power ({base})**({exponent}): known are integers up to {HIGHEST_POWER}, "
-                "and halves"
+                f"cannot print the power ({base})**({exponent}): generated code has exponents up to "
+                f"{HIGHEST_POWER} that are integers or halves"
             )
         root = [] if exponent.is_Integer else [self._call("sqrt", self._sum(base))]
         return root + [self._atom(base)] * int(exponent)
@@ -103,7 +105,9 @@ class ExpressionPrinter:
         if expr.func in CALLS:
             return self._call(CALLS[expr.func], self._sum(expr.args[0]))
         known = ", ".join(CALLS.values())
-        raise TypeError(f"cannot print {expr.func.__name__} in {expr}: known are + - * / powers, {known}")
+        raise TypeError(
+            f"cannot print {expr.func.__name__} in {expr}: generated code has + - * /, powers, {known}"
+        )
 
 
 def _negative(expr: sp.Expr) -> bool:
