@@ -29,7 +29,7 @@ void compass_mass_matrix(const double q[2], const double p[6], double M[4]);
  *  in   v[1]   dtheta2  [rad sqrt(g/L)] rate of theta2
  *  in   p[1]   beta     [M] point mass at each foot
  *  out  h               Coriolis and centrifugal forces (2 vector)
- *  out  v_gravity       gradient of the potential energy of the gravity (2 vector)
+ *  out  v_gravity       gradient of the gravity potential (2 vector)
  */
 void compass_bias_forces(const double q[2], const double v[2], const double p[6], double h[2],
         double v_gravity[2]);

@@ -32,7 +32,7 @@ void goswami_compass_mass_matrix(const double q[2], const double p[3], double M[
  *  in   p[1]   beta     [1] distance from hip to a leg's mass, over that from there to the foot
  *  in   p[2]   slope    [rad] angle by which the ground falls in the walking direction
  *  out  h               Coriolis and centrifugal forces (2 vector)
- *  out  v_gravity       gradient of the potential energy of the gravity (2 vector)
+ *  out  v_gravity       gradient of the gravity potential (2 vector)
  */
 void goswami_compass_bias_forces(const double q[2], const double v[2], const double p[3], double h[2],
         double v_gravity[2]);

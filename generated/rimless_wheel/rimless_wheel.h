@@ -25,7 +25,7 @@ void rimless_wheel_mass_matrix(const double p[3], double M[1]);
  *  in   q[0]   theta    [rad] angle of the stance spoke from the ground's normal, positive leaning ahead
  *  in   p[0]   slope    [rad] angle by which the ground falls in the walking direction
  *  out  h               Coriolis and centrifugal forces (1 vector)
- *  out  v_gravity       gradient of the potential energy of the gravity (1 vector)
+ *  out  v_gravity       gradient of the gravity potential (1 vector)
  */
 void rimless_wheel_bias_forces(const double q[1], const double p[3], double h[1], double v_gravity[1]);
 

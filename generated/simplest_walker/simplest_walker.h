@@ -27,7 +27,7 @@ void simplest_walker_mass_matrix(const double q[2], double M[4]);
  *  in   v[0]   dtheta   [rad sqrt(g/L)] rate of theta
  *  in   p[0]   slope    [rad] angle by which the ground falls in the walking direction
  *  out  h               Coriolis and centrifugal forces (2 vector)
- *  out  v_gravity       gradient of the potential energy of the gravity (2 vector)
+ *  out  v_gravity       gradient of the gravity potential (2 vector)
  */
 void simplest_walker_bias_forces(const double q[2], const double v[2], const double p[1], double h[2],
         double v_gravity[2]);

@@ -34,8 +34,8 @@ void wobbling_mass_matrix(const double q[3], const double p[8], double M[9]);
  *  in   p[1]   alpha    [1] wobbling mass as a share of the upper body's mass
  *  in   p[3]   beta     [M] point mass at each foot
  *  out  h               Coriolis and centrifugal forces (3 vector)
- *  out  v_gravity       gradient of the potential energy of the gravity (3 vector)
- *  out  v_spring        gradient of the potential energy of the spring (3 vector)
+ *  out  v_gravity       gradient of the gravity potential (3 vector)
+ *  out  v_spring        gradient of the spring potential (3 vector)
  */
 void wobbling_bias_forces(const double q[3], const double v[3], const double p[8], double h[3],
         double v_gravity[3], double v_spring[3]);
