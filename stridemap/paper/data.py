@@ -18,12 +18,13 @@ import pandas as pd
 from numpy.typing import NDArray
 
 from stridemap.errors import InputError
+from stridemap.paper.branch_tables import EDGE_COLUMNS, edge_table, minima_table
 from stridemap.paper.profiles import BESIDE, beside, with_profiles
 from stridemap.paper.profiles import COLUMNS as PROFILE_COLUMNS
-from stridemap.solver.branches.edges import COLUMNS as EDGE_COLUMNS
-from stridemap.solver.branches.edges import bisected
-from stridemap.solver.branches.main_branch import on_main_branch, walks
-from stridemap.solver.branches.minima import between
+from stridemap.solver.branches.main_branch import on_main_branch
+from stridemap.solver.cycles.gait import is_physical_gait
+from stridemap.solver.cycles.orbits import Orbits
+from stridemap.solver.cycles.solver import Solver
 from stridemap.solver.model.loading import load
 from stridemap.solver.model.model import Model
 from stridemap.sweeps.config import SweepConfig, parse_config
@@ -47,7 +48,7 @@ _WALKER = (*MEASURES, "k", "alpha", "omega", "group", "x_zero_crossings")
 
 @dataclass(frozen=True)
 class PaperData:
-    """The tables from which the statements are decided; only cycles that count (see `walks`) are in them.
+    """The tables from which the statements are decided; they hold only cycles that are physical gaits.
 
     Parameters
     ----------
@@ -194,7 +195,7 @@ def collect(
 
         sweep(config, folder, workers=workers, executor=executor, resume=True, progress=report)
         orbits = read_orbits(folder)
-        found[name] = orbits[walks(orbits)].reset_index(drop=True)
+        found[name] = orbits[is_physical_gait(orbits)].reset_index(drop=True)
         require_cycles(found[name], name)
         cells[name] = read_cells(folder)
     return tables(found, cells)
@@ -211,14 +212,16 @@ def tables(found: Mapping[str, pd.DataFrame], cells: Mapping[str, pd.DataFrame])
         Grid cells, by sweep.
     """
     walker, compass = load("wobbling"), load("compass")
-    lines = _lines(walker, found["lines"])
+    solver, orbits = Solver.for_model(walker), Orbits.from_columns(walker, found["lines"])
+    main = on_main_branch(orbits, "k")
+    lines = _lines(walker, found["lines"], main)
     line_k = np.sort(cells["lines"]["k"].unique())
     return PaperData(
         typical=_typical(walker, found["typical"], compass, found["compass"]),
         compass=found["compass"],
         lines=lines,
-        between=between(walker, lines, line_k),
-        edges=bisected(walker, found["lines"], line_k),
+        between=minima_table(solver, orbits, main, line_k),
+        edges=edge_table(solver, orbits, line_k),
         map=found["map"],
         line_k=line_k,
         map_k=np.sort(cells["map"]["k"].unique()),
@@ -231,6 +234,6 @@ def _typical(walker: Model, orbits: pd.DataFrame, compass: Model, cycles: pd.Dat
     return beside(walker, profiled, compass, cycles[cycles["omega"].isin(orbits["omega"])])
 
 
-def _lines(walker: Model, orbits: pd.DataFrame) -> pd.DataFrame:
+def _lines(walker: Model, orbits: pd.DataFrame, main: NDArray[np.bool_]) -> pd.DataFrame:
     profiles = with_profiles(walker, orbits[orbits["stable"]])[list(PROFILE_COLUMNS)]
-    return orbits.assign(main=on_main_branch(orbits)).join(profiles)
+    return orbits.assign(main=main).join(profiles)

@@ -5,8 +5,11 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
 from stridemap.paper.figures.material import PLANE, TYPICAL, Data
-from stridemap.paper.figures.raster import NONE, STABLE, letters, rastered
+from stridemap.paper.figures.raster import extent, letters
+from stridemap.solver.branches.plane import NONE, STABLE, Plane
 from stridemap.solver.branches.refinement import refined
+from stridemap.solver.cycles.orbits import Orbits
+from stridemap.solver.cycles.solver import Solver
 from stridemap.solver.model.loading import load
 from stridemap.views import style
 
@@ -18,16 +21,18 @@ TIMES = 2
 def draw(data: Data) -> Figure:
     """The map of the paper: spring stiffness and mass ratio at one frequency."""
     table = data.map
-    grid, fixed = table.config.grid, table.config.params
-    coarse = rastered(table.orbits, "k", grid["k"], "alpha", grid["alpha"])
-    of = refined(load(table.config.model), fixed, coarse, table.orbits, TIMES)
+    grid, model = table.config.grid, load(table.config.model)
+    orbits = Orbits.from_columns(model, table.orbits)
+    coarse = Plane.of_orbits(orbits, ("k", "alpha"), grid["k"], grid["alpha"])
+    plane = refined(Solver.for_model(model), coarse, orbits, TIMES)
+    sides = extent(plane)
     figure = style.new_figure(style.COLUMN, HEIGHT)
     axes = figure.add_subplot()
     colours = ListedColormap([style.NONE, style.UNSTABLE, style.STABLE])
     axes.imshow(
-        of.classes, cmap=colours, vmin=NONE, vmax=STABLE, origin="lower", extent=of.extent, aspect="auto"
+        plane.classes, cmap=colours, vmin=NONE, vmax=STABLE, origin="lower", extent=sides, aspect="auto"
     )
-    for letter, k, alpha in letters(of, HEIGHT / style.COLUMN):
+    for letter, k, alpha in letters(plane, HEIGHT / style.COLUMN):
         axes.annotate(
             letter, (k, alpha), ha="center", va="center", fontsize=10, fontweight="bold", bbox=_backed()
         )
@@ -40,7 +45,7 @@ def draw(data: Data) -> Figure:
             fontstyle="italic", bbox=_backed(),
         )  # fmt: skip
     axes.set(xlabel="spring stiffness $k$  [$Mg/L$]", ylabel=r"mass ratio $\alpha$  [–]")
-    axes.set(xlim=of.extent[:2], ylim=of.extent[2:])  # beyond, nothing was searched
+    axes.set(xlim=sides[:2], ylim=sides[2:])  # beyond, nothing was searched
     handles = [
         Patch(facecolor=colour, edgecolor=style.BLACK, linewidth=0.5, label=text)
         for colour, text in (
@@ -48,7 +53,7 @@ def draw(data: Data) -> Figure:
         )
     ]  # fmt: skip
     figure.legend(handles=handles, loc="outside upper center", ncols=3, handlelength=1.2, columnspacing=1.2)
-    axes.set_title(rf"$\omega = {fixed['omega']:g}\,\sqrt{{g/L}}$", loc="right", fontsize=7)
+    axes.set_title(rf"$\omega = {table.config.params['omega']:g}\,\sqrt{{g/L}}$", loc="right", fontsize=7)
     return figure
 
 

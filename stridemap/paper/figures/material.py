@@ -7,14 +7,17 @@ from importlib.resources import as_file, files
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pandas as pd
 
 from stridemap.errors import InputError
+from stridemap.paper.branch_tables import branch_tables
 from stridemap.paper.select import TYPICAL as SPRINGS
 from stridemap.solver.api import find_orbits
-from stridemap.solver.branches.joining import branches
-from stridemap.solver.branches.main_branch import walks
+from stridemap.solver.cycles.gait import is_physical_gait
 from stridemap.solver.cycles.orbit import Orbit
+from stridemap.solver.cycles.orbits import Orbits
+from stridemap.solver.cycles.solver import Solver
 from stridemap.solver.model.loading import load
 from stridemap.sweeps.config import SweepConfig, load_config
 from stridemap.sweeps.run import sweep
@@ -76,9 +79,12 @@ class Data:
     def branch_sets(self) -> dict[tuple[float, float], list[pd.DataFrame]]:
         """The branches over the spring stiffness, by mass ratio and frequency."""
         table = self.branches
-        model, values = load(table.config.model), table.config.grid["k"]
-        planes = table.orbits.groupby(["alpha", "omega"])
-        return {(alpha, omega): branches(model, rows, "k", values) for (alpha, omega), rows in planes}
+        model, k = load(table.config.model), np.array(table.config.grid["k"])
+        solver = Solver.for_model(model)
+        return {
+            plane: branch_tables(solver, Orbits.from_columns(model, rows), k)
+            for plane, rows in table.orbits.groupby(["alpha", "omega"])
+        }
 
     @cached_property
     def typical(self) -> dict[str, Orbit]:
@@ -94,12 +100,12 @@ class Data:
         folder = self.folder / name
         sweep(config, folder, workers=self.workers, resume=True, progress=self.progress)
         orbits = read_orbits(folder)
-        return Table(config, orbits if everything else orbits[walks(orbits)])
+        return Table(config, orbits if everything else orbits[is_physical_gait(orbits)])
 
 
 def _stable(model: str, group: str | None, **params: Any) -> Orbit:
     """The most stable cycle of a group (of a model without groups: of all) at a point."""
-    found = [orbit for orbit in find_orbits(model, **params) if orbit.stable and orbit.group == group]
+    found = [orbit for orbit in find_orbits(model, params) if orbit.stable and orbit.group == group]
     if not found:
         where = ", ".join(f"{name} = {value:g}" for name, value in params.items())
         raise InputError(f"{model} has no stable limit cycle of group {group} at {where}")

@@ -17,7 +17,7 @@ from stridemap.paper.select import (
     stable,
     with_between,
 )
-from stridemap.solver.branches.edges import Run, stable_runs
+from stridemap.paper.stable_runs import Run, stable_runs
 
 
 @statement("C7", "The largest multiplier of every cycle is larger than the compass's")
