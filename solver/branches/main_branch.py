@@ -43,6 +43,9 @@ def fixed_point_index(multipliers: NDArray[np.complex128]) -> Array:
 def on_main_branch(orbits: Orbits, parameter: str) -> NDArray[np.bool_]:
     """Whether each cycle is of index +1 and its sheet holds a stable cycle.
 
+    Neighbouring values of the parameter are those at which a line has cycles of index +1, so that values
+    without one do not part a sheet whose periods on either side agree.
+
     Parameters
     ----------
     orbits : Orbits, length n
