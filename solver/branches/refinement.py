@@ -12,7 +12,7 @@ import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
 
-from stridemap.paper.figures.raster import NO_GROUP, Raster, class_of, group_number
+from stridemap.paper.drawings.raster import NO_GROUP, Raster, class_of, group_number
 from stridemap.solver.branches.main_branch import walks
 from stridemap.solver.cycles.search import SearchOptions, distinct, merge, section_point
 from stridemap.solver.cycles.solver import Solver
