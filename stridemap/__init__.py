@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from stridemap.sweeps.run import sweep
     from stridemap.sweeps.store import read_cells, read_orbits
     from stridemap.units import Units
-    from stridemap.views.animate import animate
+    from stridemap.views.animation import animate
 
 __version__ = version("stridemap")
 

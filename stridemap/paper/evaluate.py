@@ -5,6 +5,7 @@ from concurrent.futures import Executor
 from pathlib import Path
 from typing import Any
 
+from stridemap.errors import InputError
 from stridemap.paper.claim import Claim, Statement
 from stridemap.paper.cycle_tables import CycleTables, cycle_tables
 from stridemap.paper.statements import efficiency, gaits, stability
@@ -39,6 +40,7 @@ def claims(
     workers: int | None = None,
     executor: Executor | None = None,
     progress: Callable[[str, Progress], None] | None = None,
+    out: str | Path | None = None,
 ) -> list[Claim]:
     """Decide the paper's statements C1 to C20 by computation.
 
@@ -60,6 +62,8 @@ def claims(
         Runs the sweeps in place of processes that are started here.
     progress : callable, optional
         Called with the name of a sweep and a `Progress`.
+    out : path, optional
+        Former name of `sweeps`; refused.
 
     Returns
     -------
@@ -71,6 +75,8 @@ def claims(
         For unusable parameters, a folder with tables of another configuration, or when a sweep holds no
         physical gait.
     """
+    if out is not None:
+        raise InputError(f"the folder of the sweeps is given by `sweeps` now: write sweeps={str(out)!r}")
     return evaluate(
         cycle_tables(
             paper_sweeps(sweeps, params, thin, workers=workers, executor=executor, progress=progress)

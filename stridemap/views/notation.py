@@ -1,113 +1,103 @@
-"""Symbols, units and meanings of what the report shows."""
+"""How names and units are written: as symbols, in plain text and in LaTeX."""
 
+import math
 import re
-from collections.abc import Mapping
-from dataclasses import dataclass
+
+from stridemap.spec import ModelSpec, UnitNames
+from stridemap.units import KINDS, Units
 
 _NAMES = "alpha beta gamma delta epsilon zeta eta theta kappa lambda mu nu xi rho sigma tau phi chi psi omega"
 _GREEK = dict(zip(_NAMES.split(), "αβγδεζηθκλμνξρστφχψω", strict=True))
 _SUBSCRIPTS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 _DOT = "\u0307"
+_SCALED = "sqrt(L/g)"
+"""The unit of time of models that are written in units of a mass, a length and gravity."""
 
 
-@dataclass(frozen=True)
-class Quantity:
-    """A column of the table of orbits as it is shown.
+# -- units ---------------------------------------------------------------------------------------------------
+
+
+def unit_of(kind: str, names: UnitNames) -> str:
+    """Unit of a kind of quantity in a model's own units, written as in a specification.
 
     Parameters
     ----------
-    label : str
-        What it is, in a few words.
     kind : str
-        A name of `units`; empty for a pure number.
-    meaning : str
-        The definition in one sentence.
+        A key of `stridemap.units.KINDS`.
+    names : UnitNames
+        What the model calls its units.
     """
-
-    label: str
-    kind: str = ""
-    meaning: str = ""
-
-
-MEASURES = {
-    "spectral_radius": Quantity(
-        "largest multiplier", "", "Largest modulus of a Floquet multiplier; the cycle is stable below 1."
-    ),
-    "period": Quantity("period T", "time", "Time from one touchdown to the next."),
-    "step_length": Quantity("step length", "length", "Distance from the stance foot to the next."),
-    "speed": Quantity("speed", "speed", "Step length over period."),
-    "d_max": Quantity(
-        "d_max", "length", "Largest distance between stance foot and zero moment point during the step."
-    ),
-    "work": Quantity("work", "energy", "Integral of the absolute power of the motors over a step."),
-    "work_positive": Quantity(
-        "positive work", "energy", "Integral of the positive part of the motors' power."
-    ),
-    "work_net": Quantity("net work", "energy", "Integral of the motors' power over a step."),
-    "cot": Quantity("cost of transport", "", "Work per weight and step length."),
-    "cot_per_speed": Quantity(
-        "cost per speed", "time", "Work per weight and mean speed, the formula that the paper prints."
-    ),
-    "min_vertical_force": Quantity(
-        "least ground force",
-        "force",
-        "Smallest vertical ground force; where it is negative the foot would lift.",
-    ),
-    "friction": Quantity("friction needed", "", "Largest ratio of horizontal to vertical ground force."),
-    "clearance": Quantity(
-        "foot clearance", "length", "Lowest height of the swing foot; negative where it scuffs."
-    ),
-    "peaks": Quantity("peaks", "", "Local maxima of the stance angle's rate within the step."),
-    "x_zero_crossings": Quantity(
-        "crossings of x", "", "Sign changes of the wobbling mass's position within the step."
-    ),
-    "residual": Quantity("closing error", "", "Largest entry of the closing error when the cycle was found."),
-    "integration_error": Quantity(
-        "integration error", "", "Change of the closing error at twice the resolution."
-    ),
-    "status": Quantity("status", "", "How the search for the cycle ended."),
-    "stable": Quantity("stable", "", "Whether the largest multiplier is below 1."),
-    "group": Quantity(
-        "group", "", "Whole oscillations of the spring mode in one period: A is 0, B is 1, ..."
-    ),
-}
-"""Known columns; a column that is not here is shown under its own name."""
+    own = {"mass": names.mass, "length": names.length, "time": names.time, "energy": names.energy}
+    scaled, si = KINDS[kind]
+    if kind in own:
+        return own[kind]
+    if names.time == _SCALED:
+        words = {"M": names.mass, "L": names.length}
+        return re.sub(r"\b[ML]\b", lambda match: words[match[0]], scaled)
+    if (names.mass, names.length, names.time) == ("kg", "m", "s"):
+        return si
+    return _composed(kind, names)
 
 
-def units(names: Mapping[str, str]) -> dict[str, str]:
-    """Return the units of all kinds of quantities, as they are printed.
+def _composed(kind: str, names: UnitNames) -> str:
+    """A unit as a product of powers of the units of mass, length and time."""
 
-    Parameters
-    ----------
-    names : mapping
-        What a model calls its units of mass, length, time and energy.
-    """
-    time = printed(names["time"])
-    scaled = time == "√(L/g)"  # in units of gravity and leg length, or in units of their own
-    per_length = f"{names['energy']}/{names['length']}"
-    return {
-        "": "",
-        "mass": names["mass"],
-        "length": names["length"],
-        "time": time,
-        "energy": names["energy"],
-        "speed": "√(g L)" if scaled else f"{names['length']}/{time}",
-        "force": f"{names['mass']} g" if scaled else "N" if per_length == "J/m" else per_length,
-    }
+    def power(mass: float = 1, length: float = 1, gravity: float = 1) -> int:
+        return round(2 * math.log2(Units(length, mass, gravity).unit(kind)))
+
+    # Units are formed from M, L and g; g is a length over a time squared. Powers are in halves.
+    gravity = power(gravity=2)
+    halves = {names.mass: power(mass=2), names.length: power(length=2) + gravity, names.time: -2 * gravity}
+    factors = [f"{name}^{h // 2}" if h != 2 else name for name, h in halves.items() if h]
+    return " ".join(factors) or ("rad" if KINDS[kind][0] == "rad" else "1")
+
+
+def units(names: UnitNames) -> dict[str, str]:
+    """Units of all kinds of quantities as they are printed, by kind; see `printed`."""
+    return {kind: printed(unit_of(kind, names)) for kind in KINDS}
 
 
 def printed(unit: str) -> str:
-    """Return a unit of a manifest as it is printed: with a root sign, and empty for a pure number."""
+    """A unit of a specification as it is printed: with a root sign, and empty for a pure number."""
     return "" if unit == "1" else unit.replace("sqrt(", "√(")
 
 
+def latex_unit(unit: str, names: UnitNames) -> str:
+    """A unit of a specification in LaTeX: quantities that serve as units in italics, names of units upright.
+
+    Parameters
+    ----------
+    unit : str
+    names : UnitNames
+        Of the model.
+    """
+    if unit == "1":
+        return "–"
+    italic = {names.mass, names.length, "g"} if names.time == _SCALED else set()
+    words = re.sub(r"\bsqrt\(([^)]*)\)", r"\\sqrt{\1}", unit)
+    words = re.sub(r"\s*/\s*", "/", words)
+    words = re.sub(r"\s*\*\s*|\s+", r"\\,", words)
+    words = re.sub(
+        r"(?<![\\A-Za-z])[A-Za-z]+", lambda m: m[0] if m[0] in italic else rf"\mathrm{{{m[0]}}}", words
+    )
+    return f"${words}$"
+
+
+def latex_axis(label: str, unit: str, names: UnitNames) -> str:
+    """Text of an axis: a label and its unit in brackets."""
+    return f"{label}  [{latex_unit(unit, names)}]"
+
+
+# -- symbols -------------------------------------------------------------------------------------------------
+
+
 def symbol(name: str) -> str:
-    """Return a name as it is written in formulas: ``dtheta1`` as the dotted theta with a subscript.
+    """A name as it is written in formulas: ``theta1`` as the Greek letter with a subscript.
 
     Parameters
     ----------
     name : str
-        Of a parameter, a coordinate, or with a leading ``d`` of a coordinate's rate.
+        Of a parameter or a coordinate.
     """
     match = re.fullmatch(r"([A-Za-z]+?)(\d*)", name)
     if match is None:
@@ -121,6 +111,42 @@ def symbol(name: str) -> str:
 
 
 def rate_symbol(name: str) -> str:
-    """Return the symbol of a coordinate's rate."""
+    """The symbol of a coordinate's rate."""
     shown = symbol(name)
     return shown[0] + _DOT + shown[1:] if shown != name or len(name) == 1 else f"d{name}"
+
+
+def latex_symbol(name: str, rate: bool = False) -> str:
+    r"""A name in LaTeX: ``theta1`` is ``\theta_{1}``, and its rate ``\dot{\theta}_{1}``.
+
+    Parameters
+    ----------
+    name : str
+        Of a parameter or a coordinate.
+    rate : bool
+        Whether its time derivative is meant.
+    """
+    match = re.fullmatch(r"([A-Za-z]+?)(\d*)", name)
+    word, digits = match.groups() if match else (name, "")
+    if word in _GREEK:
+        word = rf"\{word}"
+    elif len(word) > 1:
+        word = rf"\mathrm{{{word}}}".replace("_", r"\_")
+    return (rf"\dot{{{word}}}" if rate else word) + (f"_{{{digits}}}" if digits else "")
+
+
+def state_labels(spec: ModelSpec) -> dict[str, tuple[str, str]]:
+    """Symbol, and unit in brackets, of each coordinate and then of each rate, by name, in LaTeX."""
+    out = {}
+    for coordinate in spec.coordinates:
+        unit = latex_unit(coordinate.unit, spec.units)
+        out[coordinate.name] = (f"${latex_symbol(coordinate.name)}$", f"[{unit}]")
+    for coordinate in spec.coordinates:
+        unit = latex_unit(coordinate.rate_unit, spec.units)
+        out[f"d{coordinate.name}"] = (f"${latex_symbol(coordinate.name, rate=True)}$", f"[{unit}]")
+    return out
+
+
+def time_label(spec: ModelSpec) -> str:
+    """Text of an axis of time."""
+    return latex_axis("time  $t$", spec.units.time, spec.units)

@@ -1,11 +1,13 @@
 """The figures of the paper by name, and their drawing into a folder."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from concurrent.futures import Executor
 from importlib import import_module
 from pathlib import Path
 from typing import Any
 
 from stridemap.errors import InputError
+from stridemap.sweeps.run import Progress
 from stridemap.views.optional import require_pictures
 
 FIGURES = {
@@ -23,29 +25,30 @@ FIGURES = {
 DEFAULT_FOLDER = Path("results/paper-figures")
 
 
-def draw_figures(
-    folder: str | Path = DEFAULT_FOLDER,
+def figures(
+    out: str | Path = DEFAULT_FOLDER,
     only: Sequence[str] = (),
     *,
+    sweeps: str | Path | None = None,
+    params: Mapping[str, Any] | None = None,
+    thin: int = 1,
     workers: int | None = None,
-    progress: Callable[[Any], None] | None = None,
-    report: Callable[[Path], None] = lambda path: None,
+    executor: Executor | None = None,
+    progress: Callable[[str, Progress], None] | None = None,
 ) -> list[Path]:
-    """Draw the paper's figures from computed data, each as SVG and PNG.
+    """Draw the paper's figures from computed limit cycles, each as SVG and PNG.
+
+    They are drawn from the sweeps that `claims` decides the statements by; a sweep that a figure needs is run
+    if it is not finished.
 
     Parameters
     ----------
-    folder : path
-        Figures go there, and the tables that they are drawn from into its subfolder ``tables``. Tables that
-        are there are used again.
+    out : path
+        Folder of the figures.
     only : sequence of str
-        Names of `FIGURES`; by default all. Data that they do not need are not computed.
-    workers : int, optional
-        Processes of the sweeps.
-    progress : callable, optional
-        As of `stridemap.sweep`.
-    report : callable, optional
-        Called with each file as it is written.
+        Names of `FIGURES`; by default all. Sweeps that they do not need are not run.
+    sweeps, params, thin, workers, executor, progress
+        As for `claims`.
 
     Returns
     -------
@@ -54,25 +57,26 @@ def draw_figures(
     Raises
     ------
     InputError
-        For an unknown name, a missing package, a folder that cannot be written, or tables in it of another
-        configuration.
+        For an unknown name, a missing package, a folder that cannot be written, unusable parameters, or a
+        folder with tables of another configuration.
     """
     for name in only:
         if name not in FIGURES:
             raise InputError(f"there is no figure {name!r}; figures are {', '.join(FIGURES)}")
     require_pictures()
-    from stridemap.paper.figures.material import Data
+    from stridemap.paper.drawings.material import Material
+    from stridemap.paper.sweeps import paper_sweeps
     from stridemap.views import style
 
-    data = Data(Path(folder) / "tables", workers, progress)
+    material = Material(
+        paper_sweeps(sweeps, params, thin, workers=workers, executor=executor, progress=progress)
+    )
     paths = []
     for name, home in FIGURES.items():
         if only and name not in only:
             continue
         module, function = home.split(".")
-        draw = getattr(import_module(f"stridemap.paper.figures.{module}"), function)
+        draw = getattr(import_module(f"stridemap.paper.drawings.{module}"), function)
         with style.styled():
-            for path in style.write(draw(data), Path(folder), name):
-                report(path)
-                paths.append(path)
+            paths += style.write(draw(material), Path(out), name)
     return paths

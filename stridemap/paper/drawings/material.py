@@ -1,106 +1,93 @@
-"""What the figures are drawn from: two sweeps of their own, and the typical solutions."""
+"""What the figures are drawn from: cycles of the paper's sweeps, and their motions."""
 
-from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import cached_property
-from importlib.resources import as_file, files
-from pathlib import Path
 from typing import Any
 
 import pandas as pd
 
 from stridemap.errors import InputError
-from stridemap.paper.select import TYPICAL as SPRINGS
-from stridemap.solver.api import find_orbits
+from stridemap.paper.points import PLANE, TYPICAL
+from stridemap.paper.select import at
+from stridemap.paper.sweeps import PaperSweeps
 from stridemap.solver.branches.joining import branches
-from stridemap.solver.branches.main_branch import walks
-from stridemap.solver.cycles.orbit import Orbit
 from stridemap.solver.model.loading import load
-from stridemap.sweeps.config import SweepConfig, load_config
-from stridemap.sweeps.run import sweep
-from stridemap.sweeps.store import read_orbits
+from stridemap.solver.model.model import Model
+from stridemap.solver.observables.motion import Motion, motions
 
-PLANE = {"alpha": 0.25, "omega": 3.0}
-"""Where the paper's typical solutions are."""
-
-TYPICAL = dict(zip("abc", SPRINGS.items(), strict=True))
-"""Its typical solutions: their letter, group and spring stiffness."""
-
-
-def config_of(name: str) -> SweepConfig:
-    """The configuration of one of the figures' sweeps, ``map`` or ``branches``."""
-    with as_file(files("stridemap.paper.figures") / f"{name}.toml") as path:
-        return load_config(path)
+SOLUTIONS = dict(zip("abc", TYPICAL.items(), strict=True))
+"""The typical solutions as the paper letters them, each with its group and spring stiffness."""
 
 
 @dataclass(frozen=True)
-class Table:
-    """A finished sweep: its configuration and its limit cycles."""
-
-    config: SweepConfig
-    orbits: pd.DataFrame
-
-
-@dataclass
-class Data:
-    """Data of the figures, each computed when it is first asked for.
+class Cycle:
+    """A limit cycle of a sweep.
 
     Parameters
     ----------
-    folder : pathlib.Path
-        The sweeps' folders are made in there; what is there already is used.
-    workers : int, optional
-        Processes of a sweep.
-    progress : callable, optional
-        As of `stridemap.sweep`.
-    configs : dict of str to SweepConfig
-        Other configurations than those of the paper's figures, by the name of the sweep.
+    model : Model
+    row : pandas.Series
+        Its row of ``orbits.parquet``.
     """
 
-    folder: Path
-    workers: int | None = None
-    progress: Callable[[Any], None] | None = None
-    configs: dict[str, SweepConfig] = field(default_factory=dict)
+    model: Model
+    row: pd.Series
+
+    @property
+    def period(self) -> float:
+        """Time from one touchdown to the next."""
+        return float(self.row["period"])
+
+    def motion(self, samples: int) -> Motion:
+        """The cycle as a motion of one step, sampled evenly."""
+        cycle = self.row[[*self.model.section, "period"]].to_numpy(dtype=float)
+        params = self.row[list(self.model.preset)].to_numpy(dtype=float)
+        return motions(self.model, cycle[None, :], params[None, :], samples, squeeze=True)
+
+
+@dataclass
+class Material:
+    """Cycles of the paper's sweeps as the figures need them; a sweep is run when one first asks for it.
+
+    Parameters
+    ----------
+    sweeps : PaperSweeps
+    """
+
+    sweeps: PaperSweeps
 
     @cached_property
-    def map(self) -> Table:
-        """The plane of spring stiffness and mass ratio."""
-        return self._table("map")
-
-    @cached_property
-    def branches(self) -> Table:
-        """Spring stiffness, finely, at two mass ratios and two frequencies; all cycles, to be followed."""
-        return self._table("branches", everything=True)
+    def map(self) -> pd.DataFrame:
+        """The gaits in the plane of spring stiffness and mass ratio, at the typical solutions' frequency."""
+        return at(self.sweeps.gaits("map"), omega=PLANE["omega"])
 
     @cached_property
     def branch_sets(self) -> dict[tuple[float, float], list[pd.DataFrame]]:
         """The branches over the spring stiffness, by mass ratio and frequency."""
-        table = self.branches
-        model, values = load(table.config.model), table.config.grid["k"]
-        planes = table.orbits.groupby(["alpha", "omega"])
-        return {(alpha, omega): branches(model, rows, "k", values) for (alpha, omega), rows in planes}
+        config = self.sweeps.configs["lines"]
+        model, springs = load(config.model), config.grid["k"]
+        # Every cycle that was found is followed, those that are no physical gaits among them.
+        planes = self.sweeps.orbits("lines").groupby(["alpha", "omega"])
+        return {(alpha, omega): branches(model, rows, "k", springs) for (alpha, omega), rows in planes}
 
     @cached_property
-    def typical(self) -> dict[str, Orbit]:
-        """The stable limit cycles at the paper's three points, by their letter."""
-        return {letter: _stable("wobbling", group, k=k, **PLANE) for letter, (group, k) in TYPICAL.items()}
+    def typical(self) -> dict[str, Cycle]:
+        """The stable cycles at the typical solutions, by their letters."""
+        return {
+            letter: self._most_stable("typical", group=group, k=k) for letter, (group, k) in SOLUTIONS.items()
+        }
 
-    def compass(self, omega: float) -> Orbit:
-        """The limit cycle of the walker without a wobbling mass."""
-        return _stable("compass", None, omega=omega)
+    def compass(self, omega: float) -> Cycle:
+        """The cycle of the walker without a wobbling mass."""
+        return self._most_stable("compass", omega=omega)
 
-    def _table(self, name: str, everything: bool = False) -> Table:
-        config = self.configs.get(name) or config_of(name)
-        folder = self.folder / name
-        sweep(config, folder, workers=self.workers, resume=True, progress=self.progress)
-        orbits = read_orbits(folder)
-        return Table(config, orbits if everything else orbits[walks(orbits)])
-
-
-def _stable(model: str, group: str | None, **params: Any) -> Orbit:
-    """The most stable cycle of a group (of a model without groups: of all) at a point."""
-    found = [orbit for orbit in find_orbits(model, **params) if orbit.stable and orbit.group == group]
-    if not found:
-        where = ", ".join(f"{name} = {value:g}" for name, value in params.items())
-        raise InputError(f"{model} has no stable limit cycle of group {group} at {where}")
-    return min(found, key=lambda orbit: orbit.spectral_radius)
+    def _most_stable(self, name: str, **where: Any) -> Cycle:
+        rows = at(self.sweeps.gaits(name), stable=True, **where)
+        if rows.empty:
+            shown = ", ".join(f"{key} = {value}" for key, value in where.items())
+            raise InputError(
+                f"the sweep {name} holds no stable limit cycle at {shown}, so that it cannot be drawn; "
+                "choose other parameters, or other figures with --only"
+            )
+        best = rows.iloc[rows["spectral_radius"].to_numpy().argmin()]
+        return Cycle(load(self.sweeps.configs[name].model), best)

@@ -17,7 +17,7 @@ NONE, UNSTABLE, STABLE = 0, 1, 2
 
 NO_GROUP = -1
 SMALLEST = 0.004
-"""Share of the map's area below which a patch of one group gets no letter."""
+"""Share of the map's area below which a patch of one group is not lettered."""
 
 
 @dataclass(frozen=True)
@@ -80,7 +80,7 @@ def group_number(group: str | None) -> int:
 
 
 def letters(of: Raster, aspect: float) -> list[tuple[str, float, float]]:
-    """The letter of each group with the place, in parameters, where its largest patch is widest.
+    """The letter of each group with the position, in parameters, where its largest patch is widest.
 
     Parameters
     ----------

@@ -11,7 +11,7 @@ pytest.importorskip("PIL")
 
 from PIL import Image
 
-from stridemap.views.animate import choose
+from stridemap.views.animation import choose
 from stridemap.views.scene import scene
 
 
