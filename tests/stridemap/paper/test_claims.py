@@ -1,6 +1,8 @@
 """Every verdict is what the tables say: on made-up tables that hold, hold in part and differ."""
 
 import json
+import subprocess
+import sys
 from dataclasses import replace
 
 import numpy as np
@@ -10,8 +12,9 @@ import pytest
 import stridemap
 from stridemap.errors import InputError
 from stridemap.paper.claim import Parts, Verdict
-from stridemap.paper.data import configurations
 from stridemap.paper.evaluate import STATEMENTS, evaluate
+from stridemap.paper.points import ALPHAS, OMEGAS, PLANE, TYPICAL
+from stridemap.paper.sweeps import configurations, default_folder
 from stridemap.solver.branches.edges import COLUMNS, stable_runs
 from stridemap.solver.branches.main_branch import fixed_point_index, on_main_branch, walks
 from tests.oracles.claim_tables import changed, made_up, slow, swapped
@@ -104,8 +107,8 @@ CHANGES = {
         lambda d: changed(d, "lines", cot=lambda r: 1 / (r["k"] * r["alpha"] * r["omega"])),
     ),
     "C20": (
-        lambda d: changed(d, "typical", x_amplitude=0.03),
-        lambda d: changed(d, "typical", x_amplitude=0.5),
+        lambda d: changed(d, "typical", wobble_amplitude=0.03),
+        lambda d: changed(d, "typical", wobble_amplitude=0.5),
     ),
 }
 
@@ -216,16 +219,16 @@ def test_ranges_are_closed_by_bisected_edges():
 @pytest.mark.parametrize(
     ("table", "column"), [("typical", "likeness"), ("compass", "cot"), ("lines", "main"), ("map", "alpha")]
 )
-def test_a_missing_column_is_told(table, column):
+def test_a_missing_column_is_reported(table, column):
     data = made_up()
     with pytest.raises(InputError, match=f"the table {table} has no column {column}; give tables of"):
         replace(data, **{table: getattr(data, table).drop(columns=column)})
 
 
 @pytest.mark.parametrize("table", ["compass", "lines", "map"])
-def test_an_empty_sweep_is_told(table):
+def test_an_empty_sweep_is_reported(table):
     data = made_up()
-    with pytest.raises(InputError, match=f"the sweep {table} holds no limit cycle that walks"):
+    with pytest.raises(InputError, match=f"the sweep {table} holds no limit cycle that is a physical gait"):
         replace(data, **{table: getattr(data, table).iloc[:0]})
 
 
@@ -242,11 +245,40 @@ def test_configurations_take_parameters_and_thin_out():
     plain, thin = configurations(), configurations({"beta": 0.2}, thin=10)
     assert [config.n_cells for config in plain.values()] == [3, 2, 2400, 23040]
     assert {0.5, 6.0, 22.5} <= set(plain["lines"].grid["k"])
+    # The statements name these points.
+    assert (plain["lines"].grid["alpha"], plain["lines"].grid["omega"]) == (ALPHAS, OMEGAS)
+    assert (plain["map"].grid["omega"], plain["compass"].grid["omega"]) == (OMEGAS, OMEGAS)
+    assert set(plain["typical"].grid["k"]) == set(TYPICAL.values())
+    assert PLANE.items() <= plain["typical"].params.items()
     assert [config.n_cells for config in thin.values()] == [3, 2, 61 * 4, 25 * 6 * 2]
     assert all(config.params["beta"] == 0.2 for config in thin.values())
 
 
-def test_public_names():
-    assert stridemap.Claim.__name__ == "Claim"
-    assert callable(stridemap.claims)
+def test_each_choice_of_parameters_has_its_own_folder():
+    assert default_folder().parts == ("results", "paper-sweeps")
+    assert default_folder({"beta": 0.2, "S": 0.1}, 10).name == "paper-sweeps-S=0.1-beta=0.2-thin=10"
+
+
+def test_the_folder_of_the_sweeps_is_called_sweeps(refused, tmp_path):
+    with pytest.raises(InputError, match=r"given by `sweeps` now: write sweeps='here'"):
+        stridemap.claims(out="here")
+    refused(f"claims --out {tmp_path}", f"--out is called --sweeps now: write --sweeps {tmp_path}")
+
+
+PUBLIC = """
+import sys
+import stridemap.paper, stridemap.views
+assert stridemap.paper.Claim.__name__ == "Claim"
+assert all(callable(getattr(stridemap.paper, name)) for name in stridemap.paper.__all__)
+assert all(callable(getattr(stridemap.views, name)) for name in stridemap.views.__all__)
+assert not {"matplotlib", "PIL"} & set(sys.modules)
+"""
+
+
+def test_public_names_need_nothing_that_draws():
+    done = subprocess.run([sys.executable, "-c", PUBLIC], capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert stridemap.paper.claims is stridemap.claims
     assert [v.value for v in stridemap.Verdict] == ["holds", "in part", "differs"]
+    with pytest.raises(AttributeError, match="has no attribute 'claim_s'"):
+        stridemap.paper.claim_s  # noqa: B018

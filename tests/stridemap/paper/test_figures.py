@@ -7,6 +7,7 @@ import pandas as pd
 import pytest
 
 import stridemap
+from stridemap.paper.sweeps import PaperSweeps, configurations
 from stridemap.solver.model.loading import load
 from stridemap.sweeps.config import parse_config
 from stridemap.sweeps.run import sweep
@@ -18,11 +19,11 @@ pytest.importorskip("PIL")
 
 from matplotlib.colors import to_rgb
 
-from stridemap.paper.figures import curves, sketch
-from stridemap.paper.figures import map as maps
-from stridemap.paper.figures import time_profiles as profiles
-from stridemap.paper.figures.material import Data
-from stridemap.paper.figures.raster import NONE, STABLE, UNSTABLE, class_of
+from stridemap.paper.drawings import curves, sketch
+from stridemap.paper.drawings import map as maps
+from stridemap.paper.drawings import time_profiles as profiles
+from stridemap.paper.drawings.material import Material
+from stridemap.paper.drawings.raster import NONE, STABLE, UNSTABLE, class_of
 from stridemap.solver.branches.joining import branches
 from stridemap.solver.branches.main_branch import walks
 from stridemap.views import style
@@ -35,22 +36,20 @@ ALPHA = [0.2, 0.25, 0.3]
 def configs():
     """A small map, and one line of springs, across the gap between groups A and B."""
     base = {"model": "wobbling", "search": {"starts": 24}}
-    small_map = {**base, "params": {"omega": 3.0}, "grid": {"k": K, "alpha": ALPHA}}
+    small_map = {**base, "grid": {"k": K, "alpha": ALPHA, "omega": [2.0, 3.0]}}
     line = {**base, "grid": {"k": K, "alpha": [0.25], "omega": [3.0]}}
-    return {"map": parse_config(small_map), "branches": parse_config(line)}
+    small = {"map": parse_config(small_map), "lines": parse_config(line)}
+    return {**configurations(), **small}
 
 
 @pytest.fixture(scope="module")
 def data(configs, tmp_path_factory):
-    folder = tmp_path_factory.mktemp("figures")
-    for name, config in configs.items():
-        sweep(config, folder / name, executor=Inline())
-    return Data(folder, configs=configs)
+    return Material(PaperSweeps(tmp_path_factory.mktemp("sweeps"), configs, executor=Inline()))
 
 
 def test_the_map_is_the_table(data):
-    orbits = read_orbits(data.folder / "map")
-    orbits = orbits[walks(orbits)]
+    orbits = read_orbits(data.sweeps.run("map"))
+    orbits = orbits[walks(orbits) & (orbits["omega"] == 3.0)]
     with style.styled():
         axes = maps.draw(data).axes[0]
     image = axes.images[0]
@@ -98,7 +97,7 @@ def test_lines_differ_without_colour():
 
 
 def test_curves_hold_every_cycle_of_the_table(data):
-    table = data.branches.orbits
+    table = data.sweeps.orbits("lines")
     (of,) = data.branch_sets.values()
     joined = pd.concat(of)
     columns = ["k", "period", "spectral_radius"]
@@ -106,7 +105,7 @@ def test_curves_hold_every_cycle_of_the_table(data):
     assert np.array_equal(on_grid.to_numpy(), table.sort_values(["k", "period"])[columns].to_numpy())
     with style.styled():
         axes = curves.draw_multipliers(data).axes[0]
-    compass = data.compass(3.0).spectral_radius
+    compass = data.compass(3.0).row["spectral_radius"]
     dashed = [line for line in axes.lines if line.is_dashed()]
     assert [set(line.get_ydata()) for line in dashed] == [{compass}]
     drawn = {
@@ -148,16 +147,17 @@ def test_a_branch_is_cut_where_its_stability_changes():
 
 
 def test_profiles_are_the_motions(data):
-    from stridemap.solver.observables.motion import motion
-
     with style.styled():
         axes = profiles.draw_distance(data).axes[0]
     lines = {line.get_label(): line for line in axes.lines}
-    for letter, (_, k) in {"a": ("A", 0.5), "b": ("B", 6.0), "c": ("C", 22.5)}.items():
+    for letter, (group, k) in {"a": ("A", 0.5), "b": ("B", 6.0), "c": ("C", 22.5)}.items():
         line = next(line for label, line in lines.items() if label.startswith(f"{letter}:"))
-        seen = motion(data.typical[letter], len(line.get_xdata()))
-        assert data.typical[letter].params["k"] == k
-        assert np.array_equal(line.get_ydata(), seen.d)
+        cycle = data.typical[letter]
+        assert (cycle.row["k"], cycle.row["alpha"], cycle.row["omega"]) == (k, 0.25, 3.0)
+        found = stridemap.find_orbits("wobbling", k=k, alpha=0.25, omega=3.0)
+        orbit = min((o for o in found if o.group == group), key=lambda o: o.spectral_radius)
+        seen = stridemap.motion(orbit, len(line.get_xdata()))
+        assert line.get_ydata() == pytest.approx(seen.d, abs=1e-9)
 
 
 def test_text_stays_text_and_bytes_stay_the_same(tmp_path):
@@ -180,5 +180,8 @@ def test_refusals(run, tmp_path, monkeypatch):
     monkeypatch.setattr(optional, "find_spec", lambda name: None)
     status, out, err = run("figures", "--only", "model", "--out", tmp_path)
     assert (status, out) == (2, "")
-    assert 'pip install "stridemap[pictures]"' in err.replace("`", "")
+    assert "matplotlib and Pillow, which are not installed here: run `pip install matplotlib Pillow`" in err
+    monkeypatch.setattr(optional, "find_spec", lambda name: None if name == "PIL" else name)
+    status, out, err = run("figures", "--only", "model", "--out", tmp_path)
+    assert "drawing needs Pillow, which is not installed here: run `pip install Pillow`" in err
     assert not list(tmp_path.iterdir())
