@@ -21,8 +21,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from stridemap import quantities
 from stridemap.errors import InputError
-from stridemap.quantities import QUANTITIES
 
 if TYPE_CHECKING:
     from stridemap.solver.cycles.orbit import Orbit
@@ -53,7 +53,7 @@ KINDS: Mapping[str, tuple[str, str]] = {
 """Kinds of quantities: for each its unit in the models, and its SI unit."""
 
 MEASURE_KINDS: Mapping[str, str] = {
-    name: quantity.kind for name, quantity in QUANTITIES.items() if quantity.type == "float"
+    name: quantity.kind for name, quantity in quantities.QUANTITIES.items() if quantity.type == "float"
 }
 """The kind of each measured quantity of an `Orbit` that is a number with a unit or a ratio."""
 

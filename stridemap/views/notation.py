@@ -77,6 +77,7 @@ def latex_unit(unit: str, names: UnitNames) -> str:
     words = re.sub(r"\bsqrt\(([^)]*)\)", r"\\sqrt{\1}", unit)
     words = re.sub(r"\s*/\s*", "/", words)
     words = re.sub(r"\s*\*\s*|\s+", r"\\,", words)
+    words = re.sub(r"\^(-?\d{2,}|-\d)", r"^{\1}", words)
     words = re.sub(
         r"(?<![\\A-Za-z])[A-Za-z]+", lambda m: m[0] if m[0] in italic else rf"\mathrm{{{m[0]}}}", words
     )

@@ -1,9 +1,11 @@
 """Every verdict is what the tables say: on made-up tables that hold, hold in part and differ."""
 
 import json
+import re
 import subprocess
 import sys
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pandas as pd
@@ -252,6 +254,20 @@ def test_configurations_take_parameters_and_thin_out():
     assert PLANE.items() <= plain["typical"].params.items()
     assert [config.n_cells for config in thin.values()] == [3, 2, 61 * 4, 25 * 6 * 2]
     assert all(config.params["beta"] == 0.2 for config in thin.values())
+
+
+def test_the_pages_have_the_configurations_of_the_sweeps():
+    """Numbers of cells, wherever a page gives them, and the folder."""
+    cells = {name: config.n_cells for name, config in configurations().items()}
+    docs = Path(__file__).parents[3] / "docs"
+    claims, figures = ((docs / f"{page}.md").read_text("utf-8") for page in ("claims", "figures"))
+    rows = re.findall(r"^\| `(\w+)` \| .* \| ([\d,]+) \|$", claims, re.MULTILINE)
+    assert {name: int(count.replace(",", "")) for name, count in rows} == cells
+    named = re.findall(r"`(\w+)`\s+\(([\d,]+) cells\)", figures)
+    assert {name: int(count.replace(",", "")) for name, count in named}.items() <= cells.items()
+    assert {name for name, _ in named} == {"lines", "map"}
+    assert len(re.findall(r"[\d,]+ cells", figures)) == len(named)
+    assert f"`{default_folder().as_posix()}`" in claims
 
 
 def test_each_choice_of_parameters_has_its_own_folder():
