@@ -8,7 +8,7 @@ from scipy.ndimage import distance_transform_edt, label
 from stridemap.solver.branches.plane import Plane
 
 SMALLEST = 0.004
-"""Share of the map's area below which a patch of one group gets no letter."""
+"""Share of the map's area below which a patch of one group is not lettered."""
 
 
 def extent(plane: Plane) -> tuple[float, float, float, float]:
@@ -20,7 +20,7 @@ def extent(plane: Plane) -> tuple[float, float, float, float]:
 
 
 def letters(plane: Plane, aspect: float) -> list[tuple[str, float, float]]:
-    """The letter of each group with the place, in parameters, where its largest patch is widest.
+    """The letter of each group with the position, in parameters, where its largest patch is widest.
 
     Parameters
     ----------
