@@ -167,7 +167,7 @@ def _followed(
 def _from_ends(
     solver: Solver, ends: Orbits, parameter: str, grid: Array, direction: int, options: SearchOptions | None
 ) -> dict[int, BranchPath]:
-    """Each end followed to the next value in a direction, save those at the grid's own end, by their number."""
+    """Each end followed to the next value in a direction, by number, save those at the grid's own end."""
     position = np.searchsorted(grid, values_of(ends, parameter)) + direction
     inside = np.flatnonzero((position >= 0) & (position < len(grid)))
     paths = follow_parameter(solver, ends.take(inside), parameter, grid[position[inside]], options)
