@@ -33,7 +33,7 @@ class Raster:
     classes : ndarray of int, shape (m, n)
         `NONE`, `UNSTABLE` or `STABLE`.
     groups : ndarray of int, shape (m, n)
-        Group of the cell's most stable cycle, 0 for A; `NO_GROUP` where there is none.
+        Group of the cell's most stable cycle, 0 for A; `NO_GROUP` where there is no cycle, or no group.
     """
 
     names: tuple[str, str]
