@@ -7,7 +7,7 @@ import numpy as np
 
 from stridemap.errors import InputError
 from stridemap.solver.cycles.orbit import Orbit
-from stridemap.solver.observables.motion import Motion, motion
+from stridemap.solver.observables.motion import Motion
 from stridemap.views.optional import require_pictures
 
 if TYPE_CHECKING:
@@ -45,7 +45,7 @@ def plot(orbit: Orbit, kind: str = "profiles", *, samples: int = 201) -> "Figure
     require_pictures()
     from stridemap.views import style
 
-    seen = motion(orbit, samples)
+    seen = orbit.motion(samples)
     with style.styled():
         return KINDS[kind](seen, _title(orbit))
 
