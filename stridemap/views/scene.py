@@ -102,7 +102,7 @@ def _magnified(seen: Motion, orbit: Orbit, magnify: float) -> tuple[Array, dict[
     name = seen.model.spec.wobbling
     if name is None:
         raise InputError(
-            f"magnify = {magnify:g} is not possible: {orbit.model} has no wobbling mass; leave it out"
+            f"magnify = {magnify:g} is not possible: {orbit.model.name} has no wobbling mass; leave it out"
         )
     q = seen.q.copy()
     q[..., seen.model.coordinates.index(name)] *= magnify

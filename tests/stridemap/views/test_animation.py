@@ -105,7 +105,7 @@ def test_names_do_not_matter_but_roles_do(orbits, monkeypatch):
 
 
 def test_choices(orbits):
-    assert choose(orbits) is choose(orbits, group="B") is min(orbits, key=lambda o: o.spectral_radius)
+    assert choose(orbits) == choose(orbits, group="B") == min(orbits, key=lambda o: o.spectral_radius)
     assert choose(orbits, cycle=1) is orbits[0]
     with pytest.raises(InputError, match="no limit cycle of group 'C' at this point; groups there: B"):
         choose(orbits, group="C")
