@@ -221,7 +221,7 @@ class Units:
         return converted
 
     def parameters_si(self, model: str, params: Mapping[str, float]) -> dict[str, float]:
-        """Parameters of a model, or an orbit's ``params``, in SI units: the way back from `parameters`.
+        """Parameters of a model, or an orbit's ``params``, in SI units: the inverse of `parameters`.
 
         Raises
         ------

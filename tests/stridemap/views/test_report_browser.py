@@ -283,7 +283,7 @@ def test_the_walker_stands_where_the_solver_has_it(report, open_page):
     assert seen["t"] == pytest.approx(moved.t[0, 3], rel=1e-12)
     assert np.abs(np.array(seen["positions"]) - moved.positions[0, 3]).max() < 1e-10
     # The drawing: pixels lie as the positions do, at one scale.
-    placed = np.array(page.evaluate("stridemap.stage.seen.positions.map(stridemap.stage.place)"))
+    placed = np.array(page.evaluate("stridemap.stage.seen.positions.map(stridemap.stage.toPixels)"))
     span, drawn = moved.positions[0, 3] - moved.positions[0, 3, 0], placed - placed[0]
     scale = -drawn[2, 1] / span[2, 1]
     assert scale > 50
