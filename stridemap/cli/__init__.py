@@ -1,1 +1,1 @@
-"""The commands that draw and judge, one a file."""
+"""The command line, a file per command; `app` puts them together."""

@@ -1,7 +1,8 @@
-"""What the options of several commands have in common: model, parameters, whole numbers, exit statuses."""
+"""What several commands have in common: model, parameters, whole numbers, exit statuses, interrupts."""
 
 import itertools
-from typing import Annotated, Any
+import signal
+from typing import Annotated, Any, NoReturn
 
 import typer
 import typer.core
@@ -88,10 +89,30 @@ def split(word: str, option: str) -> tuple[str, str]:
 
 
 def assign(pairs: dict[str, Any], name: str, text: str) -> None:
-    """Enter a number, or the text itself where it is none: who knows the allowed range refuses it."""
+    """Enter a number, or the text itself where it is not one: whoever knows the allowed range refuses it."""
     if name in pairs:
         raise InputError(f"{name} is given twice")
     try:
         pairs[name] = float(text)
     except ValueError:
         pairs[name] = text
+
+
+def option_values(option: str, assignments: list[str] | None) -> dict[str, Any]:
+    """Options of a record from words ``NAME=VALUE``: whole numbers stay whole."""
+    pairs: dict[str, Any] = {}
+    for word in assignments or ():
+        name, text = split(word, option)
+        assign(pairs, name, text)
+        if text.strip().lstrip("+-").isdecimal():
+            pairs[name] = int(text)
+    return pairs
+
+
+def end_like_interrupted() -> None:
+    """Let a terminated command end like an interrupted one: workers are stopped, what is finished stays."""
+    signal.signal(signal.SIGTERM, _interrupt)
+
+
+def _interrupt(*_: object) -> NoReturn:
+    raise KeyboardInterrupt

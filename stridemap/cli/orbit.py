@@ -1,0 +1,60 @@
+"""``stridemap orbit``: all limit cycles at one point."""
+
+import json
+import sys
+from typing import Annotated
+
+import typer
+
+from stridemap.cli.options import (
+    FOUND,
+    NOTHING,
+    JsonOption,
+    ModelOption,
+    SetOption,
+    option_values,
+    parameters,
+    whole,
+)
+
+
+def orbit(
+    context: typer.Context,
+    model: ModelOption = "wobbling",
+    set_: SetOption = None,
+    starts: Annotated[int, whole("Number of quasi-random starts.")] = 512,
+    search: Annotated[
+        list[str] | None,
+        typer.Option(metavar="NAME=VALUE", help="An option of the search: seed, period_min, period_max."),
+    ] = None,
+    acceptance: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="NAME=VALUE", help="An option of the acceptance, such as max_integration_error."
+        ),
+    ] = None,
+    backend: Annotated[
+        str | None, typer.Option(help="What runs the kernels: lanes, scalar or interpreter.")
+    ] = None,
+    json_: JsonOption = False,
+) -> int:
+    """Print all limit cycles at one point of parameter space."""
+    from stridemap.cli.output import print_orbits
+    from stridemap.solver.api import find_orbits
+    from stridemap.solver.model.loading import load
+    from stridemap.solver.options import AcceptanceOptions, SearchOptions
+
+    params = parameters(context.args, set_)
+    options = SearchOptions.from_mapping({"starts": starts, **option_values("--search", search)})
+    accepted = AcceptanceOptions.from_mapping(option_values("--acceptance", acceptance))
+    orbits = find_orbits(model, params, options=options, acceptance=accepted, backend=backend)
+    if json_:
+        loaded = load(model)
+        point = dict(zip(loaded.spec.names, loaded.point(params).tolist(), strict=True))
+        found = [o.to_dict() for o in orbits]
+        print(json.dumps({"model": model, "params": point, "orbits": found}, indent=1, allow_nan=False))
+    elif len(orbits):
+        print_orbits(orbits)
+    else:
+        print("no limit cycle found", file=sys.stderr)
+    return FOUND if len(orbits) else NOTHING

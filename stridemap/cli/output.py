@@ -1,0 +1,44 @@
+"""What commands print: tables in plain text, numbers in full."""
+
+import math
+from collections.abc import Sequence
+from typing import Any
+
+from stridemap.solver.cycles.orbits import Orbits
+
+
+def print_orbits(orbits: Orbits) -> None:
+    """Print limit cycles as a table, one column each."""
+    shown = list(orbits)
+    rows: list[tuple[str, list[str]]] = [("status", [o.status.value for o in shown])]
+    rows += [(name, [f"{o.state[name]:.12f}" for o in shown]) for name in shown[0].state]
+    rows.append(("period", [f"{o.period:.12f}" for o in shown]))
+    for i in range(len(shown[0].multipliers)):
+        rows.append((f"multiplier {i}", [_complex(o.multipliers[i]) for o in shown]))
+    rows += [(name, [_cell(o.measures[name]) for o in shown]) for name in shown[0].measures]
+    head = ["", *(f"cycle {i}" for i in range(1, len(shown) + 1))]
+    print_table([head, *([name, *cells] for name, cells in rows)])
+
+
+def print_table(rows: Sequence[Sequence[str]]) -> None:
+    """Print rows with their columns aligned, the first to the left and the others to the right."""
+    widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
+    for first, *rest in rows:
+        cells = [first.ljust(widths[0]), *(cell.rjust(w) for cell, w in zip(rest, widths[1:], strict=True))]
+        print("  ".join(cells))
+
+
+def _complex(value: complex) -> str:
+    return f"{value.real:.10f}" if value.imag == 0 else f"{value.real:.10f}{value.imag:+.10f}i"
+
+
+def _cell(value: Any) -> str:
+    if value is None:
+        return "-"
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    if isinstance(value, float):
+        if not math.isfinite(value):
+            return "-"
+        return f"{value:.10f}" if abs(value) >= 1e-3 else f"{value:.3e}"
+    return str(value)

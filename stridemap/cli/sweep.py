@@ -1,0 +1,42 @@
+"""``stridemap sweep``: all limit cycles of a grid of parameters."""
+
+import sys
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from stridemap.cli.options import FOUND, INTERRUPTED, NOTHING, end_like_interrupted, whole
+
+
+def sweep(
+    config: Annotated[Path, typer.Argument(help="TOML file of the sweep.")],
+    out: Annotated[Path, typer.Option(help="Output folder.")],
+    workers: Annotated[int | None, whole("Number of processes; by default one per core.")] = None,
+    resume: Annotated[bool, typer.Option("--resume", help="Continue from finished tiles.")] = False,
+    backend: Annotated[
+        str | None, typer.Option(help="What runs the kernels: lanes, scalar or interpreter.")
+    ] = None,
+) -> int:
+    """Find all limit cycles of a grid of parameters; writes orbits.parquet and cells.parquet."""
+    from stridemap.cli.progress import show
+    from stridemap.sweeps.run import sweep as sweep_
+
+    end_like_interrupted()
+    try:
+        with show() as progress:
+            summary = sweep_(config, out, workers=workers, resume=resume, backend=backend, progress=progress)
+    except KeyboardInterrupt:
+        print(f"interrupted: finished tiles are kept in {out}; continue with --resume", file=sys.stderr)
+        return INTERRUPTED
+    done = "was finished before" if summary.already_finished else "finished"
+    failed = (
+        f", {summary.failed_cells:,} cells failed (see the reasons in cells.parquet)"
+        if summary.failed_cells
+        else ""
+    )
+    print(
+        f"sweep {done}: {summary.orbits:,} limit cycles ({summary.stable_orbits:,} stable) "
+        f"in {summary.cells:,} cells{failed}; tables in {summary.folder}"
+    )
+    return FOUND if summary.orbits else NOTHING
