@@ -19,9 +19,13 @@ def test_inputs_of_a_wrong_shape_are_refused():
 
 def test_no_points_are_mapped_to_no_points():
     model = load("compass")
-    traced = load_kernels(model).trace(48, np.zeros((0, 4)), np.zeros((0, 6)))
+    traced = load_kernels(model, None).trace(48, np.zeros((0, 4)), np.zeros((0, 6)))
     assert (traced.w.shape, traced.residual.shape) == ((0, 49, 5), (0, 4))
-    assert load_kernels(model).jacobian(24, np.zeros((0, 4)), np.zeros((0, 6))).jacobian.shape == (0, 4, 4)
+    assert load_kernels(model, None).jacobian(24, np.zeros((0, 4)), np.zeros((0, 6))).jacobian.shape == (
+        0,
+        4,
+        4,
+    )
 
 
 def test_results_are_named_and_matrices_are_row_by_row():

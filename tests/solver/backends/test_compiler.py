@@ -24,14 +24,14 @@ BARE = load_kernels.__wrapped__  # without its cache: every call loads anew
 def test_cc_that_does_not_exist_is_named(monkeypatch, own_cache):
     monkeypatch.setenv("CC", "no-such-compiler -O2")
     with pytest.raises(InputError) as error:
-        BARE(load("compass"))
+        BARE(load("compass"), None)
     assert "CC names 'no-such-compiler -O2'" in one_sentence(error)
 
 
 def test_compiler_that_fails_is_named_with_what_it_said(tmp_path, monkeypatch, own_cache):
     monkeypatch.setenv("CC", script(tmp_path / "badcc", "echo 'it is Sunday' >&2\necho more >&2\nexit 1"))
     with pytest.raises(CompilerError) as error:
-        BARE(load("compass"))
+        BARE(load("compass"), None)
     message = one_sentence(error)
     assert "badcc" in message
     assert "it is Sunday" in message
@@ -41,7 +41,7 @@ def test_compiler_that_fails_is_named_with_what_it_said(tmp_path, monkeypatch, o
 def test_compiler_that_says_nothing(tmp_path, monkeypatch, own_cache):
     monkeypatch.setenv("CC", script(tmp_path / "mute", "exit 1"))
     with pytest.raises(CompilerError) as error:
-        BARE(load("compass"))
+        BARE(load("compass"), None)
     assert "it said nothing" in one_sentence(error)
 
 
@@ -53,7 +53,7 @@ def test_cache_that_cannot_be_written_is_named(tmp_path, monkeypatch, below):
     monkeypatch.setenv("STRIDEMAP_CACHE", str(in_the_way / below))
     monkeypatch.delenv("CC", raising=False)
     with pytest.raises(StorageError) as error:
-        BARE(load("compass"))
+        BARE(load("compass"), None)
     message = one_sentence(error)
     assert str(in_the_way) in message
     assert "STRIDEMAP_CACHE" in message
@@ -67,7 +67,7 @@ def test_edited_kernels_are_refused(tmp_path, monkeypatch, own_cache):
     kernels.write_text(kernels.read_text("utf-8").replace("0.5", "0.6", 1), "utf-8")
     monkeypatch.setenv("CC", script(tmp_path / "cc", f"touch {tmp_path}/called"))
     with pytest.raises(InputError) as error:
-        BARE(Model(Folder(folder), "mine"))
+        BARE(Model(Folder(folder), "mine"), None)
     assert "compass_kernels.c is not the file that manifest.json names" in one_sentence(error)
     assert not list(own_cache.glob("*"))
 
@@ -80,11 +80,11 @@ def test_second_load_does_not_compile_again(tmp_path, monkeypatch, own_cache):
     log = tmp_path / "log"
     compiler = shutil.which(os.environ.get("CC", "").split(" ")[0] or find_compiler())
     monkeypatch.setenv("CC", script(tmp_path / "counting", f'echo "$@" >> {log}\nexec {compiler} "$@"'))
-    first = BARE(load("compass"))
+    first = BARE(load("compass"), None)
     assert isinstance(first.backend, Lanes)
     assert log.read_text().count("compass_lockstep.cpp") == 1
     assert [path.suffix for path in own_cache.iterdir()] == [".so"]
-    second = BARE(load("compass"))
+    second = BARE(load("compass"), None)
     assert log.read_text().count("compass_lockstep.cpp") == 1
     ScalarC().kernels(load("compass"))
     compiled = [line for line in log.read_text().splitlines() if "compass_kernels.c" in line]

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 from stridemap.errors import CompilerError
+from stridemap.solver.api import find_orbits
 from stridemap.solver.backends import lanes
 from stridemap.solver.backends.compiler import compile_shared, find_compiler, processor_features
 from stridemap.solver.backends.lanes import Lanes
@@ -167,8 +168,8 @@ def test_part_of_a_step_and_no_points():
 MAIN = """
 int main()
 {
-    const casadi_int nu = 4, np = 6, in_size[] = {nu, np}, out_size[] = {nu * nu, nu};
-    const double start[] = {0.09, -0.17, -0.003, 1.2}, params[] = PARAMS;
+    const casadi_int nu = 3, np = 1, in_size[] = {nu, np}, out_size[] = {nu * nu, nu};
+    const double start[] = START, params[] = PARAMS;
     for (casadi_int n = 1; n < 18; n++) {
         double* u = (double*) malloc((size_t) (n * nu) * sizeof(double));
         double* p = (double*) malloc((size_t) (n * np) * sizeof(double));
@@ -181,10 +182,11 @@ int main()
         }
         const double* in[] = {u, p};
         double* out[] = {j, r};
-        int status = lockstep_newton(&lockstep_compass_jacobian_12, &lockstep_compass_residual_24,
-            n, nu, np, u, p, 1e-14, 1e-9, 6);
-        status |= lockstep_newton(&lockstep_compass_jacobian_12, NULL, n, nu, np, u, p, 1e-14, 1e-9, 6);
-        status |= lockstep_map(&lockstep_compass_jacobian_12, n, 2, in, in_size, 2, out, out_size);
+        const Kernel* derivative = &lockstep_simplest_walker_jacobian_12;
+        const Kernel* residual = &lockstep_simplest_walker_residual_24;
+        int status = lockstep_newton(derivative, residual, n, nu, np, u, p, 1e-14, 1e-9, 6);
+        status |= lockstep_newton(derivative, NULL, n, nu, np, u, p, 1e-14, 1e-9, 6);
+        status |= lockstep_map(derivative, n, 2, in, in_size, 2, out, out_size);
         if (status || !(fabs(r[0]) < 1e-9)) return 1;
         free(u); free(p); free(j); free(r);
     }
@@ -194,11 +196,14 @@ int main()
 
 
 def test_drivers_under_the_address_sanitizer(tmp_path):
-    model, compiler = load("compass"), shutil.which(find_compiler())
-    shown = r"^KERNEL\((?!compass_(jacobian_12|residual_24)\)).*$"  # the rest would take long to compile
-    text = re.sub(shown, "", lanes.source(model), flags=re.M)
-    params = "{" + ", ".join(map(repr, model.point({}).tolist())) + "}"
-    (tmp_path / "main.cpp").write_text(text + MAIN.replace("PARAMS", params))
+    model, compiler = load("simplest_walker"), shutil.which(find_compiler())
+    orbit = find_orbits(model)[0]
+    # The other kernels would take long to compile.
+    shown = r"^KERNEL\((?!simplest_walker_(jacobian_12|residual_24)\)).*$"
+    text, main = re.sub(shown, "", lanes.source(model), flags=re.M), MAIN
+    for word, values in (("START", orbit.section_point), ("PARAMS", orbit.params.values())):
+        main = main.replace(word, "{" + ", ".join(map(repr, values)) + "}")
+    (tmp_path / "main.cpp").write_text(text + main)
     flags = [flag for flag in lanes.FLAGS if flag != "-shared"]
     command = [
         compiler,

@@ -35,8 +35,8 @@ def test_names():
 
 @needs_compiler
 def test_lanes_are_what_runs_where_they_can():
-    assert isinstance(load_kernels(load("wobbling")).backend, Lanes)
-    assert "contract=off" in load_kernels(load("wobbling")).compiler
+    assert isinstance(load_kernels(load("wobbling"), None).backend, Lanes)
+    assert "contract=off" in load_kernels(load("wobbling"), None).compiler
 
 
 @needs_compiler
@@ -46,7 +46,7 @@ def test_compiler_without_cpp_gives_one_point_at_a_time(tmp_path, monkeypatch, o
         tmp_path / "onlyc", f'case "$*" in *c++*) echo "no C++ here" >&2; exit 1;; esac\nexec {compiler} "$@"'
     )
     monkeypatch.setenv("CC", only_c)
-    assert isinstance(load_kernels(load("compass")).backend, ScalarC)
+    assert isinstance(load_kernels(load("compass"), None).backend, ScalarC)
 
 
 @needs_compiler
@@ -75,8 +75,8 @@ def test_without_a_compiler_the_virtual_machine_runs_with_one_warning(no_compile
         find_all(Solver.for_model(model), points, options)  # no second warning
     assert [w.category for w in caught] == [RuntimeWarning]
     assert "no C compiler found" in str(caught[0].message)
-    assert load_kernels(model).backend == Interpreter()
-    assert "virtual machine" in load_kernels(model).compiler
+    assert load_kernels(model, None).backend == Interpreter()
+    assert "virtual machine" in load_kernels(model, None).compiler
     _, asked_for = find_all(Solver.for_model(model, Interpreter()), points, options)
     assert list(found) == list(asked_for)
     assert len(found) >= 1
