@@ -235,7 +235,8 @@ def column(quantity: Quantity, values: Any, n: int) -> NDArray[Any]:
     if not quantity.optional:
         return np.asarray(values, dtype=_DTYPES[quantity.type])
     plain = _PLAIN[quantity.type]  # whole numbers with gaps may come as floats
-    known = [plain(value) if (value == value) is True else None for value in np.asarray(values).tolist()]
+    given = np.asarray(values).tolist()
+    known = [None if value is None or (value == value) is not True else plain(value) for value in given]
     return np.array(known, dtype=object)
 
 
