@@ -17,10 +17,10 @@ CONFIG = parse_config(
 
 SMALL = 'model = "compass"\n[grid]\nomega = [2.5, 3.0]\n[search]\nstarts = 16\n'
 
-LARGER = """model = "wobbling"
+LARGER = """model = "compass"
 [grid]
-k = { start = 0.5, stop = 30, num = 12 }
-alpha = [0.2, 0.3]
+omega = { start = 2.4, stop = 3.6, num = 12 }
+gamma = [0.18, 0.2]
 [search]
 starts = 16
 subgrid = 1
