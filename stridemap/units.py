@@ -23,34 +23,13 @@ import numpy as np
 
 from stridemap import quantities
 from stridemap.errors import InputError
+from stridemap.quantities import KINDS as KINDS
 
 if TYPE_CHECKING:
     from stridemap.solver.cycles.orbit import Orbit
 
 STANDARD_GRAVITY = 9.80665
 """In m/s^2, exactly, by definition: 3rd General Conference on Weights and Measures, 1901."""
-
-KINDS: Mapping[str, tuple[str, str]] = {
-    "number": ("1", "1"),
-    "angle": ("rad", "rad"),
-    "mass": ("M", "kg"),
-    "length": ("L", "m"),
-    "time": ("sqrt(L/g)", "s"),
-    "angular frequency": ("sqrt(g/L)", "rad/s"),
-    "speed": ("sqrt(g L)", "m/s"),
-    "acceleration": ("g", "m/s^2"),
-    "force": ("M g", "N"),
-    "impulse": ("M sqrt(g L)", "N s"),
-    "stiffness": ("M g / L", "N/m"),
-    "damping": ("M sqrt(g/L)", "N s/m"),
-    "torque": ("M g L", "N m"),
-    "rotational stiffness": ("M g L", "N m/rad"),
-    "rotational damping": ("M g L sqrt(L/g)", "N m s/rad"),
-    "moment of inertia": ("M L^2", "kg m^2"),
-    "energy": ("M g L", "J"),
-    "power": ("M g sqrt(g L)", "W"),
-}
-"""Kinds of quantities: for each its unit in the models, and its SI unit."""
 
 MEASURE_KINDS: Mapping[str, str] = {
     name: quantity.kind for name, quantity in quantities.QUANTITIES.items() if quantity.type == "float"

@@ -12,6 +12,7 @@ from stridemap.solver.cycles.orbit import Orbit, missing
 from stridemap.solver.cycles.status import CODES, STATUSES, Status
 from stridemap.solver.model.model import Model
 from stridemap.spec import Quantity
+from stridemap.words import multiplier_columns
 
 Array = NDArray[np.float64]
 Index = NDArray[np.int64]
@@ -97,8 +98,9 @@ class Orbits(Sequence[Orbit]):
         n, nz = len(codes), len(model.section)
         multipliers = np.full((n, nz), np.nan + 0j)
         for i in range(nz):
-            if f"multiplier_{i}_re" in columns:
-                multipliers[:, i] = array(f"multiplier_{i}_re") + 1j * array(f"multiplier_{i}_im")
+            real, imaginary = multiplier_columns(i)
+            if real in columns:
+                multipliers[:, i] = array(real) + 1j * array(imaginary)
         return cls(
             model,
             np.column_stack([array(name) for name in model.spec.names]),
@@ -186,7 +188,8 @@ class Orbits(Sequence[Orbit]):
         out["status"] = np.array([status.value for status in self.status], dtype=object)
         out |= dict(zip((*self.model.section, "period"), self.u.T, strict=True))
         for i, multiplier in enumerate(self.multipliers.T):
-            out[f"multiplier_{i}_re"], out[f"multiplier_{i}_im"] = multiplier.real, multiplier.imag
+            real, imaginary = multiplier_columns(i)
+            out[real], out[imaginary] = multiplier.real, multiplier.imag
         return out | dict(self.measures)
 
     def to_frame(self) -> Any:

@@ -110,7 +110,7 @@ def _section_symbol(name: str, coordinates: tuple[str, ...]) -> str:
 
 
 def _measures(model: Model, orbits: pd.DataFrame, hidden: set[str]) -> list[dict[str, str]]:
-    """Columns that are shown as measured quantities, in the registry's order and then those it lacks."""
+    """Columns that are shown as measured quantities: the registry's, those of the model, those of neither."""
     shown = [
         name
         for name in orbits
@@ -120,13 +120,14 @@ def _measures(model: Model, orbits: pd.DataFrame, hidden: set[str]) -> list[dict
         and not orbits[name].isna().all()
     ]
     unit = units(model.spec.units)
-    known = [quantity for name, quantity in QUANTITIES.items() if name in shown]
+    quantities = {**QUANTITIES, **model.measured}
+    known = [quantity for name, quantity in quantities.items() if name in shown]
     return [
         {"name": q.name, "label": q.label, "unit": unit[q.kind], "meaning": q.definition} for q in known
     ] + [
         {"name": name, "label": name.replace("_", " "), "unit": "", "meaning": ""}
         for name in shown
-        if name not in QUANTITIES
+        if name not in quantities
     ]
 
 
