@@ -18,6 +18,7 @@ Array = NDArray[np.float64]
 Index = NDArray[np.int64]
 
 _DTYPES = {"float": np.float64, "int": np.int64, "bool": np.bool_, "str": object}
+_PLAIN = {"float": float, "int": int, "bool": bool, "str": str}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -112,6 +113,9 @@ class Orbits(Sequence[Orbit]):
 
     def take(self, index: Any) -> "Orbits":
         """Some of them: by number, by a mask, or by a slice."""
+        if not isinstance(index, slice):
+            index = np.asarray(index)
+            index = index if index.size else index.astype(np.intp)  # an empty list is one of floats
         arrays = {name: getattr(self, name)[index] for name in _ARRAYS}
         return Orbits(
             model=self.model, measures={name: m[index] for name, m in self.measures.items()}, **arrays
@@ -129,7 +133,7 @@ class Orbits(Sequence[Orbit]):
     def __getitem__(self, index: Any) -> "Orbit | Orbits":
         """One cycle for a number; several for a slice, a mask or a list of numbers."""
         if not isinstance(index, int | np.integer):
-            return self.take(index if isinstance(index, slice) else np.asarray(index))
+            return self.take(index)
         if not -len(self) <= index < len(self):
             raise IndexError(f"there is no cycle {index}: there are {len(self)}")
         return self._orbit(int(index))
@@ -232,9 +236,10 @@ def column(quantity: Quantity, values: Any, n: int) -> NDArray[Any]:
         return unmeasured(quantity, n)
     if not quantity.optional:
         return np.asarray(values, dtype=_DTYPES[quantity.type])
-    return np.array(
-        [value if (value == value) is True else None for value in np.asarray(values).tolist()], dtype=object
-    )
+    plain = _PLAIN[quantity.type]  # whole numbers with gaps may come as floats
+    given = np.asarray(values).tolist()
+    known = [None if value is None or (value == value) is not True else plain(value) for value in given]
+    return np.array(known, dtype=object)
 
 
 def _scalar(value: Any) -> Any:
