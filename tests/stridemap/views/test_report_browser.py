@@ -157,7 +157,7 @@ def test_motions_are_those_of_the_solver(report, open_page):
         for name in ("t", "q", "v", "com", "positions"):
             got = np.array([s[name] for s in one["seen"]])
             assert np.abs(got - getattr(seen, name)[i]).max() < growth, (i, name)
-        for name in ("d", "force", "torque") if model.manifest["actuated"] else ("d", "force"):
+        for name in ("d", "force", "torque") if model.actuated else ("d", "force"):
             got, wanted = np.array([s[name] for s in one["seen"]]), getattr(seen, name)[i]
             assert np.abs(got - wanted).max() < 100 * growth * max(1, np.abs(wanted).max()), (i, name)
         for name, line in seen.lines.items():
