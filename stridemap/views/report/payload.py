@@ -102,7 +102,7 @@ def _section_symbol(name: str, coordinates: tuple[str, ...]) -> str:
 
 
 def _measures(model: Model, orbits: pd.DataFrame, hidden: set[str]) -> list[dict[str, str]]:
-    """Columns that are shown as measured quantities: the registry's, those of the model, those of neither."""
+    """Columns that are shown as measured quantities: the registry's, then those of the model's own."""
     shown = [
         name
         for name in orbits
@@ -114,13 +114,7 @@ def _measures(model: Model, orbits: pd.DataFrame, hidden: set[str]) -> list[dict
     unit = units(model.spec.units)
     quantities = {**QUANTITIES, **model.measured}
     known = [quantity for name, quantity in quantities.items() if name in shown]
-    return [
-        {"name": q.name, "label": q.label, "unit": unit[q.kind], "meaning": q.definition} for q in known
-    ] + [
-        {"name": name, "label": name.replace("_", " "), "unit": "", "meaning": ""}
-        for name in shown
-        if name not in quantities
-    ]
+    return [{"name": q.name, "label": q.label, "unit": unit[q.kind], "meaning": q.definition} for q in known]
 
 
 def _table(frame: pd.DataFrame) -> dict[str, Any]:
