@@ -32,10 +32,10 @@ _MULTIPLIER = re.compile(r"multiplier_\d+(_(re|im))?")
 
 OPTION_WORDS = frozenset(
     # options of the command line
-    "check claims config cycle folder fps group help json keep magnify model only out resume set size starts "
-    "state steps thin workers "
+    "acceptance backend check claims config cycle folder fps group help json keep magnify model only out "
+    "resume search set size starts state steps sweeps thin workers "
     # arguments of public functions
-    "executor options orbit orbits params path progress samples titles".split()
+    "data executor options orbit orbits params path progress samples source tile_cells titles".split()
 )
 """Options of commands and arguments of public functions, which also take parameters by name."""
 

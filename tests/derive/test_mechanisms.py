@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 import sympy as sp
 
+from stridemap import motion
 from stridemap.derive import STANCE_FOOT
 from stridemap.solver.model.loading import load
-from stridemap.solver.observables.motion import motion
 from tests.oracles.walkers import cycles, derived, walker
 
 MP = mpmath.mp

@@ -5,8 +5,8 @@ import math
 import numpy as np
 import pytest
 
+from stridemap import motion
 from stridemap.solver.model.loading import load
-from stridemap.solver.observables.motion import motion
 from tests.oracles.walkers import cycle_near, cycles
 
 # M. Garcia, A. Chatterjee, A. Ruina, M. Coleman, J. Biomech. Eng. 120 (1998) 281-288, slope 0.009: an

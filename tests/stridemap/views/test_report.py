@@ -19,7 +19,6 @@ from stridemap.solver.model.loading import available, load
 from stridemap.sweeps import store
 from stridemap.sweeps.run import sweep
 from stridemap.sweeps.store import read_cells, read_provenance
-from stridemap.views.report.equations import equations
 from stridemap.views.report.sections import read_claims
 from stridemap.views.report.write import write_report
 from tests.oracles.sweeping import Inline
@@ -157,7 +156,7 @@ def test_text_stands_out_from_its_ground(page, light, start):
 @pytest.mark.parametrize("name", available())
 def test_every_generated_function_is_there(name):
     model = load(name)
-    text = equations(model)
+    text = model.text(f"{name}.js")
     for generated in model.spec.functions:
         assert re.search(rf"^ *{generated}\(", text, re.MULTILINE), generated
     assert text.rstrip().endswith("})")
