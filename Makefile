@@ -30,7 +30,7 @@ SOUND := $(shell [ -x $(BIN)/python ] && [ "$$(cat $(MADE) 2>/dev/null)" = "$$(p
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help derive sweep claims figures images report test lint format bench recall docs lock clean FORCE
+.PHONY: help derive sweep claims figures images report quick test lint format bench recall docs lock clean FORCE
 
 help: ## this list
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "make %-8s %s\n", $$1, $$2 }' Makefile
@@ -56,6 +56,9 @@ report: $(RUN) ## write the sweep and the claims as one HTML page to explore, af
 	@$(BIN)/stridemap claims --json $(if $(WORKERS),--workers $(WORKERS)) > "$(OUT)/claims.json.part"
 	@mv "$(OUT)/claims.json.part" "$(OUT)/claims.json"
 	$(BIN)/stridemap report "$(OUT)" --out "$(REPORT)" --claims "$(OUT)/claims.json" $(ARGS)
+
+quick: $(DEV) ## run the tests that catch most faults, in under a minute (JOBS=2 at a time)
+	$(BIN)/python -m pytest -n $(JOBS) -m quick $(ARGS)
 
 test: $(DEV) ## run all tests (JOBS=2 at a time; ARGS="-k word" for some)
 	$(BIN)/python -m pytest -n $(JOBS) $(ARGS)

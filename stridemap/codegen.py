@@ -154,7 +154,7 @@ def into_cache(walker: Walker, keep: bool = False) -> Path:
 
 
 def _manifest_in(folder: Path) -> dict[str, Any]:
-    """The manifest in a folder; empty where there is none that can be read."""
+    """The manifest in a folder; empty where none can be read."""
     try:
         found = json.loads((folder / MANIFEST).read_text(encoding="utf-8"))
     except (OSError, ValueError):

@@ -2,12 +2,13 @@ r"""The registry of everything that is measured on a limit cycle: one entry each
 
 Tables, JSON, `Orbit`, units, the report and the page of definitions read their columns, labels and meanings
 here. To add a quantity, write its entry below and a function of its name in
-`stridemap.solver.observables.measures`; nothing else needs an edit.
+`stridemap.solver.observables.measures`; nothing else needs an edit. A model file may declare quantities of
+its own (`stridemap.derive.Measured`).
 """
 
 from collections.abc import Mapping
 
-from stridemap.spec import Quantity
+from stridemap.spec import ModelSpec, Quantity
 
 _ENTRIES = (
     Quantity("status", "number", "status", "How the search for the cycle ended.", type="str"),
@@ -137,4 +138,9 @@ SOLVED = ("status", "period")
 """Those that come with the solution itself; every other one has a function that measures it."""
 
 MEASURED: tuple[str, ...] = tuple(name for name in QUANTITIES if name not in SOLVED)
-"""Names of the quantities that are measured, in order."""
+"""Names of the quantities that are measured on every model, in order."""
+
+
+def measured_on(spec: ModelSpec) -> dict[str, Quantity]:
+    """What is measured on a model by name: the registry's quantities, then those that its file declares."""
+    return {name: QUANTITIES[name] for name in MEASURED} | {one.name: one for one in spec.quantities}

@@ -231,6 +231,10 @@ class Quantity:
         Whether a model can lack it; it is None there.
     differentiable : bool
         Whether it varies smoothly with state and parameters (between events that change the gait's kind).
+    reduction : {"", "maximum", "minimum", "amplitude", "final"}
+        Of a quantity that a model declares: how its expression over a step becomes one number, the largest,
+        the smallest, the largest absolute value, or the value just before touchdown. Empty for those of the
+        registry, which have functions of their own.
     """
 
     name: str
@@ -241,6 +245,7 @@ class Quantity:
     type: Literal["float", "int", "bool", "str"] = "float"
     optional: bool = False
     differentiable: bool = False
+    reduction: Literal["", "maximum", "minimum", "amplitude", "final"] = ""
 
 
 @dataclass(frozen=True)
@@ -271,6 +276,9 @@ class ModelSpec:
     stance_angle, wobbling, phase : str or None
         Coordinates of these roles, where the model has them.
     functions : dict of str to Function
+    quantities : tuple of Quantity
+        What the model file declares to be measured beside the registry; their expressions over a step are the
+        outputs of the generated function ``quantities``.
     files : dict of str to str
         SHA-256 of every generated file.
     """
@@ -294,6 +302,7 @@ class ModelSpec:
     wobbling: str | None
     phase: str | None
     functions: Mapping[str, Function]
+    quantities: tuple[Quantity, ...] = ()
     files: Mapping[str, str] = field(default_factory=dict)
 
     def entries(self, argument: str) -> tuple[Entry, ...]:
@@ -361,6 +370,7 @@ class ModelSpec:
                 "lines": tuple(Line(**one) for one in data["lines"]),
                 "actuated": tuple(data["actuated"]),
                 "functions": {name: _function(one) for name, one in data["functions"].items()},
+                "quantities": tuple(Quantity(**one) for one in data["quantities"]),
             }
         )
 

@@ -184,7 +184,7 @@ class SweepConfig(BaseModel):
         """Return the configuration as canonical JSON (see `canonical_json`)."""
         data = self.model_dump()
         data["search"]["subgrid"] = self.strides
-        data["model"] = self.loaded.name  # where a model file lies is no part of the configuration
+        data["model"] = self.loaded.name  # where a model file lies does not belong to the configuration
         return canonical_json(data)
 
     @property
@@ -395,7 +395,7 @@ def _checked(value: Any, parameter: Parameter, where: str) -> float:
 
 
 def _validated(cls: type[_Model], data: Mapping[str, Any], source: str, table: str = "") -> _Model:
-    """Make a `cls` from `data`, or raise an InputError that tells the first thing wrong in one sentence."""
+    """Make a `cls` from `data`, or raise an InputError that reports the first thing wrong in one sentence."""
     try:
         return cls.model_validate(dict(data))
     except ValidationError as error:
@@ -405,7 +405,7 @@ def _validated(cls: type[_Model], data: Mapping[str, Any], source: str, table: s
 
 def _sentence(error: ValidationError, cls: type[BaseModel], data: Mapping[str, Any], where: str) -> str:
     """Return the first error of `error` as one sentence of ours."""
-    # A misspelt key often makes another one missing: tell the misspelling, which can have a hint.
+    # A misspelt key often makes another one missing: report the misspelling, which can have a hint.
     first = min(error.errors(include_url=False), key=lambda item: item["type"] != "extra_forbidden")
     if not first["loc"]:
         return f"{where} {first['ctx']['error']}"

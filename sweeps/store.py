@@ -59,7 +59,7 @@ class Store:
         Raises
         ------
         InputError
-            If `folder` is no folder or cannot be written, holds anything of another configuration, a
+            If `folder` is not a folder or cannot be written, holds anything of another configuration, a
             damaged or foreign file under one of our names, or an unfinished sweep. Nothing is touched.
         """
         store = cls(Path(folder), _with_configuration(provenance, config))
@@ -98,7 +98,7 @@ class Store:
         return store
 
     def has_part(self, round_: int, tile: int) -> bool:
-        """Tell whether the piece of work `tile` of round `round_` is finished."""
+        """Whether the piece of work `tile` of round `round_` is finished."""
         return self._part(round_, tile).exists()
 
     def write_part(self, round_: int, tile: int, data: pa.Table | Mapping[str, Any]) -> None:
@@ -212,7 +212,7 @@ class Store:
 
 
 def read_orbits(folder: str | Path) -> pd.DataFrame:
-    """Return the limit cycles of a finished sweep, a row each, ordered by cell and period.
+    """Return the limit cycles of a finished sweep, one row each, ordered by cell and period.
 
     Raises
     ------
@@ -223,7 +223,7 @@ def read_orbits(folder: str | Path) -> pd.DataFrame:
 
 
 def read_cells(folder: str | Path) -> pd.DataFrame:
-    """Return the grid cells of a finished sweep, a row each.
+    """Return the grid cells of a finished sweep, one row each.
 
     Raises
     ------
@@ -272,7 +272,7 @@ def _output(folder: str | Path, name: str) -> Path:
 
 @contextlib.contextmanager
 def _opened(path: Path) -> Iterator[pq.ParquetFile]:
-    """Open a Parquet file, and turn whatever shows it to be none, there or later, into an InputError."""
+    """Open a Parquet file, and turn whatever shows that it is not one, there or later, into an InputError."""
     try:
         with pq.ParquetFile(path, page_checksum_verification=True) as file:
             yield file
@@ -283,7 +283,9 @@ def _opened(path: Path) -> Iterator[pq.ParquetFile]:
 
 
 def _damaged(path: Path) -> InputError:
-    return InputError(f"{path} is damaged or is no Parquet file; restore it, or move it away and sweep again")
+    return InputError(
+        f"{path} is damaged or is not a Parquet file; restore it, or move it away and sweep again"
+    )
 
 
 def _digest(schema: pa.Schema, rows: int, metadata: Mapping[bytes, bytes]) -> bytes:
@@ -304,7 +306,7 @@ def _provenance(path: Path) -> dict[str, Any]:
         if metadata[_FILE] == path.name.encode() and metadata[_DIGEST] and data["configuration_hash"]:
             return data
     except (KeyError, TypeError, ValueError):
-        pass  # told below, as a file under another name is
+        pass  # reported below, as a file under another name is
     raise InputError(
         f"{path} is a Parquet file, but not one that a sweep wrote under this name; move it away or give "
         "another folder"

@@ -11,7 +11,6 @@ import numpy as np
 import pyarrow as pa
 from numpy.typing import ArrayLike, NDArray
 
-from stridemap.quantities import MEASURED, QUANTITIES
 from stridemap.solver.cycles.orbits import Orbits
 from stridemap.solver.model.model import Model
 
@@ -19,8 +18,6 @@ FORMAT = 2
 """Of the tables: it rises when columns change."""
 
 _TYPES = {"float": pa.float64(), "int": pa.int64(), "bool": pa.bool_(), "str": pa.string()}
-
-_NULLABLE = {"reason", *(name for name in MEASURED if QUANTITIES[name].optional)}
 
 
 def orbit_schema(model: Model) -> pa.Schema:
@@ -35,15 +32,16 @@ def orbit_schema(model: Model) -> pa.Schema:
             for i in range(len(model.section))
             for part in ("re", "im")
         ),
-        *((name, _TYPES[QUANTITIES[name].type]) for name in MEASURED),
+        *((name, _TYPES[quantity.type]) for name, quantity in model.measured.items()),
     ]
-    return _schema(columns)
+    return _schema(columns, {name for name, quantity in model.measured.items() if quantity.optional})
 
 
 def cell_schema(model: Model) -> pa.Schema:
     """Columns of ``cells.parquet``; all but `reason` are full."""
     counts = [("orbits", pa.int64()), ("stable_orbits", pa.int64())]
-    return _schema([*_cell_columns(model), *counts, ("status", pa.string()), ("reason", pa.string())])
+    columns = [*_cell_columns(model), *counts, ("status", pa.string()), ("reason", pa.string())]
+    return _schema(columns, {"reason"})
 
 
 def orbit_table(cell: NDArray[np.int64], orbits: Orbits) -> pa.Table:
@@ -103,8 +101,8 @@ def _cell_columns(model: Model) -> list[tuple[str, pa.DataType]]:
     return [("cell", pa.int64()), *((name, pa.float64()) for name in model.spec.names)]
 
 
-def _schema(columns: Iterable[tuple[str, pa.DataType]]) -> pa.Schema:
-    return pa.schema([pa.field(name, kind, nullable=name in _NULLABLE) for name, kind in columns])
+def _schema(columns: Iterable[tuple[str, pa.DataType]], nullable: set[str]) -> pa.Schema:
+    return pa.schema([pa.field(name, kind, nullable=name in nullable) for name, kind in columns])
 
 
 def _require_full(table: pa.Table) -> None:

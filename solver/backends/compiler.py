@@ -56,7 +56,7 @@ class Compiler:
         Raises
         ------
         CompilerError
-            When there is none.
+            When no compiler is found.
         """
         compiler = cls.found() if command is None else cls(command)
         if compiler is None:
@@ -96,7 +96,7 @@ class Compiler:
 
 
 def find_compiler() -> str | None:
-    """The C compiler's command, or None where there is none.
+    """The C compiler's command, or None where none is found.
 
     Raises
     ------

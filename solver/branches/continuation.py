@@ -157,9 +157,9 @@ class _Branches:
         return y, new, good, easy
 
     def _predicted(self, x: Array, tangent: Array, ds: Array) -> tuple[Array, Array, Array]:
-        """Points along the tangents, the directions that corrections keep, and the lengths of the steps.
+        """Points along the tangents, normals of the planes that corrections keep, and the arclength steps.
 
-        A step does not go beyond an end: to arrive there, corrections keep s and not the tangent's plane.
+        An arclength step does not go beyond an end: to stop there, corrections keep s and not the plane.
         """
         s, slope = x[:, -1], tangent[:, -1]
         with np.errstate(divide="ignore", invalid="ignore"):
@@ -209,7 +209,7 @@ class _Branches:
         return [np.concatenate(part)[back] for part in zip(*parts, strict=True)]
 
     def _tangent(self, matrix: Array, ahead: Array) -> Array:
-        """Unit tangents that point the way of `ahead`."""
+        """Unit tangents on the same side as `ahead`."""
         matrix = matrix.copy()
         matrix[:, -1, :] = ahead / self.scale**2
         right = np.zeros(ahead.shape)
@@ -218,7 +218,7 @@ class _Branches:
         return tangent / self._norm(tangent)[:, None]
 
     def _norm(self, x: Array) -> Array:
-        """Lengths in units of the scale."""
+        """Lengths in terms of the scale."""
         return np.sqrt(((x / self.scale) ** 2).sum(axis=1))
 
 

@@ -5,7 +5,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from stridemap.quantities import MEASURED, QUANTITIES
 from stridemap.solver.backends.base import Kernels
 from stridemap.solver.cycles import floquet
 from stridemap.solver.cycles.orbits import Orbits, column, unmeasured
@@ -87,13 +86,13 @@ class Candidates:
         codes = np.full(m, Status.NOT_CONVERGED.code)
         codes[self.closed] = self._verdict(period_range)
         multipliers = np.full((m, nz), np.nan + 0j)
-        measures = {name: unmeasured(QUANTITIES[name], m) for name in MEASURED}
+        measures = {name: unmeasured(quantity, m) for name, quantity in model.measured.items()}
         orbits = Orbits(model, self.params, self.u, codes, self.jacobian, multipliers, measures)
         found = np.flatnonzero(orbits.found)
         cycles = self.take(found)._cycles()
         multipliers[found] = cycles.multipliers
         for name, values in measured(cycles).items():
-            measures[name][found] = column(QUANTITIES[name], values, len(found))
+            measures[name][found] = column(model.measured[name], values, len(found))
         measures["residual"][:] = self.residual
         return orbits
 

@@ -40,7 +40,16 @@ def multipliers(jacobian: Array) -> NDArray[np.complex128]:
     ndarray of complex, shape (n, nz)
         NaN where the derivative is not finite.
     """
-    derivative = step_map_derivative(jacobian)
+    return sorted_eigenvalues(step_map_derivative(jacobian))
+
+
+def sorted_eigenvalues(derivative: Array) -> NDArray[np.complex128]:
+    """Eigenvalues of matrices by falling modulus, shape (n, nz); NaN where a matrix is not finite.
+
+    Parameters
+    ----------
+    derivative : ndarray, shape (n, nz, nz)
+    """
     finite = np.isfinite(derivative).all(axis=(1, 2))
     values = np.full(derivative.shape[:2], np.nan + 0j)
     if finite.any():

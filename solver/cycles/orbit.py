@@ -6,7 +6,6 @@ from dataclasses import dataclass, field
 from typing import Any, NoReturn
 
 from stridemap.errors import InputError
-from stridemap.quantities import MEASURED, QUANTITIES
 from stridemap.services import service
 from stridemap.solver.cycles.status import Status
 from stridemap.solver.model.model import Model
@@ -63,7 +62,7 @@ class Orbit:
     def __post_init__(self) -> None:
         object.__setattr__(self, "params", FrozenDict(self.params))
         object.__setattr__(self, "state", FrozenDict(self.state))
-        everything = {name: self.measures.get(name, missing(QUANTITIES[name])) for name in MEASURED}
+        everything = {name: self.measures.get(name, missing(q)) for name, q in self.model.measured.items()}
         object.__setattr__(self, "measures", FrozenDict(everything))
 
     def __getattr__(self, name: str) -> Any:

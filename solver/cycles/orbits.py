@@ -8,7 +8,6 @@ from typing import Any, Self, overload
 import numpy as np
 from numpy.typing import NDArray
 
-from stridemap.quantities import MEASURED, QUANTITIES
 from stridemap.solver.cycles.orbit import Orbit, missing
 from stridemap.solver.cycles.status import CODES, STATUSES, Status
 from stridemap.solver.model.model import Model
@@ -64,7 +63,7 @@ class Orbits(Sequence[Orbit]):
             np.empty(0, dtype=np.int64),
             np.empty((0, nz + 1, nz + 1)),
             np.empty((0, nz), dtype=np.complex128),
-            {name: unmeasured(QUANTITIES[name], 0) for name in MEASURED},
+            {name: unmeasured(quantity, 0) for name, quantity in model.measured.items()},
         )
 
     @classmethod
@@ -76,7 +75,7 @@ class Orbits(Sequence[Orbit]):
         if len(found) == 1:
             return found[0]
         arrays = {name: np.concatenate([getattr(part, name) for part in found]) for name in _ARRAYS}
-        measures = {name: np.concatenate([part.measures[name] for part in found]) for name in MEASURED}
+        measures = {name: np.concatenate([part.measures[name] for part in found]) for name in model.measured}
         return cls(model=model, measures=measures, **arrays)
 
     @classmethod
@@ -106,7 +105,7 @@ class Orbits(Sequence[Orbit]):
             codes,
             np.full((n, nz + 1, nz + 1), np.nan),
             multipliers,
-            {name: column(QUANTITIES[name], columns.get(name), n) for name in MEASURED},
+            {name: column(quantity, columns.get(name), n) for name, quantity in model.measured.items()},
         )
 
     def take(self, index: Any) -> "Orbits":

@@ -24,9 +24,14 @@ def power(coordinate: str) -> str:
     return f"power_{coordinate}"
 
 
+def declared(quantity: str) -> str:
+    """Name of the row that holds the expression of a quantity that the model file declares."""
+    return f"quantity_{quantity}"
+
+
 def observables(model: Model) -> tuple[str, ...]:
-    """Names of the rows: `OBSERVABLES`, then the power of each motor."""
-    return (*OBSERVABLES, *map(power, model.actuated))
+    """Names of the rows: `OBSERVABLES`, the power of each motor, and what the model file declares."""
+    return (*OBSERVABLES, *map(power, model.actuated), *(declared(one.name) for one in model.spec.quantities))
 
 
 @dataclass(frozen=True)
@@ -60,7 +65,9 @@ class Observation:
             "touchdown": sm.call("touchdown_condition", **values)["h"],
             "wobble": y[coordinates.index(wobbling)] if wobbling else ca.SX(0),
         }
-        return ca.vertcat(*[rows[name] for name in OBSERVABLES], self._powers(t, y, p))
+        own = sm.call("quantities", **values) if spec.quantities else {}
+        own_rows = [own[one.name] for one in spec.quantities]
+        return ca.vertcat(*[rows[name] for name in OBSERVABLES], self._powers(t, y, p), *own_rows)
 
     def _powers_of(self, torque: ca.SX, y: ca.SX) -> ca.SX:
         sm = self.step_map

@@ -233,7 +233,7 @@ class StepMap:
 
         It prints as a single C function. It stops at residual `abstol`, after a Newton step below
         `abstol_step` (the error left is of the order of its square), or after `iterations`; whether it
-        arrived is for the caller to judge from the residual.
+        converged is for the caller to judge from the residual.
 
         With a smaller `jacobian_n_rk` the derivative is that of a coarser integration, which costs less and
         does not change what the iteration converges to.

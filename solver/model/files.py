@@ -88,7 +88,7 @@ class InMemory(Files):
 
     @property
     def shown(self) -> str:
-        """Says that there is no folder."""
+        """They have no place of their own."""
         return "the model that was sent along"
 
 

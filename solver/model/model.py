@@ -13,8 +13,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stridemap.errors import InputError
+from stridemap.quantities import measured_on
 from stridemap.solver.model.files import MANIFEST, Files, packed, unpacked
-from stridemap.spec import Function, ModelSpec, Parameter
+from stridemap.spec import Function, ModelSpec, Parameter, Quantity
 
 
 class Model:
@@ -98,6 +99,11 @@ class Model:
     def period_range(self) -> tuple[float, float]:
         """Shortest and longest period that is searched for by default."""
         return self.spec.period_range
+
+    @cached_property
+    def measured(self) -> dict[str, Quantity]:
+        """What is measured on its limit cycles, by name and in the order of columns."""
+        return measured_on(self.spec)
 
     @property
     def stance_index(self) -> int | None:

@@ -13,9 +13,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stridemap.quantities import MEASURED
+from stridemap.solver.kernels.observation import declared
 from stridemap.solver.model.model import Model
 from stridemap.solver.observables.events import Trace
 from stridemap.solver.observables.reductions import count_zeros, extreme, works
+from stridemap.spec import Quantity
 
 Array = NDArray[np.float64]
 
@@ -93,8 +95,19 @@ MEASURES: dict[str, Callable[[Cycles], Any]] = {}
 
 
 def measured(cycles: Cycles) -> dict[str, Any]:
-    """Every measured quantity by name, in the registry's order; None for those that the model lacks."""
-    return {name: cycles[name] for name in MEASURED}
+    """Every measured quantity by name, in order; None for those that the model lacks."""
+    own = {one.name: _reduced(cycles.trace, one) for one in cycles.model.spec.quantities}
+    return {name: cycles[name] for name in MEASURED} | own
+
+
+def _reduced(trace: Trace, quantity: Quantity) -> Array:
+    """A quantity that the model declares, from its expression along the step."""
+    row = declared(quantity.name)
+    if quantity.reduction == "final":
+        return trace.observable(row)[0][:, -1]
+    if quantity.reduction == "minimum":
+        return -extreme(trace, row, np.negative)
+    return extreme(trace, row, np.absolute if quantity.reduction == "amplitude" else None)
 
 
 def _measure(function: Callable[[Cycles], Any]) -> Callable[[Cycles], Any]:
