@@ -28,6 +28,7 @@ extensions = [
     "contents",
     "mathml",
     "quantities",
+    "tables",
 ]
 exclude_patterns = ["_build", "gallery/*.ipynb", "gallery/*.json", "gallery/*.py", "images/*.md"]
 # In docstrings a name between single backticks is a name of ours.
