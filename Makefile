@@ -44,18 +44,14 @@ sweep: $(RUN) ## find all limit cycles of a grid, or go on with what is unfinish
 claims: $(RUN) ## decide the paper's statements by computation (WORKERS=, ARGS=--json)
 	@$(BIN)/stridemap claims $(if $(WORKERS),--workers $(WORKERS)) $(ARGS)
 
-figures: $(PICTURES) ## draw the paper's figures from computed data, as SVG and PNG, into results/paper-figures (WORKERS=)
+figures: $(PICTURES) ## draw the paper's figures as SVG and PNG into results/paper-figures (WORKERS=)
 	$(BIN)/stridemap figures $(if $(WORKERS),--workers $(WORKERS)) $(ARGS)
 
-images: figures ## remake the pictures of the README, in docs/images
+images: figures ## make the pictures of the README again, in docs/images
 	$(BIN)/python docs/pictures.py
 
-report: $(RUN) ## write the sweep and the claims as one HTML page to explore, after both if need be (CONFIG=, OUT=, REPORT=)
-	@[ -e "$(OUT)/orbits.parquet" ] && [ -e "$(OUT)/cells.parquet" ] && [ ! -e "$(OUT)/parts" ] || \
-	  $(BIN)/stridemap sweep "$(CONFIG)" --out "$(OUT)" --resume $(if $(WORKERS),--workers $(WORKERS))
-	@$(BIN)/stridemap claims --json $(if $(WORKERS),--workers $(WORKERS)) > "$(OUT)/claims.json.part"
-	@mv "$(OUT)/claims.json.part" "$(OUT)/claims.json"
-	$(BIN)/stridemap report "$(OUT)" --out "$(REPORT)" --claims "$(OUT)/claims.json" $(ARGS)
+report: $(RUN) ## write the paper's map and verdicts as one HTML page to explore (WORKERS=, REPORT=)
+	$(BIN)/stridemap report --out "$(REPORT)" $(if $(WORKERS),--workers $(WORKERS)) $(ARGS)
 
 quick: $(DEV) ## run the tests that catch most faults, in under a minute (JOBS=2 at a time)
 	$(BIN)/python -m pytest -n $(JOBS) -m quick $(ARGS)

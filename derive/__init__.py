@@ -1,14 +1,16 @@
 """Derivation: a walker's declaration becomes equations, and equations become readable code.
 
-Data flows one way through this package: a model (`models/`, or a file of your own) is a declaration
-(`declaration`), which is checked (`checks`, `trials`); `mechanics` turns it into equations from the
-floating base; `functions` names each quantity that is emitted, as a straight-line `program`; `print_c` and
-`print_python` print that program; `emit` writes the files. Only SymPy is used here.
+Data flows one way through this package. A model (`models/`, or a file of your own) is a `Walker` (`walker`):
+a `declaration` made of `parts` that `validate` has found sound. `mechanics` turns it into equations from the
+floating base; `functions` names each quantity that is emitted, as a straight-line `program`; `printers` print
+that program, one language each; `emit` puts the files together. Only SymPy is used here.
 
 The names below are what a model file needs.
 """
 
-from stridemap.derive.walker import (
+from typing import Any
+
+from stridemap.derive.parts import (
     SI,
     STANCE_FOOT,
     TIME,
@@ -19,10 +21,10 @@ from stridemap.derive.walker import (
     Massless,
     Parameter,
     Touchdown,
-    Units,
-    Walker,
     rolling_arc,
 )
+from stridemap.derive.walker import Walker
+from stridemap.spec import UnitNames
 
 __all__ = [
     "SI",
@@ -35,7 +37,13 @@ __all__ = [
     "Massless",
     "Parameter",
     "Touchdown",
-    "Units",
+    "UnitNames",
     "Walker",
     "rolling_arc",
 ]
+
+
+def __getattr__(name: str) -> Any:
+    if name == "Units":
+        raise ImportError("stridemap.derive.Units is called UnitNames now")
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -1,21 +1,36 @@
 """Everything that `derive` writes for one walker, as file contents."""
 
 import hashlib
+from collections.abc import Callable, Mapping
 from dataclasses import asdict
 from typing import Any
 
 import sympy as sp
 
 from stridemap import spec
+from stridemap.derive.declaration import Declaration
 from stridemap.derive.functions import Functions
-from stridemap.derive.printers import c as print_c
-from stridemap.derive.printers import docs as print_example
-from stridemap.derive.printers import python as print_python
+from stridemap.derive.parts import STANCE_FOOT, Body, Line
+from stridemap.derive.printers.c import C
+from stridemap.derive.printers.docs import example, readme
+from stridemap.derive.printers.javascript import JavaScript
+from stridemap.derive.printers.printer import Equations
+from stridemap.derive.printers.python import Python
 from stridemap.derive.program import Program
-from stridemap.derive.validate.mechanics import check_rates
-from stridemap.derive.walker import STANCE_FOOT, Body, Line, Walker
+from stridemap.derive.validate.section import validate_section_rates
+from stridemap.derive.walker import Walker
 from stridemap.errors import InputError
-from stridemap.spec import Coordinate, Function, Input, Mass, ModelSpec, Output, Parameter, UnitNames
+from stridemap.spec import Coordinate, Function, Input, Mass, ModelSpec, Output, Parameter
+
+PRINTERS: Mapping[str, Callable[[Equations], str]] = {
+    "{model}.py": Python().text,
+    "{model}.h": C().header,
+    "{model}.c": C().text,
+    "{model}.js": JavaScript().text,
+    "example.c": example,
+    "README.md": readme,
+}
+"""What prints each generated file, by the file's name."""
 
 
 def emit(walker: Walker, generator: str) -> tuple[dict[str, str], ModelSpec]:
@@ -48,45 +63,63 @@ def emit(walker: Walker, generator: str) -> tuple[dict[str, str], ModelSpec]:
 
 
 def _printed(walker: Walker, generator: str) -> tuple[dict[str, str], ModelSpec]:
+    written = equations(walker, generator)
+    files = {pattern.format(model=walker.name): text(written) for pattern, text in PRINTERS.items()}
+    return files, specification(written)
+
+
+def equations(walker: Walker, generator: str) -> Equations:
+    """Derive a walker's equations, without printing them.
+
+    Parameters
+    ----------
+    walker : Walker
+    generator : str
+        Name and version for banners.
+
+    Returns
+    -------
+    Equations
+        What every printer is given.
+
+    Raises
+    ------
+    InputError
+        When the section fixes a rate that the impact does not leave.
+    TypeError, ValueError
+        When the equations hold something that generated code has no form for.
+    """
     functions = Functions(walker)
-    check_rates(functions.mechanics)
-    programs = list(functions.programs())
-    python = print_python.module(walker.title, programs, generator)
-    model_hash = hashlib.sha256(print_python.body(programs).encode()).hexdigest()
-    first_lines = print_c.banner(f"{walker.title}: readable equations", generator, model_hash)
-    files = {
-        f"{walker.name}.py": python,
-        f"{walker.name}.h": print_c.header(walker.name, programs, first_lines),
-        f"{walker.name}.c": print_c.source(walker.name, programs, first_lines),
-        "example.c": print_example.example(walker, programs, first_lines),
-        "README.md": print_example.readme(walker, programs, generator),
-    }
-    return files, specification(walker, programs, generator, model_hash)
+    validate_section_rates(functions.mechanics)
+    programs = tuple(functions.programs())
+    digest = hashlib.sha256(Python().body(programs).encode()).hexdigest()
+    return Equations(walker, programs, generator, digest)
 
 
-def specification(walker: Walker, programs: list[Program], generator: str, model_hash: str) -> ModelSpec:
+def specification(written: Equations) -> ModelSpec:
     """What the generated files hold, without the files' own hashes."""
+    walker = written.walker
     rate = walker.units.rate
     return ModelSpec(
         name=walker.name,
         title=walker.title,
         reference=walker.reference,
-        hash=model_hash,
-        generator=generator,
+        hash=written.hash,
+        generator=written.generator,
         sympy=sp.__version__,
         coordinates=tuple(Coordinate(c.name, c.unit, c.meaning, rate(c.unit)) for c in walker.coordinates),
         parameters=tuple(Parameter(**asdict(parameter)) for parameter in walker.parameters),
         section=walker.section_names,
         search_box={name: _pair(walker.search_box[name]) for name in walker.section_names},
         period_range=_pair(walker.period_range),
-        units=UnitNames(**asdict(walker.units)),
+        units=walker.units,
         masses=tuple(_mass(walker, body) for body in walker.bodies),
         lines=tuple(_line(line) for line in walker.drawing),
         actuated=tuple(c.name for c in walker.torques),
         stance_angle=walker.stance_angle.name if walker.stance_angle else None,
         wobbling=walker.wobbling.name if walker.wobbling else None,
         phase=walker.phase.name if walker.phase else None,
-        functions={p.name: _function(p) for p in programs},
+        functions={p.name: _function(p) for p in written.programs},
     )
 
 
@@ -95,7 +128,7 @@ def _pair(values: Any) -> tuple[float, float]:
     return low, high
 
 
-def _mass(walker: Walker, body: Body) -> Mass:
+def _mass(walker: Declaration, body: Body) -> Mass:
     """A body with its role, which its position tells."""
     if body.position == STANCE_FOOT:
         return Mass(body.name, "stance_foot")

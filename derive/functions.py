@@ -6,8 +6,9 @@ from dataclasses import dataclass, field
 import sympy as sp
 
 from stridemap.derive.mechanics import Mechanics, simplified
+from stridemap.derive.parts import TIME
 from stridemap.derive.program import Argument, Builder, Entry, Factors, Output, Program
-from stridemap.derive.walker import TIME, Walker
+from stridemap.derive.walker import Walker
 
 DEFAULT_SOURCES = {
     "mass_matrix": "M ddq + h + v = Q",
@@ -76,10 +77,8 @@ class Functions:
         yield self.before_touchdown()
         yield self.step_length()
 
-    def _close(
-        self, builder: Builder, name: str, summary: str, source: str, outputs: list[Output]
-    ) -> Program:
-        return builder.close(name, summary, source, self.arguments, outputs)
+    def _builder(self) -> Builder:
+        return Builder(self.arguments)
 
     def _source(self, function: str) -> str:
         return self.walker.sources.get(function, DEFAULT_SOURCES[function])
@@ -88,7 +87,7 @@ class Functions:
 
     def mass_matrix(self) -> Program:
         """Mass matrix of the swing phase."""
-        b = Builder()
+        b = self._builder()
         m = self.mechanics
         matrix = b.let_matrix("M", m.mass_matrix, m.symmetric)
         meaning = "mass matrix, symmetric positive definite"
@@ -96,15 +95,13 @@ class Functions:
             rows = ", ".join(c.name for c in self.walker.massless.coordinates)
             meaning = f"mass matrix in the limit {self.walker.massless.mass} -> 0, by which {rows} is divided"
         out = Output("M", matrix, meaning, is_matrix=True)
-        return self._close(
-            b, "mass_matrix", "Mass matrix of the swing phase", self._source("mass_matrix"), [out]
-        )
+        return b.close("mass_matrix", "Mass matrix of the swing phase", self._source("mass_matrix"), [out])
 
     def bias_forces(self) -> Program:
         """Velocity terms, gravity, springs and dampers, on the left-hand side of the equation of motion."""
         outputs = [Output("h", self.mechanics.velocity_terms, "Coriolis and centrifugal forces")]
         for name, force in self.mechanics.conservative_forces.items():
-            outputs.append(Output(f"v_{name}", force, f"gradient of the potential energy of the {name}"))
+            outputs.append(Output(f"v_{name}", force, f"gradient of the {name} potential"))
         terms = " + ".join(o.name for o in outputs[1:])
         source = f"{self._source('bias_forces')}: M ddq + h + v = Q with v = {terms}"
         if source.startswith("M ddq"):
@@ -112,14 +109,14 @@ class Functions:
         if self.walker.dissipation != 0:
             outputs.append(Output("damping", self.mechanics.dissipative_force, "force of the dampers"))
             source += ", and the damping beside h"
-        return self._close(Builder(), "bias_forces", "Bias forces of the swing phase", source, outputs)
+        return self._builder().close("bias_forces", "Bias forces of the swing phase", source, outputs)
 
     def controller_torque(self) -> Program:
         """Torques of the controller."""
         names = ", ".join(c.name for c in self.walker.torques)
         out = Output("u", self.mechanics.applied_torques, f"torque on {names}")
         summary = "Torque of the controller" if len(self.walker.torques) == 1 else "Torques of the controller"
-        return self._close(Builder(), "controller_torque", summary, self._source("controller_torque"), [out])
+        return self._builder().close("controller_torque", summary, self._source("controller_torque"), [out])
 
     def _force(self, torques: Iterable[sp.Expr]) -> sp.Matrix:
         m = self.mechanics
@@ -137,32 +134,31 @@ class Functions:
 
     def state_derivative(self) -> Program:
         """Right-hand side of the swing phase."""
-        b = Builder()
+        b = self._builder()
         acceleration, _ = self._acceleration(b)
         outputs = [
             Output("dq", self.walker.v, "rates of q"),
             Output("dv", acceleration, "accelerations: M dv = Q - h - v"),
         ]
         summary = "Time derivative of the state in the swing phase"
-        return self._close(b, "state_derivative", summary, self._source("state_derivative"), outputs)
+        return b.close("state_derivative", summary, self._source("state_derivative"), outputs)
 
     def state_derivative_jacobians(self) -> Iterator[Program]:
         """Derivatives of the accelerations.
 
-        They come from differentiating ``M a = Q - h - v`` with the accelerations `a` held, which keeps
-        them as short as the equation of motion: ``M da = d(Q - h - v) - dM a``.
+        They come from differentiating ``M a = Q - h - v`` with the accelerations `a` held constant, which
+        keeps them as short as the equation of motion: ``M da = d(Q - h - v) - dM a``.
         """
         source = self._source("state_derivative")
         for name, wrt in (("q", self.walker.q), ("v", self.walker.v)):
-            b = Builder()
+            b = self._builder()
             acceleration, factors = self._acceleration(b)
-            held = sp.Matrix(sp.symbols(f"held_1:{len(wrt) + 1}", real=True))
-            residual = self._force(self.mechanics.controller) - self.mechanics.mass_matrix * held
-            columns = self._columns(b, residual, wrt, held, acceleration, factors)
+            constant = self._constant(b, len(wrt))
+            residual = self._force(self.mechanics.controller) - self.mechanics.mass_matrix * constant
+            columns = self._columns(b, residual, wrt, constant, acceleration, factors)
             meaning = f"derivative of dv with respect to {name}"
             out = Output(f"dv_d{name}", sp.Matrix.hstack(*columns), meaning, is_matrix=True)
-            yield self._close(
-                b,
+            yield b.close(
                 f"state_derivative_d{name}",
                 f"Derivative of the accelerations with respect to {name}",
                 f"{source}, differentiated: M d(dv) = d(Q - h - v) - dM dv",
@@ -170,16 +166,21 @@ class Functions:
             )
 
     @staticmethod
+    def _constant(b: Builder, size: int) -> sp.Matrix:
+        """Symbols that stand for a solution while the equations around it are differentiated."""
+        return sp.Matrix([b.symbol(f"held_{i}") for i in range(1, size + 1)])
+
+    @staticmethod
     def _columns(
         b: Builder,
         residual: sp.Matrix,
         wrt: sp.Matrix,
-        held: sp.Matrix,
+        constant: sp.Matrix,
         solution: sp.Matrix,
         factors: Factors,
     ) -> list[sp.Matrix]:
-        """Derivatives of the solution of ``residual = 0``, in which it stands as `held`."""
-        back = dict(zip(held, solution, strict=True))
+        """Derivatives of the solution of ``residual = 0``, in which it stands as `constant`."""
+        back = dict(zip(constant, solution, strict=True))
         columns = []
         for j, symbol in enumerate(wrt, 1):
             right = residual.diff(symbol).applyfunc(simplified).xreplace(back)
@@ -190,23 +191,23 @@ class Functions:
 
     def touchdown_condition(self) -> Program:
         """Touchdown condition and its rate."""
-        condition = sp.Matrix([self.walker.strike])
+        condition = sp.Matrix([self.walker.guard])
         rate = (condition.jacobian(self.walker.q) * self.walker.v)[0]
         meaning = "zero with the swing foot on the ground; rises through zero at touchdown"
         outputs = [
-            Output("h", self.walker.strike, meaning),
+            Output("h", self.walker.guard, meaning),
             Output("dh", rate, "rate of h"),
             Output("side", self.walker.touchdown.region, "negative at an admissible touchdown"),
         ]
         source = self._source("touchdown_condition")
-        return self._close(Builder(), "touchdown_condition", "Touchdown condition", source, outputs)
+        return self._builder().close("touchdown_condition", "Touchdown condition", source, outputs)
 
     def touchdown_condition_dq(self) -> Program:
         """Gradient of the touchdown condition."""
-        gradient = sp.Matrix([self.walker.strike]).jacobian(self.walker.q).T
+        gradient = sp.Matrix([self.walker.guard]).jacobian(self.walker.q).T
         out = Output("h_dq", gradient, "gradient of h")
         summary = "Gradient of the touchdown condition"
-        return self._close(Builder(), "touchdown_condition_dq", summary, "derivative of h", [out])
+        return self._builder().close("touchdown_condition_dq", summary, "derivative of h", [out])
 
     def _impact(self, b: Builder) -> tuple[sp.Matrix, Factors]:
         """Rates after touchdown in the new names (and the locks' forces), and the factors."""
@@ -223,38 +224,38 @@ class Functions:
 
     def impact_map(self) -> Program:
         """State after touchdown, legs swapped."""
-        b = Builder()
+        b = self._builder()
         after, _ = self._impact(b)
         outputs = [
             Output("q_plus", self.mechanics.relabelled_q, "coordinates after the legs swapped names"),
             Output("v_plus", after[: self._n, :], "rates after the impact, legs swapped"),
         ]
         summary = "State just after touchdown from the state just before"
-        return self._close(b, "impact_map", summary, self._source("impact_map"), outputs)
+        return b.close("impact_map", summary, self._source("impact_map"), outputs)
 
     def impact_map_jacobians(self) -> Iterator[Program]:
         """Derivatives of the rates after the impact: ``A dv+ = d(momentum) - dA v+``."""
         equations, right = self.mechanics.impact_equations
         for name, wrt in (("q", self.walker.q), ("v", self.walker.v)):
-            b = Builder()
+            b = self._builder()
             after, factors = self._impact(b)
-            held = sp.Matrix(sp.symbols(f"held_1:{len(after) + 1}", real=True))
-            columns = self._columns(b, right - equations * held, wrt, held, after, factors)
+            constant = self._constant(b, len(after))
+            columns = self._columns(b, right - equations * constant, wrt, constant, after, factors)
             value = sp.Matrix.hstack(*(c[: self._n, :] for c in columns))
             meaning = f"derivative of v_plus with respect to {name}"
             out = Output(f"v_plus_d{name}", value, meaning, is_matrix=True)
             summary = f"Derivative of the rates after touchdown with respect to {name}"
             source = f"{self._source('impact_map')}, differentiated"
-            yield self._close(b, f"impact_map_d{name}", summary, source, [out])
+            yield b.close(f"impact_map_d{name}", summary, source, [out])
 
     def impact_impulse(self) -> Program:
         """Impulse on the swing foot."""
-        b = Builder()
+        b = self._builder()
         after, _ = self._impact(b)
         value = self.mechanics.impact_impulse(after[: self._n, :])
         out = Output("Lambda", value, "impulse on the swing foot, horizontal and vertical")
         source = self._source("impact_map")
-        return self._close(b, "impact_impulse", "Impulse of the ground at touchdown", source, [out])
+        return b.close("impact_impulse", "Impulse of the ground at touchdown", source, [out])
 
     # -- what is measured --------------------------------------------------------------------------------
 
@@ -262,17 +263,17 @@ class Functions:
         """Kinetic energy of the swing phase."""
         energy = self.walker.units.energy
         out = Output("kinetic", simplified(self.mechanics.kinetic_energy), f"kinetic energy, in {energy}")
-        return self._close(
-            Builder(), "kinetic_energy", "Kinetic energy of the swing phase", "v^T M v / 2", [out]
+        return self._builder().close(
+            "kinetic_energy", "Kinetic energy of the swing phase", "v^T M v / 2", [out]
         )
 
     def potential_energy(self) -> Program:
         """Potential energy of gravity and springs."""
         energy = self.walker.units.energy
-        held = simplified(self.mechanics.potential_energy)
-        out = Output("potential", held, f"potential energy, in {energy}, zero level on the ground")
+        value = simplified(self.mechanics.potential_energy)
+        out = Output("potential", value, f"potential energy, in {energy}, zero level on the ground")
         terms = ", ".join(self.mechanics.potentials)
-        return self._close(Builder(), "potential_energy", "Potential energy", f"sum over {terms}", [out])
+        return self._builder().close("potential_energy", "Potential energy", f"sum over {terms}", [out])
 
     def total_mass(self) -> Program:
         """Mass and weight of the whole walker."""
@@ -280,11 +281,13 @@ class Functions:
             Output("mass", simplified(self.mechanics.total_mass), f"mass, in {self.walker.units.mass}"),
             Output("weight", self.mechanics.weight, "mass times the acceleration of gravity"),
             Output(
-                "pull", self.mechanics.pull, "component of the weight along the ground, in walking direction"
+                "pull",
+                self.mechanics.tangential_weight,
+                "component of the weight along the ground, in walking direction",
             ),
         ]
         summary = "Mass and weight of the whole walker"
-        return self._close(Builder(), "total_mass", summary, "sum over the bodies", outputs)
+        return self._builder().close("total_mass", summary, "sum over the bodies", outputs)
 
     def centre_of_mass(self) -> Program:
         """Centre of mass and its velocity."""
@@ -295,20 +298,20 @@ class Functions:
             Output("dcom", velocity, "velocity of the centre of mass"),
         ]
         summary = "Centre of mass of the whole walker"
-        return self._close(Builder(), "centre_of_mass", summary, "mass-weighted mean", outputs)
+        return self._builder().close("centre_of_mass", summary, "mass-weighted mean", outputs)
 
     def ground_force(self) -> Program:
         """Force of the ground on the stance foot."""
-        b = Builder()
+        b = self._builder()
         acceleration, _ = self._acceleration(b)
         force = self.mechanics.ground_force(acceleration)
         out = Output("force", force, "force on the stance foot, horizontal and vertical")
         source = "the two floating-base rows that hold the stance foot"
-        return self._close(b, "ground_force", "Force of the ground on the stance foot", source, [out])
+        return b.close("ground_force", "Force of the ground on the stance foot", source, [out])
 
     def zmp(self) -> Program:
         """Zero moment point and its signed distance from the stance foot."""
-        b = Builder()
+        b = self._builder()
         acceleration, _ = self._acceleration(b)
         fx, fy = b.let_vector("ground", self.mechanics.ground_force(acceleration))
         com_x, com_y = b.let_vector("com", self.mechanics.centre_of_mass)
@@ -320,7 +323,7 @@ class Functions:
         source = DEFAULT_SOURCES["zmp"]
         if "zmp" in self.walker.sources:
             source = f"{self.walker.sources['zmp']}: p = x_g - x_g'' y_g / (1 + y_g'')"
-        return self._close(b, "zmp", "Zero moment point", source, outputs)
+        return b.close("zmp", "Zero moment point", source, outputs)
 
     def swing_foot(self) -> Program:
         """Swing foot and its velocity."""
@@ -330,29 +333,31 @@ class Functions:
             Output("foot", position, "swing foot from the stance foot, horizontal and vertical"),
             Output("dfoot", velocity, "velocity of the swing foot"),
         ]
-        return self._close(Builder(), "swing_foot", "Swing foot", "geometry of the legs", outputs)
+        return self._builder().close("swing_foot", "Swing foot", "geometry of the legs", outputs)
 
     def drawing(self) -> Program:
         """What the walker is drawn by: its bodies, where they are, and the lines between points."""
         m = self.mechanics
 
         def rows(points: Iterable[sp.Matrix]) -> sp.Matrix:
-            return sp.Matrix.vstack(*(m.held(point).T.applyfunc(simplified) for point in points))
+            return sp.Matrix.vstack(*(m.on_stance(point).T.applyfunc(simplified) for point in points))
 
         bodies = self.walker.bodies
         masses = sp.Matrix([m.without_massless(sp.sympify(body.mass)) for body in bodies])
         outputs = [
             Output(
-                "positions", rows(body.position for body in bodies), "bodies from the stance foot, a row each"
+                "positions",
+                rows(body.position for body in bodies),
+                "positions of the bodies from the stance foot, one row each",
             ),
             Output("masses", masses, f"their masses, in {self.walker.units.mass}"),
         ]
         outputs += [
-            Output(line.name, rows(line.points), f"points of the line, a row each: {line.name}")
+            Output(line.name, rows(line.points), f"points of the line {line.name}, one row each")
             for line in self.walker.drawing
         ]
         source = f"geometry; bodies: {', '.join(body.name for body in bodies)}"
-        return self._close(Builder(), "drawing", "What the walker is drawn by", source, outputs)
+        return self._builder().close("drawing", "What the walker is drawn by", source, outputs)
 
     # -- the section -------------------------------------------------------------------------------------
 
@@ -368,24 +373,23 @@ class Functions:
         summary = "State of a point on the Poincare section (the instant just after touchdown)"
         fixed = ", ".join(f"{symbol} = {value}" for symbol, value in w.section.items())
         source = f"{fixed} there" if fixed else "all coordinates and rates are free there"
-        arguments = (section, self.arguments[-1])
-        return Builder().close("section_state", summary, source, arguments, outputs)
+        return Builder((section, self.arguments[-1])).close("section_state", summary, source, outputs)
 
     def before_touchdown(self) -> Program:
         """Coordinates before the legs swapped names."""
         out = Output("q_minus", self.mechanics.before_touchdown, "coordinates just before it")
         summary = "Coordinates just before touchdown from those just after"
-        return self._close(Builder(), "before_touchdown", summary, "the legs' names swapped back", [out])
+        return self._builder().close("before_touchdown", summary, "the legs' names swapped back", [out])
 
     def step_length(self) -> Program:
         """Length of the step that ended with a touchdown."""
         out = Output("length", self.mechanics.step_length, "from the old stance foot to the new")
         summary = "Length of the step from the coordinates just after touchdown"
-        return self._close(Builder(), "step_length", summary, "geometry of the legs", [out])
+        return self._builder().close("step_length", summary, "geometry of the legs", [out])
 
     def spring_mode(self) -> Program:
         """Natural frequency that names the solution groups."""
         value = self.walker.spring_mode
         out = Output("frequency", value, "natural frequency that names the solution groups")
         summary = "Natural frequency whose whole oscillations name the solution groups"
-        return self._close(Builder(), "spring_mode", summary, str(value), [out])
+        return self._builder().close("spring_mode", summary, str(value), [out])

@@ -1,7 +1,7 @@
 """Equations of motion, impact and ground force of a declared walker, from one Lagrangian.
 
 The stance foot has two coordinates of its own. Holding it (or making it roll) gives the swing phase, the
-two held rows give the ground force, and releasing it gives the impact: nothing is derived twice.
+two rows of the held foot give the ground force, and releasing it gives the impact: nothing is derived twice.
 """
 
 from collections.abc import Iterable
@@ -10,7 +10,8 @@ from functools import cache, cached_property
 
 import sympy as sp
 
-from stridemap.derive.walker import STANCE_FOOT, Walker
+from stridemap.derive.declaration import Declaration
+from stridemap.derive.parts import STANCE_FOOT
 from stridemap.errors import InputError
 
 BASE = 2
@@ -38,7 +39,7 @@ class Mechanics:
     walker : Walker
     """
 
-    walker: Walker
+    walker: Declaration
 
     # -- the floating base -------------------------------------------------------------------------------
 
@@ -72,7 +73,7 @@ class Mechanics:
         """What the mass matrix is made of: the kinetic energy.
 
         The phase of a clock has a row of its own in it, one that nothing else enters, so that it keeps its
-        rate. It is no energy, and no other function has it.
+        rate. It is not an energy, and does not appear in any other function.
         """
         phase = self.walker.phase
         return self.floating_kinetic + (phase.rate**2 / 2 if phase is not None else 0)
@@ -98,32 +99,32 @@ class Mechanics:
         momentum = sp.Matrix([self.floating_kinetic]).jacobian(self.floating_v).T
         terms = momentum.jacobian(self.floating_q) * self.floating_v
         terms -= sp.Matrix([self.floating_kinetic]).jacobian(self.floating_q).T
-        return self.held(terms).applyfunc(simplified)
+        return self.on_stance(terms).applyfunc(simplified)
 
     # -- the stance foot stands --------------------------------------------------------------------------
 
     @cached_property
     def stance_jacobian(self) -> sp.Matrix:
-        """Velocity of the stance foot a rate, shape (2, n): zero for a point foot."""
+        """Velocity of the stance foot per unit of each rate, shape (2, n): zero for a point foot."""
         return self.walker.stance.jacobian(self.walker.q)
 
     @cached_property
-    def standing(self) -> sp.Matrix:
-        """Floating-base velocities while the stance foot stands, a rate, shape (2 + n, n)."""
+    def stance_basis(self) -> sp.Matrix:
+        """Floating-base velocities that the stance foot allows, per unit of each rate, shape (2 + n, n)."""
         return sp.Matrix.vstack(self.stance_jacobian, sp.eye(len(self.walker.coordinates)))
 
     @cached_property
     def _rolls(self) -> bool:
         return not self.stance_jacobian.is_zero_matrix
 
-    def held(self, expr: sp.Matrix | sp.Expr) -> sp.Matrix | sp.Expr:
+    def on_stance(self, expr: sp.Matrix | sp.Expr) -> sp.Matrix | sp.Expr:
         """`expr` with the stance foot where and as fast as it is in the swing phase."""
         velocity = self.stance_jacobian * self.walker.v
         places = dict(zip(STANCE_FOOT, self.walker.stance, strict=True))
         return expr.subs(dict(zip(self.floating_v[:BASE], velocity, strict=True))).subs(places)
 
     def _limit(self, rows: sp.Matrix) -> sp.Matrix:
-        """Rows of equations, one a coordinate, in the massless limit."""
+        """Rows of equations, one for each coordinate, in the massless limit."""
         massless = self.walker.massless
         if massless is None:
             return rows
@@ -158,7 +159,7 @@ class Mechanics:
     def mass_matrix(self) -> sp.Matrix:
         """Mass matrix of the swing phase, shape (n, n)."""
         if self._rolls:
-            full = self.standing.T * self.held(self.floating_mass_matrix) * self.standing
+            full = self.stance_basis.T * self.on_stance(self.floating_mass_matrix) * self.stance_basis
         else:
             full = self.floating_mass_matrix[BASE:, BASE:]
         return self._limit(full).applyfunc(simplified)
@@ -168,7 +169,7 @@ class Mechanics:
         """Coriolis and centrifugal forces of the swing phase, shape (n, 1)."""
         if not self._rolls:
             return self._limit(self.floating_velocity_terms[BASE:, :]).applyfunc(simplified)
-        kinetic = sp.Matrix([self.held(self.floating_kinetic)])
+        kinetic = sp.Matrix([self.on_stance(self.floating_kinetic)])
         momentum = kinetic.jacobian(self.walker.v).T
         terms = momentum.jacobian(self.walker.q) * self.walker.v - kinetic.jacobian(self.walker.q).T
         return self._limit(terms).applyfunc(simplified)
@@ -176,7 +177,7 @@ class Mechanics:
     @cached_property
     def conservative_forces(self) -> dict[str, sp.Matrix]:
         """Gradient of each potential energy in the swing phase, shape (n, 1) each."""
-        return {name: self._gradient(self.held(v), self.walker.q) for name, v in self.potentials.items()}
+        return {name: self._gradient(self.on_stance(v), self.walker.q) for name, v in self.potentials.items()}
 
     def _gradient(self, value: sp.Expr, wrt: sp.Matrix) -> sp.Matrix:
         return self._limit(sp.Matrix([value]).jacobian(wrt).T).applyfunc(simplified)
@@ -212,7 +213,7 @@ class Mechanics:
 
     def ground_force(self, acceleration: sp.Matrix) -> sp.Matrix:
         """Force on the stance foot for given accelerations of the coordinates, shape (2, 1)."""
-        inertia = self.held(self.floating_mass_matrix[:BASE, BASE:]) * acceleration
+        inertia = self.on_stance(self.floating_mass_matrix[:BASE, BASE:]) * acceleration
         if self._rolls:
             rolling = self.stance_jacobian * acceleration
             rolling += (self.stance_jacobian * self.walker.v).jacobian(self.walker.q) * self.walker.v
@@ -244,7 +245,7 @@ class Mechanics:
         return simplified(self.total_mass * size.xreplace({d: s for s, d in known.items()}))
 
     @cached_property
-    def pull(self) -> sp.Expr:
+    def tangential_weight(self) -> sp.Expr:
         """Component of the weight along the ground, in the direction of walking."""
         return simplified(self.total_mass * self.walker.gravity[0])
 
@@ -252,24 +253,24 @@ class Mechanics:
     def centre_of_mass(self) -> sp.Matrix:
         """Centre of mass, shape (2, 1)."""
         total = sum((b.mass * b.position for b in self.walker.bodies), sp.zeros(2, 1))
-        return (self.without_massless(self.held(total)) / self.total_mass).applyfunc(simplified)
+        return (self.without_massless(self.on_stance(total)) / self.total_mass).applyfunc(simplified)
 
     @cached_property
     def swing_foot(self) -> sp.Matrix:
         """Swing foot, shape (2, 1)."""
-        return self.held(self.walker.swing_foot).applyfunc(simplified)
+        return self.on_stance(self.walker.swing_foot).applyfunc(simplified)
 
     @cached_property
     def kinetic_energy(self) -> sp.Expr:
         """Kinetic energy of the swing phase."""
         if self.symmetric and self.walker.phase is None:
             return (self.walker.v.T * self.mass_matrix * self.walker.v)[0] / 2
-        return self.without_massless(sp.expand(self.held(self.floating_kinetic)))
+        return self.without_massless(sp.expand(self.on_stance(self.floating_kinetic)))
 
     @cached_property
     def potential_energy(self) -> sp.Expr:
         """Potential energy of the swing phase, of gravity and all the rest."""
-        return self.without_massless(self.held(sum(self.potentials.values())))
+        return self.without_massless(self.on_stance(sum(self.potentials.values())))
 
     # -- touchdown ---------------------------------------------------------------------------------------
 
@@ -301,14 +302,17 @@ class Mechanics:
         return simplified(sp.expand_trig(simplified(landed - self.walker.stance[0])))
 
     # The impact holds the swing foot as the stance foot was held, and releases the stance foot. Velocities
-    # that the ground then allows are `released * w`, with any rates w in the new names; the impulse does no
-    # work on them, so the momentum along them is kept:
-    #     released^T Me released w = released^T Me v-.
+    # that the ground then allows are `after_release * w`, with any rates w in the new names; the impulse does
+    # no work on them, so the momentum along them is kept:
+    #     R^T Me R w = R^T Me v-,    R = after_release.
     # The matrix on the left is the mass matrix of the swing phase that begins.
 
     @cached_property
-    def released(self) -> sp.Matrix:
-        """Floating-base velocities with the swing foot held, a rate in the new names, shape (2 + n, n)."""
+    def after_release(self) -> sp.Matrix:
+        """Floating-base velocities with the swing foot held and the stance foot free, shape (2 + n, n).
+
+        Per unit of each rate in the new names.
+        """
         rates = self.swap.inv()
         foot = self.walker.swing_foot.jacobian(self.walker.q)
         return sp.Matrix.vstack(self._relabelled(self.stance_jacobian) - foot * rates, rates)
@@ -321,12 +325,12 @@ class Mechanics:
     @cached_property
     def impact_momentum(self) -> sp.Matrix:
         """Generalised momentum in the new names, which the impact keeps, shape (n, 1)."""
-        before = self.floating_mass_matrix * self.standing * self.walker.v
-        return self._limit(self.released.T * self.held(before)).applyfunc(simplified)
+        before = self.floating_mass_matrix * self.stance_basis * self.walker.v
+        return self._limit(self.after_release.T * self.on_stance(before)).applyfunc(simplified)
 
     @cached_property
     def lock_jacobian(self) -> sp.Matrix:
-        """What the impact locks, a rate in the new names, shape (n_locks, n)."""
+        """Rates of what the impact locks, per unit of each rate in the new names, shape (n_locks, n)."""
         return sp.Matrix(self.walker.locks).jacobian(self.walker.q) * self.swap.inv()
 
     @cached_property
@@ -341,6 +345,6 @@ class Mechanics:
 
     def impact_impulse(self, after: sp.Matrix) -> sp.Matrix:
         """Impulse on the swing foot for given rates after the impact, in the new names, shape (2, 1)."""
-        change = self.released * after - self.standing * self.walker.v
-        rows = self.held(self.floating_mass_matrix[:BASE, :])
+        change = self.after_release * after - self.stance_basis * self.walker.v
+        rows = self.on_stance(self.floating_mass_matrix[:BASE, :])
         return self.without_massless(rows * change).applyfunc(simplified)

@@ -5,8 +5,9 @@ same numbers in the same order.
 """
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Container, Iterable, Iterator
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 
 import sympy as sp
 
@@ -43,7 +44,7 @@ class Argument:
 class Output:
     """A named result: a scalar, a vector, shape (n, 1), or a matrix, shape (n, m).
 
-    A matrix of one column is told from a vector by `is_matrix`.
+    `is_matrix` tells a matrix of one column from a vector.
     """
 
     name: str
@@ -112,18 +113,42 @@ class Factors:
     upper: sp.Matrix
 
 
+def free(name: str, taken: Container[str]) -> str:
+    """`name`, with underscores behind it until nothing else is called so."""
+    while name in taken:
+        name += "_"
+    return name
+
+
 @dataclass
 class Builder:
-    """Collects named intermediate terms and closes them into a `Program`."""
+    """Collects named intermediate terms and closes them into a `Program`.
 
+    Parameters
+    ----------
+    arguments : tuple of Argument
+        Arguments that the function may read; no term is named like one of them or of their entries.
+    """
+
+    arguments: tuple[Argument, ...]
     named: dict[sp.Symbol, sp.Expr] = field(default_factory=dict)
+
+    @cached_property
+    def taken(self) -> frozenset[str]:
+        """Names of arguments and of their entries."""
+        names = [a.name for a in self.arguments] + [e.symbol.name for a in self.arguments for e in a.entries]
+        return frozenset(names)
+
+    def symbol(self, name: str) -> sp.Symbol:
+        """A symbol of that name, or of a similar one that no argument bears."""
+        return sp.Symbol(free(name, self.taken), real=True)
 
     def let(self, name: str, expr: sp.Expr) -> sp.Expr:
         """Name an intermediate term; numbers and plain symbols are passed through."""
         expr = simplified(sp.sympify(expr))
         if expr.is_Number or expr.is_Symbol:
             return expr
-        symbol = sp.Symbol(name, real=True)
+        symbol = self.symbol(name)
         if symbol in self.named:
             raise ValueError(f"two intermediate terms are named {name}")
         self.named[symbol] = expr
@@ -183,15 +208,13 @@ class Builder:
             solution[i] = self.let(f"{name}_{i + 1}", term)
         return solution
 
-    def close(
-        self, name: str, summary: str, source: str, arguments: tuple[Argument, ...], outputs: Iterable[Output]
-    ) -> Program:
+    def close(self, name: str, summary: str, source: str, outputs: Iterable[Output]) -> Program:
         """Share common subexpressions, order the terms and keep the arguments that are used."""
-        outputs = tuple(outputs)
+        arguments, outputs = self.arguments, tuple(outputs)
         raw = [*self.named.values(), *(e for o in outputs for e in o.entries)]
-        trig = _named_trigonometry(raw)
-        named = [*self.named, *trig.values()]
-        taken = _distinct_names(name, arguments, named, outputs)
+        taken = {*self.taken, *(s.name for s in self.named)}
+        trig = _named_trigonometry(raw, taken)
+        taken |= {*(s.name for s in trig.values()), *(o.name for o in outputs)}
         fresh = (sp.Dummy(f"t{i}", real=True) for i in range(1, 10**6))
         shared, reduced = sp.cse(
             [e.xreplace(trig) for e in raw],
@@ -213,17 +236,6 @@ class Builder:
             raise ValueError(f"{name} uses {sorted(map(str, unknown))}, which no argument or term defines")
         kept = tuple(a for a in arguments if program.used & {e.symbol for e in a.entries})
         return Program(name, summary, source, kept, statements, closed)
-
-
-def _distinct_names(
-    function: str, arguments: Iterable[Argument], terms: Iterable[sp.Symbol], outputs: Iterable[Output]
-) -> set[str]:
-    """All names of a function; raises ValueError when two things share one."""
-    names = [a.name for a in arguments if not a.scalar] + [o.name for o in outputs]
-    names += [e.symbol.name for a in arguments for e in a.entries] + [s.name for s in terms]
-    if twice := sorted({n for n in names if names.count(n) > 1}):
-        raise ValueError(f"{function} has two things named {', '.join(twice)}")
-    return set(names)
 
 
 def _under_their_names(
@@ -286,17 +298,15 @@ def _refill(output: Output, results: Iterator[sp.Expr]) -> sp.Matrix | sp.Expr:
     return sp.Matrix(*output.value.shape, [next(results) for _ in output.value])
 
 
-def _named_trigonometry(exprs: Iterable[sp.Expr]) -> dict[sp.Expr, sp.Symbol]:
+def _named_trigonometry(exprs: Iterable[sp.Expr], taken: Iterable[str]) -> dict[sp.Expr, sp.Symbol]:
     """A readable name for each sine and cosine: ``c_theta2``, ``s_theta1_minus_theta2``."""
     calls = sorted(set().union(*(e.atoms(sp.sin, sp.cos) for e in exprs)), key=sp.default_sort_key)
-    names = {}
+    known, names = set(taken), {}
     for call in calls:
         text = str(call.args[0]).replace(" - ", "_minus_").replace(" + ", "_plus_").replace("-", "minus_")
-        names[call] = sp.Symbol(
-            ("s_" if call.func is sp.sin else "c_") + re.sub(r"\W+", "_", text).strip("_"), real=True
-        )
-    if len(set(names.values())) != len(names):
-        raise ValueError(f"sines and cosines whose names collide: {sorted(map(str, names))}")
+        plain = ("s_" if call.func is sp.sin else "c_") + re.sub(r"\W+", "_", text).strip("_")
+        names[call] = sp.Symbol(free(plain, known), real=True)
+        known.add(names[call].name)
     return names
 
 

@@ -44,7 +44,7 @@ if TYPE_CHECKING:
     from stridemap.sweeps.run import Progress, Summary, sweep
     from stridemap.sweeps.store import read_cells, read_orbits, read_provenance
     from stridemap.units import Units
-    from stridemap.views.animate import animate
+    from stridemap.views.animation import animate
 
 __version__ = version("stridemap")
 

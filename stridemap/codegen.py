@@ -105,9 +105,10 @@ def derive_model(model: Walker | str | Path, out: str | Path | None = None) -> M
     Raises
     ------
     InputError
-        When the declaration contradicts itself, the file has none, or the folder cannot be written.
+        When the declaration contradicts itself or bears the name of a built-in model, when the file has none,
+        or when the folder cannot be written.
     """
-    walker = model if isinstance(model, Walker) else declared(Path(model))
+    walker = _own(model) if isinstance(model, Walker) else declared(Path(model))
     return load(into_cache(walker) if out is None else into_folder(walker, Path(out)))
 
 
@@ -123,8 +124,8 @@ def into_folder(walker: Walker, folder: Path) -> Path:
     present = [name for name in names if (folder / name).exists()]
     if present and _manifest_in(folder).get("name") != walker.name:
         raise InputError(
-            f"{folder / present[0]} is not of the model {walker.name} and would be overwritten; "
-            "give --out a folder of its own"
+            f"{folder / present[0]} does not belong to the model {walker.name} and would be overwritten; "
+            "give --out another folder"
         )
     write_model(walker, folder)
     return folder
@@ -199,6 +200,22 @@ def declared(path: Path) -> Walker:
     if not isinstance(walker, Walker):
         found = "has no WALKER" if walker is None else f"has a WALKER that is a {type(walker).__name__}"
         raise InputError(f"{path} {found}; write WALKER = Walker(...) with stridemap.derive.Walker")
+    return _own(walker)
+
+
+def _own(walker: Walker) -> Walker:
+    """`walker`, unless it bears the name of another one that comes with stridemap.
+
+    Raises
+    ------
+    InputError
+        When it does.
+    """
+    if walker.name in WALKERS and walker != WALKERS[walker.name]:
+        raise InputError(
+            f"model {walker.name}: a model that comes with stridemap has this name; choose another name for "
+            f"yours, such as my_{walker.name}"
+        )
     return walker
 
 
@@ -218,8 +235,8 @@ def _run(path: Path, shown: Path) -> ModuleType:
     except InputError:
         raise
     except (Exception, SystemExit) as error:
-        place, said = _place(path, error)
-        raise InputError(f"{shown}{place}: {type(error).__name__}: {said}") from error
+        where, said = _position(path, error)
+        raise InputError(f"{shown}{where}: {type(error).__name__}: {said}") from error
     finally:
         sys.path.remove(str(path.parent))
         # What lies beside it is read anew the next time, and is not mistaken for another file's neighbour.
@@ -230,12 +247,12 @@ def _run(path: Path, shown: Path) -> ModuleType:
     return module
 
 
-def _place(path: Path, error: BaseException) -> tuple[str, str]:
+def _position(path: Path, error: BaseException) -> tuple[str, str]:
     """Where in a model file an exception arose, and what it says."""
     if isinstance(error, SyntaxError) and error.filename == str(path):
         return f", line {error.lineno}", error.msg
     lines = [f.lineno for f in traceback.extract_tb(error.__traceback__) if f.filename == str(path)]
-    return (f", line {lines[-1]}" if lines else ""), str(error) or "it says nothing"
+    return (f", line {lines[-1]}" if lines else ""), str(error) or "no message"
 
 
 def fingerprint(walker: Walker) -> str:
@@ -272,7 +289,7 @@ def derive(folder: Path | None = None) -> list[Path]:
     Parameters
     ----------
     folder : pathlib.Path, optional
-        Holds one folder a model; by default the package's own.
+        Holds one folder for each model; by default the package's own.
 
     Raises
     ------

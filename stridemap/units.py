@@ -1,8 +1,8 @@
 """SI units for a robot of a given size: metres, kilograms and seconds to the units of the models, and back.
 
-The models know no metre: their unit of mass is the upper body's mass M, of length the leg L, of time
-sqrt(L/g). A `Units` is one robot's M, L and g, and every conversion is a product or a quotient with a
-unit formed from these three.
+The models do not use metres: their unit of mass is the mass M of the upper body, their unit of length the
+leg L, and their unit of time sqrt(L/g). A `Units` holds M, L and g of one robot, and every conversion is a
+product or a quotient with a unit that is formed from these three.
 
 >>> robot = Units(leg_length=0.8, mass=40.0, gravity=9.81)
 >>> robot.from_si(2943.0, "stiffness")  # 2,943 N/m in units of M g / L
@@ -21,6 +21,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from stridemap import quantities
 from stridemap.errors import InputError
 
 if TYPE_CHECKING:
@@ -29,7 +30,7 @@ if TYPE_CHECKING:
 STANDARD_GRAVITY = 9.80665
 """In m/s^2, exactly, by definition: 3rd General Conference on Weights and Measures, 1901."""
 
-QUANTITIES: Mapping[str, tuple[str, str]] = {
+KINDS: Mapping[str, tuple[str, str]] = {
     "number": ("1", "1"),
     "angle": ("rad", "rad"),
     "mass": ("M", "kg"),
@@ -49,23 +50,12 @@ QUANTITIES: Mapping[str, tuple[str, str]] = {
     "energy": ("M g L", "J"),
     "power": ("M g sqrt(g L)", "W"),
 }
-"""What has a name: its unit in the models, and its SI unit."""
+"""Kinds of quantities: for each its unit in the models, and its SI unit."""
 
-MEASURES: Mapping[str, str] = {
-    "period": "time",
-    "step_length": "length",
-    "speed": "speed",
-    "d_max": "length",
-    "work": "energy",
-    "work_positive": "energy",
-    "work_net": "energy",
-    "cot": "number",
-    "cot_per_speed": "time",  # work over weight and speed: the paper's formula has a dimension
-    "min_vertical_force": "force",
-    "friction": "number",
-    "clearance": "length",
+MEASURE_KINDS: Mapping[str, str] = {
+    name: quantity.kind for name, quantity in quantities.QUANTITIES.items() if quantity.type == "float"
 }
-"""The quantity of each measure of an `Orbit` that has a size."""
+"""The kind of each measured quantity of an `Orbit` that is a number with a unit or a ratio."""
 
 # Wide enough for a walking insect and a crane; a leg in millimetres or a mass in grams is outside.
 _RANGES = {"leg_length": (1e-4, 50.0, "m"), "mass": (1e-7, 1e4, "kg"), "gravity": (1e-2, 300.0, "m/s^2")}
@@ -88,13 +78,13 @@ class Units:
     Raises
     ------
     InputError
-        For a value that is no finite number, or outside 0.1 mm to 50 m, 0.1 mg to 10 t, 0.01 to 300 m/s^2.
+        For a value that is not a finite number, or outside 0.1 mm to 50 m, 0.1 mg to 10 t, 0.01 to 300 m/s^2.
 
     Notes
     -----
     With :math:`M`, :math:`L`, :math:`g` in SI units, a dimensionless :math:`k` is the spring of
     :math:`k M g / L` newtons per metre, a time :math:`t` is :math:`t \sqrt{L/g}` seconds, and so on through
-    `QUANTITIES`. The equations of motion divided by these units are those of the models, so two robots with
+    `KINDS`. The equations of motion divided by these units are those of the models, so two robots with
     equal dimensionless numbers walk alike (their Froude numbers :math:`v^2/(g L)` are equal). The source of
     this choice of units is Kamimura and Sano (2023), section II, for length, time and torque.
 
@@ -155,7 +145,7 @@ class Units:
         Parameters
         ----------
         quantity : str
-            A name from `QUANTITIES`, or a unit formed from ``M``, ``L``, ``g``, ``rad`` and ``1`` with
+            A name from `KINDS`, or a unit formed from ``M``, ``L``, ``g``, ``rad`` and ``1`` with
             blanks or ``*`` for products, ``/``, ``^`` and ``sqrt( )``, as the models' parameters have them.
 
         Raises
@@ -171,7 +161,7 @@ class Units:
         """
         values = {"M": self.mass, "L": self.leg_length, "g": self.gravity, "rad": 1.0}
         try:
-            text = QUANTITIES[quantity][0] if quantity in QUANTITIES else quantity
+            text = KINDS[quantity][0] if quantity in KINDS else quantity
             # Between two factors a blank means a product.
             tree = ast.parse(re.sub(r"(?<=[\w)])\s+(?=[\w(])", "*", text.strip()).replace("^", "**"))
             (statement,) = tree.body
@@ -185,10 +175,10 @@ class Units:
             TypeError,
             ValueError,
         ):
-            close = difflib.get_close_matches(str(quantity), QUANTITIES, n=1)
+            close = difflib.get_close_matches(str(quantity), KINDS, n=1)
             hint = f"; did you mean {close[0]!r}?" if close else ""
             raise InputError(
-                f"{quantity!r} is neither a quantity ({', '.join(QUANTITIES)}) nor a unit formed from "
+                f"{quantity!r} is neither a quantity ({', '.join(KINDS)}) nor a unit formed from "
                 f"M, L, g and rad, such as 'M g / L'{hint}"
             ) from None
 
@@ -208,7 +198,7 @@ class Units:
         Raises
         ------
         InputError
-            For an unknown quantity, or a value that is no finite number.
+            For an unknown quantity, or a value that is not a finite number.
 
         Examples
         --------
@@ -266,13 +256,22 @@ class Units:
     def measures(self, orbit: "Orbit") -> dict[str, float]:
         """What was measured on a limit cycle, in SI units: m, s, m/s, J, N; pure numbers as they are.
 
-        The keys are those of `MEASURES`; what is NaN in the orbit stays NaN.
+        The keys are those of `MEASURE_KINDS`; what is NaN in the orbit stays NaN.
         """
         return {
-            name: getattr(orbit, name) * self.unit(quantity)
-            for name, quantity in MEASURES.items()
+            name: getattr(orbit, name) * self.unit(kind)
+            for name, kind in MEASURE_KINDS.items()
             if getattr(orbit, name, None) is not None
         }
+
+
+_RENAMED = {"QUANTITIES": "KINDS", "MEASURES": "MEASURE_KINDS"}
+
+
+def __getattr__(name: str) -> Any:
+    if name in _RENAMED:
+        raise InputError(f"stridemap.units.{name} is called stridemap.units.{_RENAMED[name]} now")
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 
 
 def _load(model: str) -> Any:
@@ -283,7 +282,7 @@ def _load(model: str) -> Any:
 
 
 def _value(node: ast.expr, values: Mapping[str, float]) -> float:
-    """The value of a parsed unit; raises anything for what is no unit."""
+    """The value of a parsed unit; raises anything for what is not a unit."""
     match node:
         case ast.Name(id=name):
             return values[name]

@@ -7,7 +7,8 @@ matrix of that one is singular at ``alpha = 0``.
 import sympy as sp
 
 from stridemap.derive.models.controller import CLOCK, GAINS, OMEGA, hip_torque
-from stridemap.derive.walker import STANCE_FOOT, Body, Coordinate, Line, Parameter, Touchdown, Walker
+from stridemap.derive.parts import STANCE_FOOT, Body, Coordinate, Line, Parameter, Touchdown
+from stridemap.derive.walker import Walker
 
 THETA1 = Coordinate("theta1", "rad", "angle of the stance leg from the vertical, positive leaning back")
 THETA2 = Coordinate("theta2", "rad", "angle from the stance leg to the swing leg")

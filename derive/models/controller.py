@@ -2,7 +2,7 @@
 
 import sympy as sp
 
-from stridemap.derive.walker import Clock, Coordinate, Parameter
+from stridemap.derive.parts import Clock, Coordinate, Parameter
 
 OMEGA = Parameter(
     "omega", 3.0, "sqrt(g/L)", "oscillator frequency; its phase omega t is reset at touchdown", 0.0,

@@ -9,7 +9,7 @@ first near a slope of 4.4 degrees.
 
 import sympy as sp
 
-from stridemap.derive import STANCE_FOOT, Body, Line, Parameter, Touchdown, Units, Walker
+from stridemap.derive import STANCE_FOOT, Body, Line, Parameter, Touchdown, UnitNames, Walker
 from stridemap.derive.models.compass import THETA1, THETA2
 from stridemap.derive.models.slope import SLOPE, downhill
 
@@ -42,5 +42,5 @@ WALKER = Walker(
     drawing=(Line("legs", (STANCE_FOOT, hip, swing_foot), legs=True),),
     search_box={"theta1": (0.25, 0.3), "dtheta1": (-0.3, 0.5), "dtheta2": (0.0, 0.5)},
     period_range=(0.8, 5.0),
-    units=Units(mass="m", energy="m g L"),
+    units=UnitNames(mass="m", energy="m g L"),
 )

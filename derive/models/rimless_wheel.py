@@ -13,7 +13,7 @@ and the multiplier is ``mu^2``. With n = 6, lambda2 = 2/3 and slope 0.2 they are
 
 import sympy as sp
 
-from stridemap.derive import STANCE_FOOT, Body, Coordinate, Line, Parameter, Touchdown, Units, Walker
+from stridemap.derive import STANCE_FOOT, Body, Coordinate, Line, Parameter, Touchdown, UnitNames, Walker
 from stridemap.derive.models.slope import SLOPE, downhill
 
 THETA = Coordinate(
@@ -56,5 +56,5 @@ WALKER = Walker(
     ),
     search_box={"theta": (-0.5, 0.5), "dtheta": (0.5, 1.0)},
     period_range=(0.1, 8.0),
-    units=Units(mass="m", energy="m g L"),
+    units=UnitNames(mass="m", energy="m g L"),
 )

@@ -2,7 +2,7 @@
 
 import sympy as sp
 
-from stridemap.derive.walker import Parameter
+from stridemap.derive.parts import Parameter
 
 SLOPE = Parameter(
     "slope", 0.009, "rad", "angle by which the ground falls in the walking direction", -1.5, 1.5

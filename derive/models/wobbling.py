@@ -7,7 +7,7 @@ import sympy as sp
 
 from stridemap.derive.models.compass import LEGS, hip
 from stridemap.derive.models.compass import WALKER as COMPASS
-from stridemap.derive.walker import Body, Coordinate, Line, Parameter
+from stridemap.derive.parts import Body, Coordinate, Line, Parameter
 
 X = Coordinate("x", "L", "distance of the wobbling mass ahead of the hip")
 K = Parameter("k", 6.0, "M g / L", "stiffness of the wobbling mass's spring", 0.0)

@@ -1,1 +1,1 @@
-"""What prints a straight-line program, one language a file."""
+"""Printers of straight-line programs: one file for each language."""

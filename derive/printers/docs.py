@@ -2,9 +2,9 @@
 
 from collections.abc import Iterable
 
-from stridemap.derive.printers.c import signature
+from stridemap.derive.printers.c import banner, signature
+from stridemap.derive.printers.printer import Equations
 from stridemap.derive.program import Program
-from stridemap.derive.walker import Walker
 
 CALLED = (
     "section_state", "mass_matrix", "kinetic_energy", "potential_energy", "ground_force", "state_derivative",
@@ -13,17 +13,11 @@ CALLED = (
 """The functions that the example calls."""
 
 
-CALLED = (
-    "section_state", "mass_matrix", "kinetic_energy", "potential_energy", "ground_force", "state_derivative",
-    "impact_map",
-)  # fmt: skip
-"""The functions that the example calls."""
-
-
-def example(walker: Walker, programs: list[Program], first_lines: list[str]) -> str:
+def example(equations: Equations) -> str:
     """A C program that takes one Euler step and one touchdown with the readable functions."""
+    walker = equations.walker
     name, n = walker.name, len(walker.coordinates)
-    by_name = {p.name: p for p in programs}
+    by_name = {p.name: p for p in equations.programs}
     preset = ", ".join(repr(a.default) for a in walker.parameters)
     names = ", ".join(a.name for a in walker.parameters)
     used = {a.name for function in CALLED for a in by_name[function].arguments}
@@ -39,7 +33,7 @@ def example(walker: Walker, programs: list[Program], first_lines: list[str]) -> 
         return f"    {name}_{function}({', '.join([*inputs, *outputs])});"
 
     lines = [
-        *first_lines,
+        *banner(equations),
         "/* How to call the equations from C. Build and run:",
         f" *   cc -std=c99 example.c {name}.c -lm -o example && ./example",
         " */",
@@ -90,19 +84,22 @@ def example(walker: Walker, programs: list[Program], first_lines: list[str]) -> 
     return "\n".join(lines)
 
 
-def readme(walker: Walker, programs: list[Program], generator: str) -> str:
+def readme(equations: Equations) -> str:
     """What each file is and how to call the C."""
+    walker, programs = equations.walker, equations.programs
     name = walker.name
     lines = [
         f"# {walker.title}: generated code",
         "",
-        f"Written by {generator} (`make derive`); do not edit. Source of the model: {walker.reference}.",
+        f"Written by {equations.generator} (`make derive`); do not edit. Source of the model: "
+        f"{walker.reference}.",
         "",
         "| file | what it is |",
         "| --- | --- |",
-        f"| `{name}.h`, `{name}.c` | readable C99: one function a quantity, documented in the header |",
+        f"| `{name}.h`, `{name}.c` | readable C99: one function per quantity, documented in the header |",
         "| `example.c` | a complete C program that calls them |",
         f"| `{name}.py` | the same equations for any Python namespace (NumPy, CasADi, mpmath) |",
+        f"| `{name}.js` | the same equations in JavaScript, for pages |",
         f"| `{name}_kernels.c` | what the solver runs, from CasADi: step map, Newton search, measures |",
         "| `manifest.json` | functions, argument order, shapes, units, parameters, hashes |",
         "",
@@ -128,9 +125,12 @@ def readme(walker: Walker, programs: list[Program], generator: str) -> str:
         "",
         "## Functions",
         "",
-        "| function | operations | what it computes |",
-        "| --- | --- | --- |",
-        *(f"| `{name}_{p.name}` | {p.operations} | {_lower(p.summary)} |" for p in programs),
+        "| function | operations | what it computes | what it reads |",
+        "| --- | --- | --- | --- |",
+        *(
+            f"| `{name}_{p.name}` | {p.operations} | {_lower(p.summary)} | {_list(_reads(p)) or 'nothing'} |"
+            for p in programs
+        ),
         "",
         "```c",
         *(line for p in programs for line in signature(name, p, ";")),
@@ -142,6 +142,11 @@ def readme(walker: Walker, programs: list[Program], generator: str) -> str:
 
 def _list(names: Iterable[str]) -> str:
     return ", ".join(f"`{n}`" for n in names)
+
+
+def _reads(program: Program) -> list[str]:
+    used = program.used
+    return [e.symbol.name for a in program.arguments for e in a.entries if e.symbol in used]
 
 
 def _lower(sentence: str) -> str:

@@ -4,7 +4,7 @@ C, Python and CasADi evaluate what it prints in the same order, so they agree to
 their sines do.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 
 import sympy as sp
 
@@ -28,12 +28,22 @@ class ExpressionPrinter:
         Prints a function call from its name and printed argument.
     pi : str
         How the number pi is written.
+    names : mapping of Symbol to str
+        What symbols are called, where it is not by their own names. (To rename them in the expression would
+        change the order of its terms.)
     """
 
-    def __init__(self, number: Callable[[int], str], call: Callable[[str, str], str], pi: str) -> None:
+    def __init__(
+        self,
+        number: Callable[[int], str],
+        call: Callable[[str, str], str],
+        pi: str,
+        names: Mapping[sp.Symbol, str],
+    ) -> None:
         self._number = number
         self._call = call
         self._pi = pi
+        self._names = names
 
     def __call__(self, expr: sp.Expr) -> str:
         """Print `expr`; raises TypeError for an operation that is not in the table."""
@@ -57,7 +67,9 @@ class ExpressionPrinter:
             sign, expr = "-", -expr
         coefficient, rest = expr.as_coeff_Mul()
         if not coefficient.is_Rational:
-            raise TypeError(f"cannot print the number {coefficient}: only integers and fractions are known")
+            raise TypeError(
+                f"cannot print the number {coefficient}: generated code has only integers and fractions"
+            )
         above = [] if coefficient.p == 1 and rest is not sp.S.One else [self._number(int(coefficient.p))]
         below = [] if coefficient.q == 1 else [self._number(int(coefficient.q))]
         for factor in rest.as_ordered_factors() if rest is not sp.S.One else []:
@@ -75,15 +87,15 @@ class ExpressionPrinter:
         """A power as factors: the languages have no power of their own in common."""
         if not (2 * exponent).is_Integer or exponent > HIGHEST_POWER:
             raise TypeError(
-                f"cannot print the power ({base})**({exponent}): known are integers up to {HIGHEST_POWER}, "
-                "and halves"
+                f"cannot print the power ({base})**({exponent}): generated code has exponents up to "
+                f"{HIGHEST_POWER} that are integers or halves"
             )
         root = [] if exponent.is_Integer else [self._call("sqrt", self._sum(base))]
         return root + [self._atom(base)] * int(exponent)
 
     def _atom(self, expr: sp.Expr) -> str:
         if expr.is_Symbol:
-            return str(expr.name)
+            return self._names.get(expr, str(expr.name))
         if expr is sp.pi:
             return self._pi
         if expr.is_Add or (expr.is_Mul or expr.is_Pow):
@@ -93,7 +105,9 @@ class ExpressionPrinter:
         if expr.func in CALLS:
             return self._call(CALLS[expr.func], self._sum(expr.args[0]))
         known = ", ".join(CALLS.values())
-        raise TypeError(f"cannot print {expr.func.__name__} in {expr}: known are + - * / powers, {known}")
+        raise TypeError(
+            f"cannot print {expr.func.__name__} in {expr}: generated code has + - * /, powers, {known}"
+        )
 
 
 def _negative(expr: sp.Expr) -> bool:

@@ -1,1 +1,1 @@
-"""A declaration that contradicts itself is refused in one sentence."""
+"""A declaration that contradicts itself is refused in one sentence that says what to do."""

@@ -1,35 +1,35 @@
 """Declarations that contradict themselves are refused, with what is wrong and how to mend it.
 
-Here is what can be seen from names and shapes; what the mechanics need is in `trials`.
+Here is what can be seen from names and shapes; what the mechanics need is in `mechanics`.
 """
 
-import keyword
 import math
-from collections.abc import Iterable, Iterator, Mapping
-from typing import TYPE_CHECKING, Any, NoReturn
+from collections.abc import Iterator, Mapping
+from typing import Any
 
 import sympy as sp
 
-from stridemap.errors import InputError
-
-if TYPE_CHECKING:
-    from stridemap.derive.walker import Coordinate, Parameter, Walker
-
-RESERVED = frozenset(
-    "t q v p z u xp M h dh side d com foot force zmp mass weight pull length positions masses kinetic "
-    "potential auto break case char const continue default do double else enum extern float for goto if "
-    "inline int long register restrict return short signed sizeof static struct switch typedef union "
-    "unsigned void volatile while sin cos tan sqrt exp log pow abs main period status stable model params "
-    "state".split()
-) | frozenset(keyword.kwlist)
-"""Names that mean something else in generated code or in tables."""
+from stridemap.derive.declaration import Declaration
+from stridemap.derive.parts import (
+    STANCE_FOOT,
+    TIME,
+    Body,
+    Clock,
+    Coordinate,
+    Line,
+    Massless,
+    Parameter,
+    Touchdown,
+)
+from stridemap.derive.validate.refusal import refuse
+from stridemap.derive.validate.reserved import FILES, better, in_code, meaning
 
 BREAKING = ("*/", "/*", '"""', "\\")
 """What ends or bends comments."""
 
 
-def check(walker: "Walker") -> None:
-    """Look for contradictions in a declaration.
+def validate_names(walker: Declaration) -> None:
+    """Look for contradictions that names, kinds and shapes show.
 
     Parameters
     ----------
@@ -43,7 +43,7 @@ def check(walker: "Walker") -> None:
     _kinds(walker)
     _names(walker)
     _texts(walker)
-    _parameters(walker.parameters, walker.name)
+    _parameters(walker)
     _references(walker)
     _shapes(walker)
     _symbols(walker)
@@ -51,44 +51,36 @@ def check(walker: "Walker") -> None:
     _search(walker)
 
 
-def refuse(walker: "Walker", sentence: str) -> NoReturn:
-    """Raise an InputError that names the walker."""
-    one_line = " ".join(sentence.split())  # matrices have several
-    raise InputError(f"model {walker.name}: {one_line}")
-
-
 # -- kinds, names and shapes -----------------------------------------------------------------------------
 
 
-def _kinds(walker: "Walker") -> None:
-    """Fields hold what they are for; a lone entry in brackets without a comma is no tuple."""
-    from stridemap.derive import walker as d
-
-    lists = {"coordinates": d.Coordinate, "parameters": d.Parameter, "bodies": d.Body, "drawing": d.Line}
+def _kinds(walker: Declaration) -> None:
+    """Fields hold what they are for; a lone entry in brackets without a comma is not a tuple."""
+    lists = {"coordinates": Coordinate, "parameters": Parameter, "bodies": Body, "drawing": Line}
     for field, kind in lists.items():
         entries = getattr(walker, field)
         if not isinstance(entries, tuple):
-            refuse(walker, f"{field} is no tuple; write ({kind.__name__}(...),) even for a single one")
+            refuse(walker, f"{field} is not a tuple; write ({kind.__name__}(...),) even for a single one")
         for entry in entries:
             if not isinstance(entry, kind):
-                refuse(walker, f"{field} holds {entry!r}, which is no {kind.__name__}")
+                refuse(walker, f"{field} holds {entry!r}, which is not a {kind.__name__}")
     if not isinstance(walker.locks, tuple):
-        refuse(walker, "locks is no tuple; write (expression,) even for a single one")
+        refuse(walker, "locks is not a tuple; write (expression,) even for a single one")
     for field in ("relabel", "search_box", "potentials", "torques", "section", "sources"):
         if not isinstance(getattr(walker, field), Mapping):
-            refuse(walker, f"{field} is {getattr(walker, field)!r}, and must be a dict")
-    single = {"touchdown": d.Touchdown, "clock": d.Clock, "massless": d.Massless}
-    single |= {"stance_angle": d.Coordinate, "wobbling": d.Coordinate}
+            refuse(walker, f"{field} is {getattr(walker, field)!r}; it must be a dict")
+    single = {"touchdown": Touchdown, "clock": Clock, "massless": Massless}
+    single |= {"stance_angle": Coordinate, "wobbling": Coordinate}
     for field, kind in single.items():
         value = getattr(walker, field)
         if not isinstance(value, kind) and not (value is None and field != "touchdown"):
-            refuse(walker, f"{field} is {value!r}, which is no {kind.__name__}")
+            refuse(walker, f"{field} is {value!r}, which is not a {kind.__name__}")
     for coordinate in walker.torques:
-        if not isinstance(coordinate, d.Coordinate):
-            refuse(walker, f"torques names {coordinate!r}, which is no Coordinate")
+        if not isinstance(coordinate, Coordinate):
+            refuse(walker, f"torques names {coordinate!r}, which is not a Coordinate")
 
 
-def _texts(walker: "Walker") -> None:
+def _texts(walker: Declaration) -> None:
     """Texts stand in comments of generated code, which they must not end."""
     texts = [walker.title, walker.reference, *vars(walker.units).values(), *walker.sources.values()]
     described: list[Coordinate | Parameter] = [*walker.coordinates, *walker.parameters]
@@ -101,7 +93,7 @@ def _texts(walker: "Walker") -> None:
             )
 
 
-def _names(walker: "Walker") -> None:
+def _names(walker: Declaration) -> None:
     kinds = [("model", walker.name)]
     kinds += [("coordinate", c.name) for c in walker.coordinates]
     kinds += [("rate of a coordinate", c.rate.name) for c in walker.coordinates]
@@ -115,28 +107,47 @@ def _names(walker: "Walker") -> None:
         if not isinstance(name, str) or not name.isidentifier() or not name.isascii() or name.startswith("_"):
             refuse(
                 walker,
-                f"the {kind} {name!r} is no name for generated code; use letters, digits and underscores",
+                f"the {kind} {name!r} cannot be a name in generated code; use letters, digits "
+                "and underscores, and begin with a letter",
             )
-        if name in RESERVED and kind != "model":
-            refuse(
-                walker, f"the {kind} {name} has a name that generated code needs itself; call it otherwise"
-            )
+        _refuse_taken(walker, kind, name)
         if kind != "model" and name in seen:
             if {kind, seen[name]} == {"parameter", "coordinate"}:
                 refuse(walker, f"the parameter {name} shadows the coordinate {name}; rename one of them")
             refuse(walker, f"there is a {seen[name]} and a {kind} called {name}; rename one of them")
-        seen[name] = kind
+        if kind != "model":
+            seen[name] = kind
     if not walker.coordinates:
         refuse(walker, "it has no coordinates; give at least one")
     if not walker.bodies:
         refuse(walker, "it has no bodies; give at least one with a mass")
 
 
-def _parameters(parameters: "Iterable[Parameter]", model: str) -> None:
-    for a in parameters:
+def _refuse_taken(walker: Declaration, kind: str, name: str) -> None:
+    """Refuse a name that means something else."""
+    if kind == "model":
+        taken = in_code(name) or ("the name of a generated file" if name in FILES else None)
+        if taken is not None:
+            refuse(walker, f"it has {taken}; choose another name for the model, such as {name}_walker")
+        return
+    taken = meaning(name)
+    if taken is None:
+        return
+    if kind == "rate of a coordinate":
+        remedy = f"choose another name for the coordinate, such as {better(name[1:])}"
+        refuse(
+            walker,
+            f"the rate of the coordinate {name[1:]} is called {name}, which is {taken}; {remedy}",
+        )
+    refuse(walker, f"the {kind} {name} has {taken}; choose another name, such as {better(name)}")
+
+
+def _parameters(walker: Declaration) -> None:
+    for a in walker.parameters:
         if not isinstance(a.default, int | float) or not math.isfinite(a.default):
-            raise InputError(
-                f"model {model}: the default {a.default!r} of the parameter {a.name} is no finite number"
+            refuse(
+                walker,
+                f"the default {a.default!r} of the parameter {a.name} is not a finite number; give one",
             )
         below = a.lower is not None and (a.default < a.lower or (a.default == a.lower and a.lower_open))
         above = a.upper is not None and (a.default > a.upper or (a.default == a.upper and a.upper_open))
@@ -144,13 +155,14 @@ def _parameters(parameters: "Iterable[Parameter]", model: str) -> None:
             low = "(" if a.lower_open or a.lower is None else "["
             high = ")" if a.upper_open or a.upper is None else "]"
             ends = [str(end) if x is None else f"{x:g}" for x, end in ((a.lower, "-inf"), (a.upper, "inf"))]
-            raise InputError(
-                f"model {model}: the default {a.default:g} of the parameter {a.name} is not in its own range "
-                f"{low}{', '.join(ends)}{high}; change one of them"
+            refuse(
+                walker,
+                f"the default {a.default:g} of the parameter {a.name} is not in its own range "
+                f"{low}{', '.join(ends)}{high}; change one of them",
             )
 
 
-def _references(walker: "Walker") -> None:
+def _references(walker: Declaration) -> None:
     """What names coordinates names those of the model."""
     symbols, rates = list(walker.q), list(walker.v)
     named: list[tuple[str, Coordinate | None]] = [("torques", c) for c in walker.torques]
@@ -160,24 +172,31 @@ def _references(walker: "Walker") -> None:
         if coordinate is not None and coordinate not in walker.coordinates:
             known = ", ".join(c.name for c in walker.coordinates)
             name = getattr(coordinate, "name", coordinate)
-            refuse(walker, f"{where} names {name}, which is no coordinate of it; its coordinates are {known}")
+            refuse(walker, f"{where} names {name}, which is not one of its coordinates; they are {known}")
     for symbol in walker.relabel:
         if symbol not in symbols:
-            cure = "take Coordinate(...).symbol" if str(symbol) in map(str, symbols) else "leave it out"
-            refuse(walker, f"relabel gives {symbol} a new value, but that is no coordinate of it; {cure}")
+            remedy = "take Coordinate(...).symbol" if str(symbol) in map(str, symbols) else "leave it out"
+            refuse(
+                walker,
+                f"relabel gives {symbol} a new value, but {symbol} is not one of its coordinates; {remedy}",
+            )
     for symbol in symbols:
         if symbol not in walker.relabel:
-            refuse(walker, f"relabel says nothing of {symbol}; write {{{symbol}: {symbol}}} if it stays")
+            refuse(
+                walker,
+                f"relabel does not say what becomes of {symbol}; write {{{symbol}: {symbol}}} if it stays",
+            )
     for symbol in walker.section:
         if symbol not in symbols and symbol not in rates:
             twin = str(symbol) in map(str, symbols + rates)
-            cure = "take .symbol or .rate of a Coordinate" if twin else "leave it out"
-            refuse(walker, f"section fixes {symbol}, which is neither a coordinate nor a rate of it; {cure}")
+            remedy = "take .symbol or .rate of a Coordinate" if twin else "leave it out"
+            refuse(
+                walker,
+                f"section fixes {symbol}, which is neither one of its coordinates nor a rate; {remedy}",
+            )
 
 
-def _shapes(walker: "Walker") -> None:
-    from stridemap.derive.walker import Coordinate, Parameter
-
+def _shapes(walker: Declaration) -> None:
     vectors = [(f"the position of the body {b.name}", b.position) for b in walker.bodies]
     vectors += [("swing_foot", walker.swing_foot), ("gravity", walker.gravity), ("stance", walker.stance)]
     vectors += [(f"a point of the line {line.name}", p) for line in walker.drawing for p in line.points]
@@ -190,13 +209,13 @@ def _shapes(walker: "Walker") -> None:
             kind = type(value).__name__
             refuse(walker, f"{what} is the {kind} {value.name} itself; take its symbol, {kind}(...).symbol")
         if not isinstance(value, sp.Expr) or isinstance(value, sp.MatrixBase):
-            refuse(walker, f"{what} is {value!r}, and must be one SymPy expression")
+            refuse(walker, f"{what} is {value!r}; it must be a single SymPy expression")
     for symbol, value in walker.section.items():
         if twice := value.free_symbols & walker.section.keys():
             refuse(walker, f"section gives {symbol} in terms of {min(map(str, twice))}, which it fixes too")
 
 
-def _scalars(walker: "Walker") -> Iterator[tuple[str, Any]]:
+def _scalars(walker: Declaration) -> Iterator[tuple[str, Any]]:
     for body in walker.bodies:
         yield f"the mass of the body {body.name}", body.mass
         yield f"the inertia of the body {body.name}", body.inertia
@@ -220,10 +239,8 @@ def _scalars(walker: "Walker") -> Iterator[tuple[str, Any]]:
         yield "spring_mode", walker.spring_mode
 
 
-def _symbols(walker: "Walker") -> None:
+def _symbols(walker: Declaration) -> None:
     """Every symbol is a parameter, or something else that may stand there."""
-    from stridemap.derive.walker import STANCE_FOOT, TIME
-
     parameters = {a.symbol for a in walker.parameters}
     q, v, base = set(walker.q), set(walker.v), set(STANCE_FOOT)
     massless = {walker.massless.mass} if walker.massless is not None else set()
@@ -263,20 +280,18 @@ def _symbols(walker: "Walker") -> None:
         for symbol in sorted(value.free_symbols - known, key=str):
             twin = names.get(symbol.name)
             if twin is not None and twin != symbol:
-                cure = (
+                remedy = (
                     f"it is not the declared {symbol}: take Parameter(...).symbol or Coordinate(...).symbol"
                 )
             elif twin is not None:
-                cure = "that may not stand there"
+                remedy = "it may not stand there"
             else:
-                cure = f'declare Parameter("{symbol}", ...), or write what it stands for'
-            refuse(walker, f"{what} has the symbol {symbol}, which is no parameter; {cure}")
+                remedy = f'declare Parameter("{symbol}", ...), or write what it stands for'
+            refuse(walker, f"{what} has the symbol {symbol}, which is not a parameter; {remedy}")
 
 
-def _translation(walker: "Walker") -> None:
+def _translation(walker: Declaration) -> None:
     """Points move along with the stance foot."""
-    from stridemap.derive.walker import STANCE_FOOT
-
     points = [(f"the position of the body {b.name}", b.position) for b in walker.bodies]
     points += [("swing_foot", walker.swing_foot)]
     for what, point in points:
@@ -290,19 +305,26 @@ def _two_numbers(value: Any) -> bool:
     return all(isinstance(x, int | float) and math.isfinite(x) for x in value)
 
 
-def _search(walker: "Walker") -> None:
+def _search(walker: Declaration) -> None:
     names = walker.section_names
     for name in names:
         if name not in walker.search_box:
-            refuse(walker, f"search_box lacks {name}; give its middle and half-width")
+            refuse(walker, f"search_box lacks {name}; give {name} a middle and a half-width")
     known = {s.name for s in (*walker.q, *walker.v)}
     for name, box in walker.search_box.items():
         if name not in known:
-            refuse(walker, f"search_box names {name}, which is neither a coordinate nor a rate of it")
+            refuse(
+                walker,
+                f"search_box names {name}, which is neither one of its coordinates nor a rate; leave it out",
+            )
         if not _two_numbers(box) or box[1] < 0:
             refuse(
                 walker, f"search_box gives {name} {box}; a middle and a half-width of at least 0 are needed"
             )
     low, high = walker.period_range if _two_numbers(walker.period_range) else (0, 0)
     if not 0 < low < high:
-        refuse(walker, f"period_range = {walker.period_range} is not allowed; 0 < shortest < longest")
+        refuse(
+            walker,
+            f"period_range = {walker.period_range} is not allowed; "
+            "give (shortest, longest) with 0 < shortest < longest",
+        )

@@ -13,14 +13,8 @@ extern "C" {
  *
  * Source: Kamimura & Sano 2023, eq. (1).
  *
- *  in   q[0]   theta1   [rad] angle of the stance leg from the vertical, positive leaning back
  *  in   q[1]   theta2   [rad] angle from the stance leg to the swing leg
- *  in   p[0]   omega    [sqrt(g/L)] oscillator frequency; its phase omega t is reset at touchdown
  *  in   p[1]   beta     [M] point mass at each foot
- *  in   p[2]   Kp       [M g L] proportional gain of the hip
- *  in   p[3]   Kd       [M g L sqrt(L/g)] derivative gain of the hip
- *  in   p[4]   S        [rad] stride angle: offset of the desired hip angle
- *  in   p[5]   gamma    [rad] amplitude of the desired hip angle
  *  out  M               mass matrix, symmetric positive definite (2 x 2 matrix, row-major)
  */
 void compass_mass_matrix(const double q[2], const double p[6], double M[4]);
@@ -33,14 +27,9 @@ void compass_mass_matrix(const double q[2], const double p[6], double M[4]);
  *  in   q[1]   theta2   [rad] angle from the stance leg to the swing leg
  *  in   v[0]   dtheta1  [rad sqrt(g/L)] rate of theta1
  *  in   v[1]   dtheta2  [rad sqrt(g/L)] rate of theta2
- *  in   p[0]   omega    [sqrt(g/L)] oscillator frequency; its phase omega t is reset at touchdown
  *  in   p[1]   beta     [M] point mass at each foot
- *  in   p[2]   Kp       [M g L] proportional gain of the hip
- *  in   p[3]   Kd       [M g L sqrt(L/g)] derivative gain of the hip
- *  in   p[4]   S        [rad] stride angle: offset of the desired hip angle
- *  in   p[5]   gamma    [rad] amplitude of the desired hip angle
  *  out  h               Coriolis and centrifugal forces (2 vector)
- *  out  v_gravity       gradient of the potential energy of the gravity (2 vector)
+ *  out  v_gravity       gradient of the gravity potential (2 vector)
  */
 void compass_bias_forces(const double q[2], const double v[2], const double p[6], double h[2],
         double v_gravity[2]);
@@ -50,12 +39,9 @@ void compass_bias_forces(const double q[2], const double v[2], const double p[6]
  * Source: Kamimura & Sano 2023, eqs. (3) and (4).
  *
  *  in   t      t        [sqrt(L/g)] time since touchdown
- *  in   q[0]   theta1   [rad] angle of the stance leg from the vertical, positive leaning back
  *  in   q[1]   theta2   [rad] angle from the stance leg to the swing leg
- *  in   v[0]   dtheta1  [rad sqrt(g/L)] rate of theta1
  *  in   v[1]   dtheta2  [rad sqrt(g/L)] rate of theta2
  *  in   p[0]   omega    [sqrt(g/L)] oscillator frequency; its phase omega t is reset at touchdown
- *  in   p[1]   beta     [M] point mass at each foot
  *  in   p[2]   Kp       [M g L] proportional gain of the hip
  *  in   p[3]   Kd       [M g L sqrt(L/g)] derivative gain of the hip
  *  in   p[4]   S        [rad] stride angle: offset of the desired hip angle
@@ -110,16 +96,11 @@ void compass_state_derivative_dq(double t, const double q[2], const double v[2],
  *
  * Source: Kamimura & Sano 2023, eq. (1), differentiated: M d(dv) = d(Q - h - v) - dM dv.
  *
- *  in   q[0]   theta1   [rad] angle of the stance leg from the vertical, positive leaning back
  *  in   q[1]   theta2   [rad] angle from the stance leg to the swing leg
  *  in   v[0]   dtheta1  [rad sqrt(g/L)] rate of theta1
  *  in   v[1]   dtheta2  [rad sqrt(g/L)] rate of theta2
- *  in   p[0]   omega    [sqrt(g/L)] oscillator frequency; its phase omega t is reset at touchdown
  *  in   p[1]   beta     [M] point mass at each foot
- *  in   p[2]   Kp       [M g L] proportional gain of the hip
  *  in   p[3]   Kd       [M g L sqrt(L/g)] derivative gain of the hip
- *  in   p[4]   S        [rad] stride angle: offset of the desired hip angle
- *  in   p[5]   gamma    [rad] amplitude of the desired hip angle
  *  out  dv_dv           derivative of dv with respect to v (2 x 2 matrix, row-major)
  */
 void compass_state_derivative_dv(const double q[2], const double v[2], const double p[6], double dv_dv[4]);
@@ -154,13 +135,7 @@ void compass_touchdown_condition_dq(double h_dq[2]);
  *  in   q[0]   theta1   [rad] angle of the stance leg from the vertical, positive leaning back
  *  in   q[1]   theta2   [rad] angle from the stance leg to the swing leg
  *  in   v[0]   dtheta1  [rad sqrt(g/L)] rate of theta1
- *  in   v[1]   dtheta2  [rad sqrt(g/L)] rate of theta2
- *  in   p[0]   omega    [sqrt(g/L)] oscillator frequency; its phase omega t is reset at touchdown
  *  in   p[1]   beta     [M] point mass at each foot
- *  in   p[2]   Kp       [M g L] proportional gain of the hip
- *  in   p[3]   Kd       [M g L sqrt(L/g)] derivative gain of the hip
- *  in   p[4]   S        [rad] stride angle: offset of the desired hip angle
- *  in   p[5]   gamma    [rad] amplitude of the desired hip angle
  *  out  q_plus          coordinates after the legs swapped names (2 vector)
  *  out  v_plus          rates after the impact, legs swapped (2 vector)
  */
@@ -172,16 +147,9 @@ void compass_impact_map(const double q[2], const double v[2], const double p[6],
  * Source: plastic impact: Me (v+ - v-) = J^T Lambda, J v+ = 0, projected on the velocities with J v = 0,
  * differentiated.
  *
- *  in   q[0]   theta1   [rad] angle of the stance leg from the vertical, positive leaning back
  *  in   q[1]   theta2   [rad] angle from the stance leg to the swing leg
  *  in   v[0]   dtheta1  [rad sqrt(g/L)] rate of theta1
- *  in   v[1]   dtheta2  [rad sqrt(g/L)] rate of theta2
- *  in   p[0]   omega    [sqrt(g/L)] oscillator frequency; its phase omega t is reset at touchdown
  *  in   p[1]   beta     [M] point mass at each foot
- *  in   p[2]   Kp       [M g L] proportional gain of the hip
- *  in   p[3]   Kd       [M g L sqrt(L/g)] derivative gain of the hip
- *  in   p[4]   S        [rad] stride angle: offset of the desired hip angle
- *  in   p[5]   gamma    [rad] amplitude of the desired hip angle
  *  out  v_plus_dq       derivative of v_plus with respect to q (2 x 2 matrix, row-major)
  */
 void compass_impact_map_dq(const double q[2], const double v[2], const double p[6], double v_plus_dq[4]);
@@ -191,14 +159,8 @@ void compass_impact_map_dq(const double q[2], const double v[2], const double p[
  * Source: plastic impact: Me (v+ - v-) = J^T Lambda, J v+ = 0, projected on the velocities with J v = 0,
  * differentiated.
  *
- *  in   q[0]   theta1   [rad] angle of the stance leg from the vertical, positive leaning back
  *  in   q[1]   theta2   [rad] angle from the stance leg to the swing leg
- *  in   p[0]   omega    [sqrt(g/L)] oscillator frequency; its phase omega t is reset at touchdown
  *  in   p[1]   beta     [M] point mass at each foot
- *  in   p[2]   Kp       [M g L] proportional gain of the hip
- *  in   p[3]   Kd       [M g L sqrt(L/g)] derivative gain of the hip
- *  in   p[4]   S        [rad] stride angle: offset of the desired hip angle
- *  in   p[5]   gamma    [rad] amplitude of the desired hip angle
  *  out  v_plus_dv       derivative of v_plus with respect to v (2 x 2 matrix, row-major)
  */
 void compass_impact_map_dv(const double q[2], const double p[6], double v_plus_dv[4]);
@@ -211,12 +173,7 @@ void compass_impact_map_dv(const double q[2], const double p[6], double v_plus_d
  *  in   q[1]   theta2   [rad] angle from the stance leg to the swing leg
  *  in   v[0]   dtheta1  [rad sqrt(g/L)] rate of theta1
  *  in   v[1]   dtheta2  [rad sqrt(g/L)] rate of theta2
- *  in   p[0]   omega    [sqrt(g/L)] oscillator frequency; its phase omega t is reset at touchdown
  *  in   p[1]   beta     [M] point mass at each foot
- *  in   p[2]   Kp       [M g L] proportional gain of the hip
- *  in   p[3]   Kd       [M g L sqrt(L/g)] derivative gain of the hip
- *  in   p[4]   S        [rad] stride angle: offset of the desired hip angle
- *  in   p[5]   gamma    [rad] amplitude of the desired hip angle
  *  out  Lambda          impulse on the swing foot, horizontal and vertical (2 vector)
  */
 void compass_impact_impulse(const double q[2], const double v[2], const double p[6], double Lambda[2]);
@@ -225,16 +182,10 @@ void compass_impact_impulse(const double q[2], const double v[2], const double p
  *
  * Source: v^T M v / 2.
  *
- *  in   q[0]   theta1   [rad] angle of the stance leg from the vertical, positive leaning back
  *  in   q[1]   theta2   [rad] angle from the stance leg to the swing leg
  *  in   v[0]   dtheta1  [rad sqrt(g/L)] rate of theta1
  *  in   v[1]   dtheta2  [rad sqrt(g/L)] rate of theta2
- *  in   p[0]   omega    [sqrt(g/L)] oscillator frequency; its phase omega t is reset at touchdown
  *  in   p[1]   beta     [M] point mass at each foot
- *  in   p[2]   Kp       [M g L] proportional gain of the hip
- *  in   p[3]   Kd       [M g L sqrt(L/g)] derivative gain of the hip
- *  in   p[4]   S        [rad] stride angle: offset of the desired hip angle
- *  in   p[5]   gamma    [rad] amplitude of the desired hip angle
  *  out  kinetic         kinetic energy, in M g L (scalar)
  */
 void compass_kinetic_energy(const double q[2], const double v[2], const double p[6], double kinetic[1]);
@@ -245,12 +196,7 @@ void compass_kinetic_energy(const double q[2], const double v[2], const double p
  *
  *  in   q[0]   theta1   [rad] angle of the stance leg from the vertical, positive leaning back
  *  in   q[1]   theta2   [rad] angle from the stance leg to the swing leg
- *  in   p[0]   omega    [sqrt(g/L)] oscillator frequency; its phase omega t is reset at touchdown
  *  in   p[1]   beta     [M] point mass at each foot
- *  in   p[2]   Kp       [M g L] proportional gain of the hip
- *  in   p[3]   Kd       [M g L sqrt(L/g)] derivative gain of the hip
- *  in   p[4]   S        [rad] stride angle: offset of the desired hip angle
- *  in   p[5]   gamma    [rad] amplitude of the desired hip angle
  *  out  potential       potential energy, in M g L, zero level on the ground (scalar)
  */
 void compass_potential_energy(const double q[2], const double p[6], double potential[1]);
@@ -259,12 +205,7 @@ void compass_potential_energy(const double q[2], const double p[6], double poten
  *
  * Source: sum over the bodies.
  *
- *  in   p[0]   omega    [sqrt(g/L)] oscillator frequency; its phase omega t is reset at touchdown
  *  in   p[1]   beta     [M] point mass at each foot
- *  in   p[2]   Kp       [M g L] proportional gain of the hip
- *  in   p[3]   Kd       [M g L sqrt(L/g)] derivative gain of the hip
- *  in   p[4]   S        [rad] stride angle: offset of the desired hip angle
- *  in   p[5]   gamma    [rad] amplitude of the desired hip angle
  *  out  mass            mass, in M (scalar)
  *  out  weight          mass times the acceleration of gravity (scalar)
  *  out  pull            component of the weight along the ground, in walking direction (scalar)
@@ -279,12 +220,7 @@ void compass_total_mass(const double p[6], double mass[1], double weight[1], dou
  *  in   q[1]   theta2   [rad] angle from the stance leg to the swing leg
  *  in   v[0]   dtheta1  [rad sqrt(g/L)] rate of theta1
  *  in   v[1]   dtheta2  [rad sqrt(g/L)] rate of theta2
- *  in   p[0]   omega    [sqrt(g/L)] oscillator frequency; its phase omega t is reset at touchdown
  *  in   p[1]   beta     [M] point mass at each foot
- *  in   p[2]   Kp       [M g L] proportional gain of the hip
- *  in   p[3]   Kd       [M g L sqrt(L/g)] derivative gain of the hip
- *  in   p[4]   S        [rad] stride angle: offset of the desired hip angle
- *  in   p[5]   gamma    [rad] amplitude of the desired hip angle
  *  out  com             centre of mass from the stance foot, horizontal and vertical (2 vector)
  *  out  dcom            velocity of the centre of mass (2 vector)
  */
@@ -350,15 +286,10 @@ void compass_swing_foot(const double q[2], const double v[2], double foot[2], do
  *
  *  in   q[0]   theta1   [rad] angle of the stance leg from the vertical, positive leaning back
  *  in   q[1]   theta2   [rad] angle from the stance leg to the swing leg
- *  in   p[0]   omega    [sqrt(g/L)] oscillator frequency; its phase omega t is reset at touchdown
  *  in   p[1]   beta     [M] point mass at each foot
- *  in   p[2]   Kp       [M g L] proportional gain of the hip
- *  in   p[3]   Kd       [M g L sqrt(L/g)] derivative gain of the hip
- *  in   p[4]   S        [rad] stride angle: offset of the desired hip angle
- *  in   p[5]   gamma    [rad] amplitude of the desired hip angle
- *  out  positions       bodies from the stance foot, a row each (3 x 2 matrix, row-major)
+ *  out  positions       positions of the bodies from the stance foot, one row each (3 x 2 matrix, row-major)
  *  out  masses          their masses, in M (3 vector)
- *  out  legs            points of the line, a row each: legs (3 x 2 matrix, row-major)
+ *  out  legs            points of the line legs, one row each (3 x 2 matrix, row-major)
  */
 void compass_drawing(const double q[2], const double p[6], double positions[6], double masses[3],
         double legs[6]);

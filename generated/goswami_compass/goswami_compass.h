@@ -13,11 +13,9 @@ extern "C" {
  *
  * Source: M ddq + h + v = Q.
  *
- *  in   q[0]   theta1   [rad] angle of the stance leg from the vertical, positive leaning back
  *  in   q[1]   theta2   [rad] angle from the stance leg to the swing leg
  *  in   p[0]   mu       [1] mass at the hip, in terms of the mass of a leg
  *  in   p[1]   beta     [1] distance from hip to a leg's mass, over that from there to the foot
- *  in   p[2]   slope    [rad] angle by which the ground falls in the walking direction
  *  out  M               mass matrix, symmetric positive definite (2 x 2 matrix, row-major)
  */
 void goswami_compass_mass_matrix(const double q[2], const double p[3], double M[4]);
@@ -34,7 +32,7 @@ void goswami_compass_mass_matrix(const double q[2], const double p[3], double M[
  *  in   p[1]   beta     [1] distance from hip to a leg's mass, over that from there to the foot
  *  in   p[2]   slope    [rad] angle by which the ground falls in the walking direction
  *  out  h               Coriolis and centrifugal forces (2 vector)
- *  out  v_gravity       gradient of the potential energy of the gravity (2 vector)
+ *  out  v_gravity       gradient of the gravity potential (2 vector)
  */
 void goswami_compass_bias_forces(const double q[2], const double v[2], const double p[3], double h[2],
         double v_gravity[2]);
@@ -76,13 +74,11 @@ void goswami_compass_state_derivative_dq(const double q[2], const double v[2], c
  *
  * Source: M ddq + h + v = Q, differentiated: M d(dv) = d(Q - h - v) - dM dv.
  *
- *  in   q[0]   theta1   [rad] angle of the stance leg from the vertical, positive leaning back
  *  in   q[1]   theta2   [rad] angle from the stance leg to the swing leg
  *  in   v[0]   dtheta1  [rad sqrt(g/L)] rate of theta1
  *  in   v[1]   dtheta2  [rad sqrt(g/L)] rate of theta2
  *  in   p[0]   mu       [1] mass at the hip, in terms of the mass of a leg
  *  in   p[1]   beta     [1] distance from hip to a leg's mass, over that from there to the foot
- *  in   p[2]   slope    [rad] angle by which the ground falls in the walking direction
  *  out  dv_dv           derivative of dv with respect to v (2 x 2 matrix, row-major)
  */
 void goswami_compass_state_derivative_dv(const double q[2], const double v[2], const double p[3],
@@ -121,7 +117,6 @@ void goswami_compass_touchdown_condition_dq(double h_dq[2]);
  *  in   v[1]   dtheta2  [rad sqrt(g/L)] rate of theta2
  *  in   p[0]   mu       [1] mass at the hip, in terms of the mass of a leg
  *  in   p[1]   beta     [1] distance from hip to a leg's mass, over that from there to the foot
- *  in   p[2]   slope    [rad] angle by which the ground falls in the walking direction
  *  out  q_plus          coordinates after the legs swapped names (2 vector)
  *  out  v_plus          rates after the impact, legs swapped (2 vector)
  */
@@ -133,13 +128,11 @@ void goswami_compass_impact_map(const double q[2], const double v[2], const doub
  * Source: plastic impact: Me (v+ - v-) = J^T Lambda, J v+ = 0, projected on the velocities with J v = 0,
  * differentiated.
  *
- *  in   q[0]   theta1   [rad] angle of the stance leg from the vertical, positive leaning back
  *  in   q[1]   theta2   [rad] angle from the stance leg to the swing leg
  *  in   v[0]   dtheta1  [rad sqrt(g/L)] rate of theta1
  *  in   v[1]   dtheta2  [rad sqrt(g/L)] rate of theta2
  *  in   p[0]   mu       [1] mass at the hip, in terms of the mass of a leg
  *  in   p[1]   beta     [1] distance from hip to a leg's mass, over that from there to the foot
- *  in   p[2]   slope    [rad] angle by which the ground falls in the walking direction
  *  out  v_plus_dq       derivative of v_plus with respect to q (2 x 2 matrix, row-major)
  */
 void goswami_compass_impact_map_dq(const double q[2], const double v[2], const double p[3],
@@ -150,11 +143,9 @@ void goswami_compass_impact_map_dq(const double q[2], const double v[2], const d
  * Source: plastic impact: Me (v+ - v-) = J^T Lambda, J v+ = 0, projected on the velocities with J v = 0,
  * differentiated.
  *
- *  in   q[0]   theta1   [rad] angle of the stance leg from the vertical, positive leaning back
  *  in   q[1]   theta2   [rad] angle from the stance leg to the swing leg
  *  in   p[0]   mu       [1] mass at the hip, in terms of the mass of a leg
  *  in   p[1]   beta     [1] distance from hip to a leg's mass, over that from there to the foot
- *  in   p[2]   slope    [rad] angle by which the ground falls in the walking direction
  *  out  v_plus_dv       derivative of v_plus with respect to v (2 x 2 matrix, row-major)
  */
 void goswami_compass_impact_map_dv(const double q[2], const double p[3], double v_plus_dv[4]);
@@ -169,7 +160,6 @@ void goswami_compass_impact_map_dv(const double q[2], const double p[3], double 
  *  in   v[1]   dtheta2  [rad sqrt(g/L)] rate of theta2
  *  in   p[0]   mu       [1] mass at the hip, in terms of the mass of a leg
  *  in   p[1]   beta     [1] distance from hip to a leg's mass, over that from there to the foot
- *  in   p[2]   slope    [rad] angle by which the ground falls in the walking direction
  *  out  Lambda          impulse on the swing foot, horizontal and vertical (2 vector)
  */
 void goswami_compass_impact_impulse(const double q[2], const double v[2], const double p[3],
@@ -179,13 +169,11 @@ void goswami_compass_impact_impulse(const double q[2], const double v[2], const 
  *
  * Source: v^T M v / 2.
  *
- *  in   q[0]   theta1   [rad] angle of the stance leg from the vertical, positive leaning back
  *  in   q[1]   theta2   [rad] angle from the stance leg to the swing leg
  *  in   v[0]   dtheta1  [rad sqrt(g/L)] rate of theta1
  *  in   v[1]   dtheta2  [rad sqrt(g/L)] rate of theta2
  *  in   p[0]   mu       [1] mass at the hip, in terms of the mass of a leg
  *  in   p[1]   beta     [1] distance from hip to a leg's mass, over that from there to the foot
- *  in   p[2]   slope    [rad] angle by which the ground falls in the walking direction
  *  out  kinetic         kinetic energy, in m g L (scalar)
  */
 void goswami_compass_kinetic_energy(const double q[2], const double v[2], const double p[3],
@@ -209,7 +197,6 @@ void goswami_compass_potential_energy(const double q[2], const double p[3], doub
  * Source: sum over the bodies.
  *
  *  in   p[0]   mu       [1] mass at the hip, in terms of the mass of a leg
- *  in   p[1]   beta     [1] distance from hip to a leg's mass, over that from there to the foot
  *  in   p[2]   slope    [rad] angle by which the ground falls in the walking direction
  *  out  mass            mass, in m (scalar)
  *  out  weight          mass times the acceleration of gravity (scalar)
@@ -227,7 +214,6 @@ void goswami_compass_total_mass(const double p[3], double mass[1], double weight
  *  in   v[1]   dtheta2  [rad sqrt(g/L)] rate of theta2
  *  in   p[0]   mu       [1] mass at the hip, in terms of the mass of a leg
  *  in   p[1]   beta     [1] distance from hip to a leg's mass, over that from there to the foot
- *  in   p[2]   slope    [rad] angle by which the ground falls in the walking direction
  *  out  com             centre of mass from the stance foot, horizontal and vertical (2 vector)
  *  out  dcom            velocity of the centre of mass (2 vector)
  */
@@ -286,10 +272,9 @@ void goswami_compass_swing_foot(const double q[2], const double v[2], double foo
  *  in   q[1]   theta2   [rad] angle from the stance leg to the swing leg
  *  in   p[0]   mu       [1] mass at the hip, in terms of the mass of a leg
  *  in   p[1]   beta     [1] distance from hip to a leg's mass, over that from there to the foot
- *  in   p[2]   slope    [rad] angle by which the ground falls in the walking direction
- *  out  positions       bodies from the stance foot, a row each (3 x 2 matrix, row-major)
+ *  out  positions       positions of the bodies from the stance foot, one row each (3 x 2 matrix, row-major)
  *  out  masses          their masses, in m (3 vector)
- *  out  legs            points of the line, a row each: legs (3 x 2 matrix, row-major)
+ *  out  legs            points of the line legs, one row each (3 x 2 matrix, row-major)
  */
 void goswami_compass_drawing(const double q[2], const double p[3], double positions[6], double masses[3],
         double legs[6]);

@@ -13,8 +13,6 @@ extern "C" {
  *
  * Source: M ddq + h + v = Q.
  *
- *  in   p[0]   slope    [rad] angle by which the ground falls in the walking direction
- *  in   p[1]   spokes   [1] number of spokes
  *  in   p[2]   lambda2  [1] m l^2 / (I + m l^2) with the moment of inertia I about the hub
  *  out  M               mass matrix, symmetric positive definite (1 x 1 matrix, row-major)
  */
@@ -26,10 +24,8 @@ void rimless_wheel_mass_matrix(const double p[3], double M[1]);
  *
  *  in   q[0]   theta    [rad] angle of the stance spoke from the ground's normal, positive leaning ahead
  *  in   p[0]   slope    [rad] angle by which the ground falls in the walking direction
- *  in   p[1]   spokes   [1] number of spokes
- *  in   p[2]   lambda2  [1] m l^2 / (I + m l^2) with the moment of inertia I about the hub
  *  out  h               Coriolis and centrifugal forces (1 vector)
- *  out  v_gravity       gradient of the potential energy of the gravity (1 vector)
+ *  out  v_gravity       gradient of the gravity potential (1 vector)
  */
 void rimless_wheel_bias_forces(const double q[1], const double p[3], double h[1], double v_gravity[1]);
 
@@ -40,7 +36,6 @@ void rimless_wheel_bias_forces(const double q[1], const double p[3], double h[1]
  *  in   q[0]   theta    [rad] angle of the stance spoke from the ground's normal, positive leaning ahead
  *  in   v[0]   dtheta   [rad sqrt(g/L)] rate of theta
  *  in   p[0]   slope    [rad] angle by which the ground falls in the walking direction
- *  in   p[1]   spokes   [1] number of spokes
  *  in   p[2]   lambda2  [1] m l^2 / (I + m l^2) with the moment of inertia I about the hub
  *  out  dq              rates of q (1 vector)
  *  out  dv              accelerations: M dv = Q - h - v (1 vector)
@@ -54,7 +49,6 @@ void rimless_wheel_state_derivative(const double q[1], const double v[1], const 
  *
  *  in   q[0]   theta    [rad] angle of the stance spoke from the ground's normal, positive leaning ahead
  *  in   p[0]   slope    [rad] angle by which the ground falls in the walking direction
- *  in   p[1]   spokes   [1] number of spokes
  *  in   p[2]   lambda2  [1] m l^2 / (I + m l^2) with the moment of inertia I about the hub
  *  out  dv_dq           derivative of dv with respect to q (1 x 1 matrix, row-major)
  */
@@ -74,9 +68,7 @@ void rimless_wheel_state_derivative_dv(double dv_dv[1]);
  *
  *  in   q[0]   theta    [rad] angle of the stance spoke from the ground's normal, positive leaning ahead
  *  in   v[0]   dtheta   [rad sqrt(g/L)] rate of theta
- *  in   p[0]   slope    [rad] angle by which the ground falls in the walking direction
  *  in   p[1]   spokes   [1] number of spokes
- *  in   p[2]   lambda2  [1] m l^2 / (I + m l^2) with the moment of inertia I about the hub
  *  out  h               zero with the swing foot on the ground; rises through zero at touchdown (scalar)
  *  out  dh              rate of h (scalar)
  *  out  side            negative at an admissible touchdown (scalar)
@@ -99,7 +91,6 @@ void rimless_wheel_touchdown_condition_dq(const double q[1], double h_dq[1]);
  *
  *  in   q[0]   theta    [rad] angle of the stance spoke from the ground's normal, positive leaning ahead
  *  in   v[0]   dtheta   [rad sqrt(g/L)] rate of theta
- *  in   p[0]   slope    [rad] angle by which the ground falls in the walking direction
  *  in   p[1]   spokes   [1] number of spokes
  *  in   p[2]   lambda2  [1] m l^2 / (I + m l^2) with the moment of inertia I about the hub
  *  out  q_plus          coordinates after the legs swapped names (1 vector)
@@ -122,7 +113,6 @@ void rimless_wheel_impact_map_dq(double v_plus_dq[1]);
  * Source: plastic impact: Me (v+ - v-) = J^T Lambda, J v+ = 0, projected on the velocities with J v = 0,
  * differentiated.
  *
- *  in   p[0]   slope    [rad] angle by which the ground falls in the walking direction
  *  in   p[1]   spokes   [1] number of spokes
  *  in   p[2]   lambda2  [1] m l^2 / (I + m l^2) with the moment of inertia I about the hub
  *  out  v_plus_dv       derivative of v_plus with respect to v (1 x 1 matrix, row-major)
@@ -135,7 +125,6 @@ void rimless_wheel_impact_map_dv(const double p[3], double v_plus_dv[1]);
  *
  *  in   q[0]   theta    [rad] angle of the stance spoke from the ground's normal, positive leaning ahead
  *  in   v[0]   dtheta   [rad sqrt(g/L)] rate of theta
- *  in   p[0]   slope    [rad] angle by which the ground falls in the walking direction
  *  in   p[1]   spokes   [1] number of spokes
  *  in   p[2]   lambda2  [1] m l^2 / (I + m l^2) with the moment of inertia I about the hub
  *  out  Lambda          impulse on the swing foot, horizontal and vertical (2 vector)
@@ -147,8 +136,6 @@ void rimless_wheel_impact_impulse(const double q[1], const double v[1], const do
  * Source: v^T M v / 2.
  *
  *  in   v[0]   dtheta   [rad sqrt(g/L)] rate of theta
- *  in   p[0]   slope    [rad] angle by which the ground falls in the walking direction
- *  in   p[1]   spokes   [1] number of spokes
  *  in   p[2]   lambda2  [1] m l^2 / (I + m l^2) with the moment of inertia I about the hub
  *  out  kinetic         kinetic energy, in m g L (scalar)
  */
@@ -160,8 +147,6 @@ void rimless_wheel_kinetic_energy(const double v[1], const double p[3], double k
  *
  *  in   q[0]   theta    [rad] angle of the stance spoke from the ground's normal, positive leaning ahead
  *  in   p[0]   slope    [rad] angle by which the ground falls in the walking direction
- *  in   p[1]   spokes   [1] number of spokes
- *  in   p[2]   lambda2  [1] m l^2 / (I + m l^2) with the moment of inertia I about the hub
  *  out  potential       potential energy, in m g L, zero level on the ground (scalar)
  */
 void rimless_wheel_potential_energy(const double q[1], const double p[3], double potential[1]);
@@ -171,8 +156,6 @@ void rimless_wheel_potential_energy(const double q[1], const double p[3], double
  * Source: sum over the bodies.
  *
  *  in   p[0]   slope    [rad] angle by which the ground falls in the walking direction
- *  in   p[1]   spokes   [1] number of spokes
- *  in   p[2]   lambda2  [1] m l^2 / (I + m l^2) with the moment of inertia I about the hub
  *  out  mass            mass, in m (scalar)
  *  out  weight          mass times the acceleration of gravity (scalar)
  *  out  pull            component of the weight along the ground, in walking direction (scalar)
@@ -197,7 +180,6 @@ void rimless_wheel_centre_of_mass(const double q[1], const double v[1], double c
  *  in   q[0]   theta    [rad] angle of the stance spoke from the ground's normal, positive leaning ahead
  *  in   v[0]   dtheta   [rad sqrt(g/L)] rate of theta
  *  in   p[0]   slope    [rad] angle by which the ground falls in the walking direction
- *  in   p[1]   spokes   [1] number of spokes
  *  in   p[2]   lambda2  [1] m l^2 / (I + m l^2) with the moment of inertia I about the hub
  *  out  force           force on the stance foot, horizontal and vertical (2 vector)
  */
@@ -210,7 +192,6 @@ void rimless_wheel_ground_force(const double q[1], const double v[1], const doub
  *  in   q[0]   theta    [rad] angle of the stance spoke from the ground's normal, positive leaning ahead
  *  in   v[0]   dtheta   [rad sqrt(g/L)] rate of theta
  *  in   p[0]   slope    [rad] angle by which the ground falls in the walking direction
- *  in   p[1]   spokes   [1] number of spokes
  *  in   p[2]   lambda2  [1] m l^2 / (I + m l^2) with the moment of inertia I about the hub
  *  out  zmp             zero moment point ahead of the stance foot (scalar)
  *  out  d               signed distance: stance foot minus zero moment point (scalar)
@@ -223,9 +204,7 @@ void rimless_wheel_zmp(const double q[1], const double v[1], const double p[3], 
  *
  *  in   q[0]   theta    [rad] angle of the stance spoke from the ground's normal, positive leaning ahead
  *  in   v[0]   dtheta   [rad sqrt(g/L)] rate of theta
- *  in   p[0]   slope    [rad] angle by which the ground falls in the walking direction
  *  in   p[1]   spokes   [1] number of spokes
- *  in   p[2]   lambda2  [1] m l^2 / (I + m l^2) with the moment of inertia I about the hub
  *  out  foot            swing foot from the stance foot, horizontal and vertical (2 vector)
  *  out  dfoot           velocity of the swing foot (2 vector)
  */
@@ -237,13 +216,11 @@ void rimless_wheel_swing_foot(const double q[1], const double v[1], const double
  * Source: geometry; bodies: hub.
  *
  *  in   q[0]   theta    [rad] angle of the stance spoke from the ground's normal, positive leaning ahead
- *  in   p[0]   slope    [rad] angle by which the ground falls in the walking direction
  *  in   p[1]   spokes   [1] number of spokes
- *  in   p[2]   lambda2  [1] m l^2 / (I + m l^2) with the moment of inertia I about the hub
- *  out  positions       bodies from the stance foot, a row each (1 x 2 matrix, row-major)
+ *  out  positions       positions of the bodies from the stance foot, one row each (1 x 2 matrix, row-major)
  *  out  masses          their masses, in m (1 vector)
- *  out  stance_spokes   points of the line, a row each: stance_spokes (3 x 2 matrix, row-major)
- *  out  spoke_behind    points of the line, a row each: spoke_behind (2 x 2 matrix, row-major)
+ *  out  stance_spokes   points of the line stance_spokes, one row each (3 x 2 matrix, row-major)
+ *  out  spoke_behind    points of the line spoke_behind, one row each (2 x 2 matrix, row-major)
  */
 void rimless_wheel_drawing(const double q[1], const double p[3], double positions[2], double masses[1],
         double stance_spokes[6], double spoke_behind[4]);
@@ -264,9 +241,7 @@ void rimless_wheel_section_state(const double z[2], double q[1], double v[1]);
  * Source: the legs' names swapped back.
  *
  *  in   q[0]   theta    [rad] angle of the stance spoke from the ground's normal, positive leaning ahead
- *  in   p[0]   slope    [rad] angle by which the ground falls in the walking direction
  *  in   p[1]   spokes   [1] number of spokes
- *  in   p[2]   lambda2  [1] m l^2 / (I + m l^2) with the moment of inertia I about the hub
  *  out  q_minus         coordinates just before it (1 vector)
  */
 void rimless_wheel_before_touchdown(const double q[1], const double p[3], double q_minus[1]);
@@ -276,9 +251,7 @@ void rimless_wheel_before_touchdown(const double q[1], const double p[3], double
  * Source: geometry of the legs.
  *
  *  in   q[0]   theta    [rad] angle of the stance spoke from the ground's normal, positive leaning ahead
- *  in   p[0]   slope    [rad] angle by which the ground falls in the walking direction
  *  in   p[1]   spokes   [1] number of spokes
- *  in   p[2]   lambda2  [1] m l^2 / (I + m l^2) with the moment of inertia I about the hub
  *  out  length          from the old stance foot to the new (scalar)
  */
 void rimless_wheel_step_length(const double q[1], const double p[3], double length[1]);

@@ -13,7 +13,6 @@ extern "C" {
  *
  * Source: M ddq + h + v = Q.
  *
- *  in   q[0]   theta    [rad] angle of the stance leg from the ground's normal, positive leaning back
  *  in   q[1]   phi      [rad] angle from the stance leg to the swing leg
  *  out  M               mass matrix in the limit foot_mass -> 0, by which phi is divided (2 x 2 matrix, row-major)
  */
@@ -26,10 +25,9 @@ void simplest_walker_mass_matrix(const double q[2], double M[4]);
  *  in   q[0]   theta    [rad] angle of the stance leg from the ground's normal, positive leaning back
  *  in   q[1]   phi      [rad] angle from the stance leg to the swing leg
  *  in   v[0]   dtheta   [rad sqrt(g/L)] rate of theta
- *  in   v[1]   dphi     [rad sqrt(g/L)] rate of phi
  *  in   p[0]   slope    [rad] angle by which the ground falls in the walking direction
  *  out  h               Coriolis and centrifugal forces (2 vector)
- *  out  v_gravity       gradient of the potential energy of the gravity (2 vector)
+ *  out  v_gravity       gradient of the gravity potential (2 vector)
  */
 void simplest_walker_bias_forces(const double q[2], const double v[2], const double p[1], double h[2],
         double v_gravity[2]);
@@ -56,7 +54,6 @@ void simplest_walker_state_derivative(const double q[2], const double v[2], cons
  *  in   q[0]   theta    [rad] angle of the stance leg from the ground's normal, positive leaning back
  *  in   q[1]   phi      [rad] angle from the stance leg to the swing leg
  *  in   v[0]   dtheta   [rad sqrt(g/L)] rate of theta
- *  in   v[1]   dphi     [rad sqrt(g/L)] rate of phi
  *  in   p[0]   slope    [rad] angle by which the ground falls in the walking direction
  *  out  dv_dq           derivative of dv with respect to q (2 x 2 matrix, row-major)
  */
@@ -67,10 +64,8 @@ void simplest_walker_state_derivative_dq(const double q[2], const double v[2], c
  *
  * Source: M ddq + h + v = Q, differentiated: M d(dv) = d(Q - h - v) - dM dv.
  *
- *  in   q[0]   theta    [rad] angle of the stance leg from the ground's normal, positive leaning back
  *  in   q[1]   phi      [rad] angle from the stance leg to the swing leg
  *  in   v[0]   dtheta   [rad sqrt(g/L)] rate of theta
- *  in   v[1]   dphi     [rad sqrt(g/L)] rate of phi
  *  out  dv_dv           derivative of dv with respect to v (2 x 2 matrix, row-major)
  */
 void simplest_walker_state_derivative_dv(const double q[2], const double v[2], double dv_dv[4]);
@@ -105,7 +100,6 @@ void simplest_walker_touchdown_condition_dq(double h_dq[2]);
  *  in   q[0]   theta    [rad] angle of the stance leg from the ground's normal, positive leaning back
  *  in   q[1]   phi      [rad] angle from the stance leg to the swing leg
  *  in   v[0]   dtheta   [rad sqrt(g/L)] rate of theta
- *  in   v[1]   dphi     [rad sqrt(g/L)] rate of phi
  *  out  q_plus          coordinates after the legs swapped names (2 vector)
  *  out  v_plus          rates after the impact, legs swapped (2 vector)
  */
@@ -116,10 +110,8 @@ void simplest_walker_impact_map(const double q[2], const double v[2], double q_p
  * Source: plastic impact: Me (v+ - v-) = J^T Lambda, J v+ = 0, projected on the velocities with J v = 0,
  * differentiated.
  *
- *  in   q[0]   theta    [rad] angle of the stance leg from the ground's normal, positive leaning back
  *  in   q[1]   phi      [rad] angle from the stance leg to the swing leg
  *  in   v[0]   dtheta   [rad sqrt(g/L)] rate of theta
- *  in   v[1]   dphi     [rad sqrt(g/L)] rate of phi
  *  out  v_plus_dq       derivative of v_plus with respect to q (2 x 2 matrix, row-major)
  */
 void simplest_walker_impact_map_dq(const double q[2], const double v[2], double v_plus_dq[4]);
@@ -129,7 +121,6 @@ void simplest_walker_impact_map_dq(const double q[2], const double v[2], double 
  * Source: plastic impact: Me (v+ - v-) = J^T Lambda, J v+ = 0, projected on the velocities with J v = 0,
  * differentiated.
  *
- *  in   q[0]   theta    [rad] angle of the stance leg from the ground's normal, positive leaning back
  *  in   q[1]   phi      [rad] angle from the stance leg to the swing leg
  *  out  v_plus_dv       derivative of v_plus with respect to v (2 x 2 matrix, row-major)
  */
@@ -142,7 +133,6 @@ void simplest_walker_impact_map_dv(const double q[2], double v_plus_dv[4]);
  *  in   q[0]   theta    [rad] angle of the stance leg from the ground's normal, positive leaning back
  *  in   q[1]   phi      [rad] angle from the stance leg to the swing leg
  *  in   v[0]   dtheta   [rad sqrt(g/L)] rate of theta
- *  in   v[1]   dphi     [rad sqrt(g/L)] rate of phi
  *  out  Lambda          impulse on the swing foot, horizontal and vertical (2 vector)
  */
 void simplest_walker_impact_impulse(const double q[2], const double v[2], double Lambda[2]);
@@ -152,7 +142,6 @@ void simplest_walker_impact_impulse(const double q[2], const double v[2], double
  * Source: v^T M v / 2.
  *
  *  in   v[0]   dtheta   [rad sqrt(g/L)] rate of theta
- *  in   v[1]   dphi     [rad sqrt(g/L)] rate of phi
  *  out  kinetic         kinetic energy, in M g L (scalar)
  */
 void simplest_walker_kinetic_energy(const double v[2], double kinetic[1]);
@@ -162,7 +151,6 @@ void simplest_walker_kinetic_energy(const double v[2], double kinetic[1]);
  * Source: sum over gravity.
  *
  *  in   q[0]   theta    [rad] angle of the stance leg from the ground's normal, positive leaning back
- *  in   q[1]   phi      [rad] angle from the stance leg to the swing leg
  *  in   p[0]   slope    [rad] angle by which the ground falls in the walking direction
  *  out  potential       potential energy, in M g L, zero level on the ground (scalar)
  */
@@ -184,9 +172,7 @@ void simplest_walker_total_mass(const double p[1], double mass[1], double weight
  * Source: mass-weighted mean.
  *
  *  in   q[0]   theta    [rad] angle of the stance leg from the ground's normal, positive leaning back
- *  in   q[1]   phi      [rad] angle from the stance leg to the swing leg
  *  in   v[0]   dtheta   [rad sqrt(g/L)] rate of theta
- *  in   v[1]   dphi     [rad sqrt(g/L)] rate of phi
  *  out  com             centre of mass from the stance foot, horizontal and vertical (2 vector)
  *  out  dcom            velocity of the centre of mass (2 vector)
  */
@@ -197,9 +183,7 @@ void simplest_walker_centre_of_mass(const double q[2], const double v[2], double
  * Source: the two floating-base rows that hold the stance foot.
  *
  *  in   q[0]   theta    [rad] angle of the stance leg from the ground's normal, positive leaning back
- *  in   q[1]   phi      [rad] angle from the stance leg to the swing leg
  *  in   v[0]   dtheta   [rad sqrt(g/L)] rate of theta
- *  in   v[1]   dphi     [rad sqrt(g/L)] rate of phi
  *  in   p[0]   slope    [rad] angle by which the ground falls in the walking direction
  *  out  force           force on the stance foot, horizontal and vertical (2 vector)
  */
@@ -210,9 +194,7 @@ void simplest_walker_ground_force(const double q[2], const double v[2], const do
  * Source: p = x_g - F_x / F_y y_g with the ground force F.
  *
  *  in   q[0]   theta    [rad] angle of the stance leg from the ground's normal, positive leaning back
- *  in   q[1]   phi      [rad] angle from the stance leg to the swing leg
  *  in   v[0]   dtheta   [rad sqrt(g/L)] rate of theta
- *  in   v[1]   dphi     [rad sqrt(g/L)] rate of phi
  *  in   p[0]   slope    [rad] angle by which the ground falls in the walking direction
  *  out  zmp             zero moment point ahead of the stance foot (scalar)
  *  out  d               signed distance: stance foot minus zero moment point (scalar)
@@ -238,9 +220,9 @@ void simplest_walker_swing_foot(const double q[2], const double v[2], double foo
  *
  *  in   q[0]   theta    [rad] angle of the stance leg from the ground's normal, positive leaning back
  *  in   q[1]   phi      [rad] angle from the stance leg to the swing leg
- *  out  positions       bodies from the stance foot, a row each (3 x 2 matrix, row-major)
+ *  out  positions       positions of the bodies from the stance foot, one row each (3 x 2 matrix, row-major)
  *  out  masses          their masses, in M (3 vector)
- *  out  legs            points of the line, a row each: legs (3 x 2 matrix, row-major)
+ *  out  legs            points of the line legs, one row each (3 x 2 matrix, row-major)
  */
 void simplest_walker_drawing(const double q[2], double positions[6], double masses[3], double legs[6]);
 

@@ -15,15 +15,8 @@ extern "C" {
  *
  *  in   q[0]   theta1   [rad] angle of the stance leg from the vertical, positive leaning back
  *  in   q[1]   theta2   [rad] angle from the stance leg to the swing leg
- *  in   q[2]   x        [L] distance of the wobbling mass ahead of the hip
- *  in   p[0]   k        [M g / L] stiffness of the wobbling mass's spring
  *  in   p[1]   alpha    [1] wobbling mass as a share of the upper body's mass
- *  in   p[2]   omega    [sqrt(g/L)] oscillator frequency; its phase omega t is reset at touchdown
  *  in   p[3]   beta     [M] point mass at each foot
- *  in   p[4]   Kp       [M g L] proportional gain of the hip
- *  in   p[5]   Kd       [M g L sqrt(L/g)] derivative gain of the hip
- *  in   p[6]   S        [rad] stride angle: offset of the desired hip angle
- *  in   p[7]   gamma    [rad] amplitude of the desired hip angle
  *  out  M               mass matrix, symmetric positive definite (3 x 3 matrix, row-major)
  */
 void wobbling_mass_matrix(const double q[3], const double p[8], double M[9]);
@@ -37,18 +30,12 @@ void wobbling_mass_matrix(const double q[3], const double p[8], double M[9]);
  *  in   q[2]   x        [L] distance of the wobbling mass ahead of the hip
  *  in   v[0]   dtheta1  [rad sqrt(g/L)] rate of theta1
  *  in   v[1]   dtheta2  [rad sqrt(g/L)] rate of theta2
- *  in   v[2]   dx       [L sqrt(g/L)] rate of x
  *  in   p[0]   k        [M g / L] stiffness of the wobbling mass's spring
  *  in   p[1]   alpha    [1] wobbling mass as a share of the upper body's mass
- *  in   p[2]   omega    [sqrt(g/L)] oscillator frequency; its phase omega t is reset at touchdown
  *  in   p[3]   beta     [M] point mass at each foot
- *  in   p[4]   Kp       [M g L] proportional gain of the hip
- *  in   p[5]   Kd       [M g L sqrt(L/g)] derivative gain of the hip
- *  in   p[6]   S        [rad] stride angle: offset of the desired hip angle
- *  in   p[7]   gamma    [rad] amplitude of the desired hip angle
  *  out  h               Coriolis and centrifugal forces (3 vector)
- *  out  v_gravity       gradient of the potential energy of the gravity (3 vector)
- *  out  v_spring        gradient of the potential energy of the spring (3 vector)
+ *  out  v_gravity       gradient of the gravity potential (3 vector)
+ *  out  v_spring        gradient of the spring potential (3 vector)
  */
 void wobbling_bias_forces(const double q[3], const double v[3], const double p[8], double h[3],
         double v_gravity[3], double v_spring[3]);
@@ -58,16 +45,9 @@ void wobbling_bias_forces(const double q[3], const double v[3], const double p[8
  * Source: Kamimura & Sano 2023, eqs. (3) and (4).
  *
  *  in   t      t        [sqrt(L/g)] time since touchdown
- *  in   q[0]   theta1   [rad] angle of the stance leg from the vertical, positive leaning back
  *  in   q[1]   theta2   [rad] angle from the stance leg to the swing leg
- *  in   q[2]   x        [L] distance of the wobbling mass ahead of the hip
- *  in   v[0]   dtheta1  [rad sqrt(g/L)] rate of theta1
  *  in   v[1]   dtheta2  [rad sqrt(g/L)] rate of theta2
- *  in   v[2]   dx       [L sqrt(g/L)] rate of x
- *  in   p[0]   k        [M g / L] stiffness of the wobbling mass's spring
- *  in   p[1]   alpha    [1] wobbling mass as a share of the upper body's mass
  *  in   p[2]   omega    [sqrt(g/L)] oscillator frequency; its phase omega t is reset at touchdown
- *  in   p[3]   beta     [M] point mass at each foot
  *  in   p[4]   Kp       [M g L] proportional gain of the hip
  *  in   p[5]   Kd       [M g L sqrt(L/g)] derivative gain of the hip
  *  in   p[6]   S        [rad] stride angle: offset of the desired hip angle
@@ -112,7 +92,6 @@ void wobbling_state_derivative(double t, const double q[3], const double v[3], c
  *  in   q[2]   x        [L] distance of the wobbling mass ahead of the hip
  *  in   v[0]   dtheta1  [rad sqrt(g/L)] rate of theta1
  *  in   v[1]   dtheta2  [rad sqrt(g/L)] rate of theta2
- *  in   v[2]   dx       [L sqrt(g/L)] rate of x
  *  in   p[0]   k        [M g / L] stiffness of the wobbling mass's spring
  *  in   p[1]   alpha    [1] wobbling mass as a share of the upper body's mass
  *  in   p[2]   omega    [sqrt(g/L)] oscillator frequency; its phase omega t is reset at touchdown
@@ -132,18 +111,11 @@ void wobbling_state_derivative_dq(double t, const double q[3], const double v[3]
  *
  *  in   q[0]   theta1   [rad] angle of the stance leg from the vertical, positive leaning back
  *  in   q[1]   theta2   [rad] angle from the stance leg to the swing leg
- *  in   q[2]   x        [L] distance of the wobbling mass ahead of the hip
  *  in   v[0]   dtheta1  [rad sqrt(g/L)] rate of theta1
  *  in   v[1]   dtheta2  [rad sqrt(g/L)] rate of theta2
- *  in   v[2]   dx       [L sqrt(g/L)] rate of x
- *  in   p[0]   k        [M g / L] stiffness of the wobbling mass's spring
  *  in   p[1]   alpha    [1] wobbling mass as a share of the upper body's mass
- *  in   p[2]   omega    [sqrt(g/L)] oscillator frequency; its phase omega t is reset at touchdown
  *  in   p[3]   beta     [M] point mass at each foot
- *  in   p[4]   Kp       [M g L] proportional gain of the hip
  *  in   p[5]   Kd       [M g L sqrt(L/g)] derivative gain of the hip
- *  in   p[6]   S        [rad] stride angle: offset of the desired hip angle
- *  in   p[7]   gamma    [rad] amplitude of the desired hip angle
  *  out  dv_dv           derivative of dv with respect to v (3 x 3 matrix, row-major)
  */
 void wobbling_state_derivative_dv(const double q[3], const double v[3], const double p[8], double dv_dv[9]);
@@ -154,10 +126,8 @@ void wobbling_state_derivative_dv(const double q[3], const double v[3], const do
  *
  *  in   q[0]   theta1   [rad] angle of the stance leg from the vertical, positive leaning back
  *  in   q[1]   theta2   [rad] angle from the stance leg to the swing leg
- *  in   q[2]   x        [L] distance of the wobbling mass ahead of the hip
  *  in   v[0]   dtheta1  [rad sqrt(g/L)] rate of theta1
  *  in   v[1]   dtheta2  [rad sqrt(g/L)] rate of theta2
- *  in   v[2]   dx       [L sqrt(g/L)] rate of x
  *  out  h               zero with the swing foot on the ground; rises through zero at touchdown (scalar)
  *  out  dh              rate of h (scalar)
  *  out  side            negative at an admissible touchdown (scalar)
@@ -181,16 +151,9 @@ void wobbling_touchdown_condition_dq(double h_dq[3]);
  *  in   q[1]   theta2   [rad] angle from the stance leg to the swing leg
  *  in   q[2]   x        [L] distance of the wobbling mass ahead of the hip
  *  in   v[0]   dtheta1  [rad sqrt(g/L)] rate of theta1
- *  in   v[1]   dtheta2  [rad sqrt(g/L)] rate of theta2
  *  in   v[2]   dx       [L sqrt(g/L)] rate of x
- *  in   p[0]   k        [M g / L] stiffness of the wobbling mass's spring
  *  in   p[1]   alpha    [1] wobbling mass as a share of the upper body's mass
- *  in   p[2]   omega    [sqrt(g/L)] oscillator frequency; its phase omega t is reset at touchdown
  *  in   p[3]   beta     [M] point mass at each foot
- *  in   p[4]   Kp       [M g L] proportional gain of the hip
- *  in   p[5]   Kd       [M g L sqrt(L/g)] derivative gain of the hip
- *  in   p[6]   S        [rad] stride angle: offset of the desired hip angle
- *  in   p[7]   gamma    [rad] amplitude of the desired hip angle
  *  out  q_plus          coordinates after the legs swapped names (3 vector)
  *  out  v_plus          rates after the impact, legs swapped (3 vector)
  */
@@ -204,18 +167,10 @@ void wobbling_impact_map(const double q[3], const double v[3], const double p[8]
  *
  *  in   q[0]   theta1   [rad] angle of the stance leg from the vertical, positive leaning back
  *  in   q[1]   theta2   [rad] angle from the stance leg to the swing leg
- *  in   q[2]   x        [L] distance of the wobbling mass ahead of the hip
  *  in   v[0]   dtheta1  [rad sqrt(g/L)] rate of theta1
- *  in   v[1]   dtheta2  [rad sqrt(g/L)] rate of theta2
  *  in   v[2]   dx       [L sqrt(g/L)] rate of x
- *  in   p[0]   k        [M g / L] stiffness of the wobbling mass's spring
  *  in   p[1]   alpha    [1] wobbling mass as a share of the upper body's mass
- *  in   p[2]   omega    [sqrt(g/L)] oscillator frequency; its phase omega t is reset at touchdown
  *  in   p[3]   beta     [M] point mass at each foot
- *  in   p[4]   Kp       [M g L] proportional gain of the hip
- *  in   p[5]   Kd       [M g L sqrt(L/g)] derivative gain of the hip
- *  in   p[6]   S        [rad] stride angle: offset of the desired hip angle
- *  in   p[7]   gamma    [rad] amplitude of the desired hip angle
  *  out  v_plus_dq       derivative of v_plus with respect to q (3 x 3 matrix, row-major)
  */
 void wobbling_impact_map_dq(const double q[3], const double v[3], const double p[8], double v_plus_dq[9]);
@@ -227,15 +182,8 @@ void wobbling_impact_map_dq(const double q[3], const double v[3], const double p
  *
  *  in   q[0]   theta1   [rad] angle of the stance leg from the vertical, positive leaning back
  *  in   q[1]   theta2   [rad] angle from the stance leg to the swing leg
- *  in   q[2]   x        [L] distance of the wobbling mass ahead of the hip
- *  in   p[0]   k        [M g / L] stiffness of the wobbling mass's spring
  *  in   p[1]   alpha    [1] wobbling mass as a share of the upper body's mass
- *  in   p[2]   omega    [sqrt(g/L)] oscillator frequency; its phase omega t is reset at touchdown
  *  in   p[3]   beta     [M] point mass at each foot
- *  in   p[4]   Kp       [M g L] proportional gain of the hip
- *  in   p[5]   Kd       [M g L sqrt(L/g)] derivative gain of the hip
- *  in   p[6]   S        [rad] stride angle: offset of the desired hip angle
- *  in   p[7]   gamma    [rad] amplitude of the desired hip angle
  *  out  v_plus_dv       derivative of v_plus with respect to v (3 x 3 matrix, row-major)
  */
 void wobbling_impact_map_dv(const double q[3], const double p[8], double v_plus_dv[9]);
@@ -246,18 +194,11 @@ void wobbling_impact_map_dv(const double q[3], const double p[8], double v_plus_
  *
  *  in   q[0]   theta1   [rad] angle of the stance leg from the vertical, positive leaning back
  *  in   q[1]   theta2   [rad] angle from the stance leg to the swing leg
- *  in   q[2]   x        [L] distance of the wobbling mass ahead of the hip
  *  in   v[0]   dtheta1  [rad sqrt(g/L)] rate of theta1
  *  in   v[1]   dtheta2  [rad sqrt(g/L)] rate of theta2
  *  in   v[2]   dx       [L sqrt(g/L)] rate of x
- *  in   p[0]   k        [M g / L] stiffness of the wobbling mass's spring
  *  in   p[1]   alpha    [1] wobbling mass as a share of the upper body's mass
- *  in   p[2]   omega    [sqrt(g/L)] oscillator frequency; its phase omega t is reset at touchdown
  *  in   p[3]   beta     [M] point mass at each foot
- *  in   p[4]   Kp       [M g L] proportional gain of the hip
- *  in   p[5]   Kd       [M g L sqrt(L/g)] derivative gain of the hip
- *  in   p[6]   S        [rad] stride angle: offset of the desired hip angle
- *  in   p[7]   gamma    [rad] amplitude of the desired hip angle
  *  out  Lambda          impulse on the swing foot, horizontal and vertical (2 vector)
  */
 void wobbling_impact_impulse(const double q[3], const double v[3], const double p[8], double Lambda[2]);
@@ -268,18 +209,11 @@ void wobbling_impact_impulse(const double q[3], const double v[3], const double 
  *
  *  in   q[0]   theta1   [rad] angle of the stance leg from the vertical, positive leaning back
  *  in   q[1]   theta2   [rad] angle from the stance leg to the swing leg
- *  in   q[2]   x        [L] distance of the wobbling mass ahead of the hip
  *  in   v[0]   dtheta1  [rad sqrt(g/L)] rate of theta1
  *  in   v[1]   dtheta2  [rad sqrt(g/L)] rate of theta2
  *  in   v[2]   dx       [L sqrt(g/L)] rate of x
- *  in   p[0]   k        [M g / L] stiffness of the wobbling mass's spring
  *  in   p[1]   alpha    [1] wobbling mass as a share of the upper body's mass
- *  in   p[2]   omega    [sqrt(g/L)] oscillator frequency; its phase omega t is reset at touchdown
  *  in   p[3]   beta     [M] point mass at each foot
- *  in   p[4]   Kp       [M g L] proportional gain of the hip
- *  in   p[5]   Kd       [M g L sqrt(L/g)] derivative gain of the hip
- *  in   p[6]   S        [rad] stride angle: offset of the desired hip angle
- *  in   p[7]   gamma    [rad] amplitude of the desired hip angle
  *  out  kinetic         kinetic energy, in M g L (scalar)
  */
 void wobbling_kinetic_energy(const double q[3], const double v[3], const double p[8], double kinetic[1]);
@@ -292,13 +226,7 @@ void wobbling_kinetic_energy(const double q[3], const double v[3], const double 
  *  in   q[1]   theta2   [rad] angle from the stance leg to the swing leg
  *  in   q[2]   x        [L] distance of the wobbling mass ahead of the hip
  *  in   p[0]   k        [M g / L] stiffness of the wobbling mass's spring
- *  in   p[1]   alpha    [1] wobbling mass as a share of the upper body's mass
- *  in   p[2]   omega    [sqrt(g/L)] oscillator frequency; its phase omega t is reset at touchdown
  *  in   p[3]   beta     [M] point mass at each foot
- *  in   p[4]   Kp       [M g L] proportional gain of the hip
- *  in   p[5]   Kd       [M g L sqrt(L/g)] derivative gain of the hip
- *  in   p[6]   S        [rad] stride angle: offset of the desired hip angle
- *  in   p[7]   gamma    [rad] amplitude of the desired hip angle
  *  out  potential       potential energy, in M g L, zero level on the ground (scalar)
  */
 void wobbling_potential_energy(const double q[3], const double p[8], double potential[1]);
@@ -307,14 +235,7 @@ void wobbling_potential_energy(const double q[3], const double p[8], double pote
  *
  * Source: sum over the bodies.
  *
- *  in   p[0]   k        [M g / L] stiffness of the wobbling mass's spring
- *  in   p[1]   alpha    [1] wobbling mass as a share of the upper body's mass
- *  in   p[2]   omega    [sqrt(g/L)] oscillator frequency; its phase omega t is reset at touchdown
  *  in   p[3]   beta     [M] point mass at each foot
- *  in   p[4]   Kp       [M g L] proportional gain of the hip
- *  in   p[5]   Kd       [M g L sqrt(L/g)] derivative gain of the hip
- *  in   p[6]   S        [rad] stride angle: offset of the desired hip angle
- *  in   p[7]   gamma    [rad] amplitude of the desired hip angle
  *  out  mass            mass, in M (scalar)
  *  out  weight          mass times the acceleration of gravity (scalar)
  *  out  pull            component of the weight along the ground, in walking direction (scalar)
@@ -331,14 +252,8 @@ void wobbling_total_mass(const double p[8], double mass[1], double weight[1], do
  *  in   v[0]   dtheta1  [rad sqrt(g/L)] rate of theta1
  *  in   v[1]   dtheta2  [rad sqrt(g/L)] rate of theta2
  *  in   v[2]   dx       [L sqrt(g/L)] rate of x
- *  in   p[0]   k        [M g / L] stiffness of the wobbling mass's spring
  *  in   p[1]   alpha    [1] wobbling mass as a share of the upper body's mass
- *  in   p[2]   omega    [sqrt(g/L)] oscillator frequency; its phase omega t is reset at touchdown
  *  in   p[3]   beta     [M] point mass at each foot
- *  in   p[4]   Kp       [M g L] proportional gain of the hip
- *  in   p[5]   Kd       [M g L sqrt(L/g)] derivative gain of the hip
- *  in   p[6]   S        [rad] stride angle: offset of the desired hip angle
- *  in   p[7]   gamma    [rad] amplitude of the desired hip angle
  *  out  com             centre of mass from the stance foot, horizontal and vertical (2 vector)
  *  out  dcom            velocity of the centre of mass (2 vector)
  */
@@ -355,7 +270,6 @@ void wobbling_centre_of_mass(const double q[3], const double v[3], const double 
  *  in   q[2]   x        [L] distance of the wobbling mass ahead of the hip
  *  in   v[0]   dtheta1  [rad sqrt(g/L)] rate of theta1
  *  in   v[1]   dtheta2  [rad sqrt(g/L)] rate of theta2
- *  in   v[2]   dx       [L sqrt(g/L)] rate of x
  *  in   p[0]   k        [M g / L] stiffness of the wobbling mass's spring
  *  in   p[1]   alpha    [1] wobbling mass as a share of the upper body's mass
  *  in   p[2]   omega    [sqrt(g/L)] oscillator frequency; its phase omega t is reset at touchdown
@@ -379,7 +293,6 @@ void wobbling_ground_force(double t, const double q[3], const double v[3], const
  *  in   q[2]   x        [L] distance of the wobbling mass ahead of the hip
  *  in   v[0]   dtheta1  [rad sqrt(g/L)] rate of theta1
  *  in   v[1]   dtheta2  [rad sqrt(g/L)] rate of theta2
- *  in   v[2]   dx       [L sqrt(g/L)] rate of x
  *  in   p[0]   k        [M g / L] stiffness of the wobbling mass's spring
  *  in   p[1]   alpha    [1] wobbling mass as a share of the upper body's mass
  *  in   p[2]   omega    [sqrt(g/L)] oscillator frequency; its phase omega t is reset at touchdown
@@ -400,10 +313,8 @@ void wobbling_zmp(double t, const double q[3], const double v[3], const double p
  *
  *  in   q[0]   theta1   [rad] angle of the stance leg from the vertical, positive leaning back
  *  in   q[1]   theta2   [rad] angle from the stance leg to the swing leg
- *  in   q[2]   x        [L] distance of the wobbling mass ahead of the hip
  *  in   v[0]   dtheta1  [rad sqrt(g/L)] rate of theta1
  *  in   v[1]   dtheta2  [rad sqrt(g/L)] rate of theta2
- *  in   v[2]   dx       [L sqrt(g/L)] rate of x
  *  out  foot            swing foot from the stance foot, horizontal and vertical (2 vector)
  *  out  dfoot           velocity of the swing foot (2 vector)
  */
@@ -416,18 +327,12 @@ void wobbling_swing_foot(const double q[3], const double v[3], double foot[2], d
  *  in   q[0]   theta1   [rad] angle of the stance leg from the vertical, positive leaning back
  *  in   q[1]   theta2   [rad] angle from the stance leg to the swing leg
  *  in   q[2]   x        [L] distance of the wobbling mass ahead of the hip
- *  in   p[0]   k        [M g / L] stiffness of the wobbling mass's spring
  *  in   p[1]   alpha    [1] wobbling mass as a share of the upper body's mass
- *  in   p[2]   omega    [sqrt(g/L)] oscillator frequency; its phase omega t is reset at touchdown
  *  in   p[3]   beta     [M] point mass at each foot
- *  in   p[4]   Kp       [M g L] proportional gain of the hip
- *  in   p[5]   Kd       [M g L sqrt(L/g)] derivative gain of the hip
- *  in   p[6]   S        [rad] stride angle: offset of the desired hip angle
- *  in   p[7]   gamma    [rad] amplitude of the desired hip angle
- *  out  positions       bodies from the stance foot, a row each (4 x 2 matrix, row-major)
+ *  out  positions       positions of the bodies from the stance foot, one row each (4 x 2 matrix, row-major)
  *  out  masses          their masses, in M (4 vector)
- *  out  legs            points of the line, a row each: legs (3 x 2 matrix, row-major)
- *  out  spring          points of the line, a row each: spring (2 x 2 matrix, row-major)
+ *  out  legs            points of the line legs, one row each (3 x 2 matrix, row-major)
+ *  out  spring          points of the line spring, one row each (2 x 2 matrix, row-major)
  */
 void wobbling_drawing(const double q[3], const double p[8], double positions[8], double masses[4],
         double legs[6], double spring[4]);
@@ -438,12 +343,6 @@ void wobbling_drawing(const double q[3], const double p[8], double positions[8],
  *
  *  in   p[0]   k        [M g / L] stiffness of the wobbling mass's spring
  *  in   p[1]   alpha    [1] wobbling mass as a share of the upper body's mass
- *  in   p[2]   omega    [sqrt(g/L)] oscillator frequency; its phase omega t is reset at touchdown
- *  in   p[3]   beta     [M] point mass at each foot
- *  in   p[4]   Kp       [M g L] proportional gain of the hip
- *  in   p[5]   Kd       [M g L sqrt(L/g)] derivative gain of the hip
- *  in   p[6]   S        [rad] stride angle: offset of the desired hip angle
- *  in   p[7]   gamma    [rad] amplitude of the desired hip angle
  *  out  frequency       natural frequency that names the solution groups (scalar)
  */
 void wobbling_spring_mode(const double p[8], double frequency[1]);
@@ -479,7 +378,6 @@ void wobbling_before_touchdown(const double q[3], double q_minus[3]);
  *
  *  in   q[0]   theta1   [rad] angle of the stance leg from the vertical, positive leaning back
  *  in   q[1]   theta2   [rad] angle from the stance leg to the swing leg
- *  in   q[2]   x        [L] distance of the wobbling mass ahead of the hip
  *  out  length          from the old stance foot to the new (scalar)
  */
 void wobbling_step_length(const double q[3], double length[1]);

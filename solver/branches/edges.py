@@ -1,133 +1,99 @@
-"""Where stable cycles begin and end in `k`: runs on the grid, with ends bisected between its points."""
+"""Where stable cycles begin and end in one parameter, bisected between the points of a grid."""
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-import pandas as pd
 from numpy.typing import NDArray
 
-from stridemap.solver.branches.main_branch import walks
-from stridemap.solver.cycles.orbit import Orbit
-from stridemap.solver.cycles.search import offer
-from stridemap.solver.model.model import Model
+from stridemap.solver.branches.lines import group_numbers, values_of
+from stridemap.solver.cycles.gait import is_physical_gait
+from stridemap.solver.cycles.orbits import Orbits
+from stridemap.solver.cycles.search import continued
+from stridemap.solver.cycles.solver import Solver
 
-Floats = NDArray[np.float64]
+Array = NDArray[np.float64]
+Index = NDArray[np.int64]
 
 BISECTIONS = 8
 """A spacing of 0.1 becomes 0.0004."""
 
-COLUMNS = ("alpha", "omega", "group", "k_grid", "side", "k")
-"""Columns of a table of edges: the last grid point with a stable cycle, the side of it on which the edge is
-(-1 or 1), and the edge."""
-
 
 @dataclass(frozen=True)
-class Run:
-    """A range of `k` with stable cycles of one group.
+class Edges:
+    """Edges of ranges with stable cycles of one group.
 
     Parameters
     ----------
-    low, high : float
-        The first and the last grid point with one.
-    opens, closes : float
-        Their edges, as near as they are known.
-    cut_low, cut_high : bool
-        Whether it reaches the end of what was swept, so that it may go on beyond.
+    row : ndarray of int, shape (n,)
+        Row of a stable cycle at the last grid point inside, among those that were given.
+    side : ndarray of int, shape (n,)
+        On which side of that point the edge is: -1 for a range's lower end, 1 for its upper end.
+    value : ndarray, shape (n,)
+        The edge: the last value of the parameter at which the cycle was found stable.
     """
 
-    low: float
-    high: float
-    opens: float
-    closes: float
-    cut_low: bool
-    cut_high: bool
-
-    @property
-    def width(self) -> float:
-        """Length of the range."""
-        return self.closes - self.opens
+    row: Index
+    side: Index
+    value: Array
 
 
-def runs(grid: Floats, stable: Floats) -> list[tuple[int, int]]:
-    """First and last index in `grid` of each run of consecutive values that are all among `stable`."""
-    inside = np.isin(grid, stable).astype(int)
-    step = np.diff(np.concatenate([[0], inside, [0]]))
-    first, last = np.flatnonzero(step > 0), np.flatnonzero(step < 0) - 1
-    return list(zip(first.tolist(), last.tolist(), strict=True))
+def bisected(solver: Solver, orbits: Orbits, parameter: str, values: Array) -> Edges:
+    """Every edge of stable cycles between two points of a grid of one parameter, by bisection.
 
-
-def stable_runs(orbits: pd.DataFrame, grid: Floats, edges: pd.DataFrame) -> list[Run]:
-    """The ranges with stable cycles among `orbits`, which are of one group at one alpha and omega.
-
-    Parameters
-    ----------
-    orbits : DataFrame
-    grid : ndarray
-        Every value of `k` that was searched, ascending.
-    edges : DataFrame
-        Bisected edges of that group, as from `bisected`; where one is missing, the grid point stands for it.
-    """
-    known = {(row.k_grid, row.side): row.k for row in edges.itertuples()}
-    out = []
-    for i, j in runs(grid, orbits["k"][orbits["stable"]].to_numpy()):
-        low, high = float(grid[i]), float(grid[j])
-        opens, closes = known.get((low, -1), low), known.get((high, 1), high)
-        out.append(Run(low, high, opens, closes, i == 0, j == len(grid) - 1))
-    return out
-
-
-def bisected(model: Model, orbits: pd.DataFrame, grid: Floats) -> pd.DataFrame:
-    """Every edge of stable cycles between two points of a grid of `k`, by bisection.
-
-    From the cycle at the edge's grid point one is sought half way to the next grid point: if it is there,
+    From the cycle at the edge's grid point, one is sought half way to the next grid point: if it is there,
     stable and of the same group, the edge is beyond, and so on. Whether the cycle turns unstable there or
     ends in a fold makes no difference. Where there are two such cycles, the one that reaches further counts.
 
     Parameters
     ----------
-    model : Model
-    orbits : DataFrame
-        Cycles that count, at pairs of alpha and omega.
-    grid : ndarray
-        Every value of `k` that was searched, ascending.
+    solver : Solver
+    orbits : Orbits
+        Physical gaits (see `is_physical_gait`) at values of the grid, on one line of parameter space or on
+        several.
+    parameter : str
+        The parameter that varies along a line.
+    values : ndarray, shape (m,)
+        Every value of it that was searched, ascending.
+
+    Returns
+    -------
+    Edges
+        Ordered by line, group, value and side.
     """
-    stable = orbits[orbits["stable"]]
-    starts: list[pd.DataFrame] = []
-    for _, cycles in stable.groupby(["alpha", "omega", "group"]):
-        for i, j in runs(grid, cycles["k"].to_numpy()):
-            for index, side in ((i, -1), (j, 1)):
-                if 0 <= index + side < len(grid):
-                    here = cycles[cycles["k"] == grid[index]]
-                    starts.append(here.assign(side=side, outside=grid[index + side]))
-    if not starts:
-        return pd.DataFrame({name: [] for name in COLUMNS})
-    table = pd.concat(starts, ignore_index=True).rename(columns={"k": "k_grid"})
-    reached = table.assign(k=_bisect(model, table.assign(k=table["k_grid"]), table["outside"].to_numpy()))
-    reach = (reached["k"] - reached["k_grid"]) * reached["side"]
-    last = reached.loc[reach.groupby([reached[name] for name in COLUMNS[:-1]]).idxmax().sort_values()]
-    return last[list(COLUMNS)].reset_index(drop=True)
+    group, position = group_numbers(orbits, parameter), np.searchsorted(values, values_of(orbits, parameter))
+    rows, sides = _at_edges(group, position, orbits.stable, len(values))
+    inside = _bisect(solver, orbits.take(rows), parameter, values[position[rows] + sides])
+    reach = (inside - values[position[rows]]) * sides
+    order = np.lexsort((-reach, sides, position[rows], group[rows]))
+    keys = np.stack([sides, position[rows], group[rows]])[:, order]
+    first = order[np.append(True, (np.diff(keys) != 0).any(axis=0))[: len(order)]]
+    return Edges(rows[first], sides[first], inside[first])
 
 
-def _bisect(model: Model, table: pd.DataFrame, outside: Floats) -> Floats:
-    """The last `k` towards `outside` at which each cycle of a table was found stable, shape (n,)."""
-    params = table[[parameter.name for parameter in model.parameters]].to_numpy(dtype=np.float64, copy=True)
-    column = [parameter.name for parameter in model.parameters].index("k")
-    guesses = table[[*model.section, "period"]].to_numpy(dtype=np.float64, copy=True)
-    inside, outside = params[:, column].copy(), outside.copy()
+def _at_edges(group: Index, position: Index, stable: NDArray[np.bool_], n: int) -> tuple[Index, Index]:
+    """Rows of stable cycles beside whose grid point there is one without a stable cycle, and its side."""
+    present = np.zeros((group.max(initial=0) + 1, n), dtype=bool)
+    present[group[stable], position[stable]] = True
+    rows, sides = [], []
+    for side in (-1, 1):
+        beyond = position + side
+        inside = (beyond >= 0) & (beyond < n)
+        at_edge = stable & inside & ~present[group, np.clip(beyond, 0, n - 1)]
+        rows.append(np.flatnonzero(at_edge))
+        sides.append(np.full(len(rows[-1]), side))
+    return np.concatenate(rows), np.concatenate(sides)
+
+
+def _bisect(solver: Solver, orbits: Orbits, parameter: str, outside: Array) -> Array:
+    """The last value towards `outside` at which each cycle was found stable, shape (n,)."""
+    points, guesses = orbits.params.copy(), orbits.u.copy()
+    column = solver.model.spec.names.index(parameter)
+    inside = points[:, column].copy()
     for _ in range(BISECTIONS):
         middle = (inside + outside) / 2
-        params[:, column] = middle
-        found = offer(model, params, guesses)
-        good = _still(found, table["group"].tolist())
+        points[:, column] = middle
+        found = continued(solver, points, guesses)
+        good = is_physical_gait(found) & found.stable & (found.group == orbits.group)
         inside, outside = np.where(good, middle, inside), np.where(good, outside, middle)
-        for i in np.flatnonzero(good):
-            guesses[i] = [*found[i].state.values(), found[i].period]
+        guesses[good] = found.u[good]
     return inside
-
-
-def _still(found: Sequence[Orbit], groups: Sequence[str]) -> NDArray[np.bool_]:
-    """Whether each orbit is one that counts, stable and of its group."""
-    return np.array(
-        [walks(o) and o.stable and o.group == group for o, group in zip(found, groups, strict=True)]
-    )

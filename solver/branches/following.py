@@ -1,94 +1,101 @@
-"""Following limit cycles along one parameter: continuation with step control, many at once."""
+"""Limit cycles followed to other values of one parameter, in steps that halve where they fail.
 
-from dataclasses import dataclass, field
-from typing import Any
+Other than `stridemap.solver.branches.continuation`, this does not go around folds: a branch ends at one, and
+every cycle on the way is converged and measured.
+"""
+
+from dataclasses import dataclass
 
 import numpy as np
-import pandas as pd
 from numpy.typing import NDArray
 
 from stridemap.solver.branches.main_branch import fixed_point_index
-from stridemap.solver.cycles.search import offer
-from stridemap.solver.model.model import Model
-from stridemap.sweeps.tables import orbit_row
+from stridemap.solver.cycles.orbits import Orbits
+from stridemap.solver.cycles.search import continued
+from stridemap.solver.cycles.solver import Solver
+from stridemap.solver.options import SearchOptions
 
-Floats = NDArray[np.float64]
+Array = NDArray[np.float64]
+Index = NDArray[np.int64]
 
-LIKE = 0.05
-"""Largest change, in any section coordinate or the period, that a step may make."""
-HALVINGS = 14
-"""A branch ends where its way is not found in steps of the way's 2^-HALVINGS."""
+MAX_CHANGE = 0.05
+"""Largest change, in any section coordinate or the period, from one cycle of a branch to the next."""
+
+MAX_HALVINGS = 14
+"""A branch ends where it does not go on in steps of 2^-MAX_HALVINGS of the whole distance."""
 
 
-@dataclass
-class Path:
-    """A way from one cycle towards a value of the parameter.
+@dataclass(frozen=True)
+class BranchPath:
+    """The part of a branch from one cycle, which is left out, towards a value of the parameter.
 
     Parameters
     ----------
-    rows : list of dict
-        What was found on the way, in that order, as rows of ``orbits.parquet`` with cell -1.
-    arrived : bool
-        Whether the value was reached; if not, the branch ends at the last row.
+    orbits : Orbits
+        Cycles in their order along the branch.
+    reached : bool
+        Whether the last of them is at the target; if not, the branch ends there.
     """
 
-    rows: list[dict[str, Any]] = field(default_factory=list)
-    arrived: bool = False
+    orbits: Orbits
+    reached: bool
 
 
-def state_columns(rows: pd.DataFrame) -> list[str]:
-    """The section coordinates and the period: the columns between the status and the multipliers."""
-    columns = list(rows.columns)
-    return columns[columns.index("status") + 1 : columns.index("period") + 1]
-
-
-def follow(model: Model, starts: pd.DataFrame, parameter: str, targets: Floats) -> list[Path]:
-    """Follow each of n cycles towards a value of its own of a parameter.
+def follow_parameter(
+    solver: Solver, starts: Orbits, parameter: str, target: Array, options: SearchOptions | None = None
+) -> list[BranchPath]:
+    """Follow each of n limit cycles to its own target value of one parameter.
 
     A step is taken if it leads to a cycle of the same index (see `fixed_point_index`) that differs little,
-    and halved if not.
+    and is halved if not.
 
     Parameters
     ----------
-    model : Model
-    starts : pandas.DataFrame
-        Rows of ``orbits.parquet``.
+    solver : Solver
+    starts : Orbits, length n
     parameter : str
-    targets : ndarray, shape (n,)
+    target : ndarray, shape (n,)
+    options : SearchOptions, optional
+        Their period range holds.
 
     Returns
     -------
-    list of Path, length n
+    list of BranchPath, length n
     """
-    names, index = state_columns(starts), fixed_point_index(starts)
-    points = starts[[p.name for p in model.parameters]].to_numpy(copy=True)
-    column = [p.name for p in model.parameters].index(parameter)
-    begin, u = points[:, column].copy(), starts[names].to_numpy(copy=True)
-    paths = [Path() for _ in targets]
-    done, step = np.zeros(len(targets)), np.ones(len(targets))  # in shares of the way
+    if not len(starts):
+        return []
+    column = solver.model.spec.names.index(parameter)
+    index, begin, u = fixed_point_index(starts.multipliers), starts.params[:, column], starts.u.copy()
+    done, step = np.zeros(len(u)), np.ones(len(u))  # as fractions of the whole distance
     slope = np.zeros_like(u)
-    open_ = np.arange(len(targets))
-    while len(open_):
-        ahead = done[open_] + step[open_]
-        trial = points[open_]
-        trial[:, column] = np.where(
-            ahead == 1, targets[open_], begin[open_] + ahead * (targets - begin)[open_]
+    active = np.arange(len(u))
+    owners, parts = [active[:0]], [starts.take(active[:0])]
+    while len(active):
+        ahead = done[active] + step[active]
+        points = starts.params[active]
+        points[:, column] = np.where(
+            ahead == 1, target[active], begin[active] + ahead * (target - begin)[active]
         )
-        guesses = u[open_] + slope[open_] * step[open_, None]
-        for i, orbit in zip(open_.tolist(), offer(model, trial, guesses), strict=True):
-            row = orbit_row(-1, orbit) if orbit.status.found else None
-            now = None if row is None else np.array([row[name] for name in names])
-            if (
-                row is not None
-                and np.abs(now - u[i]).max() < LIKE
-                and fixed_point_index(pd.DataFrame([row]))[0] == index[i]
-            ):
-                paths[i].rows.append(row)
-                done[i] += step[i]
-                slope[i], u[i] = (now - u[i]) / step[i], now
-                paths[i].arrived = bool(done[i] == 1)
-            else:
-                step[i] /= 2
-                slope[i] = 0  # near a fold a straight line leads astray
-        open_ = open_[[not paths[i].arrived and step[i] >= 0.5**HALVINGS for i in open_.tolist()]]
-    return paths
+        found = continued(solver, points, u[active] + slope[active] * step[active, None], options)
+        near = np.abs(found.u - u[active]).max(axis=1) < MAX_CHANGE
+        good = found.found & near & (fixed_point_index(found.multipliers) == index[active])
+        taken, failed = active[good], active[~good]
+        slope[taken] = (found.u[good] - u[taken]) / step[taken, None]
+        u[taken] = found.u[good]
+        done[taken] += step[taken]
+        step[failed] /= 2
+        slope[failed] = 0  # near a fold a straight line leads astray
+        owners.append(taken)
+        parts.append(found.take(good))
+        active = active[(done[active] != 1) & (step[active] >= 0.5**MAX_HALVINGS)]
+    return _paths(np.concatenate(owners), Orbits.concatenate(solver.model, parts), done == 1)
+
+
+def _paths(owner: Index, orbits: Orbits, reached: NDArray[np.bool_]) -> list[BranchPath]:
+    """One path per start, from all that was found, round after round."""
+    order = np.argsort(owner, kind="stable")
+    ends = np.cumsum(np.bincount(owner, minlength=len(reached)))
+    return [
+        BranchPath(orbits.take(rows), over)
+        for rows, over in zip(np.split(order, ends[:-1]), reached.tolist(), strict=True)
+    ]

@@ -6,162 +6,194 @@ Where a branch ends between two values, its end is followed; two ends of differe
 the two sides of a fold.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
 
 import numpy as np
-import pandas as pd
 from numpy.typing import NDArray
 
-from stridemap.solver.branches.following import LIKE, follow, state_columns
+from stridemap.solver.branches.following import MAX_CHANGE, BranchPath, follow_parameter
+from stridemap.solver.branches.lines import values_of
 from stridemap.solver.branches.main_branch import fixed_point_index
-from stridemap.solver.model.model import Model
+from stridemap.solver.cycles.orbits import Orbits
+from stridemap.solver.cycles.solver import Solver
 
-Floats = NDArray[np.float64]
-Piece = list[int]
+Array = NDArray[np.float64]
+Index = NDArray[np.int64]
 
-SAME = 1e-5
-"""Largest difference of two rows that are one cycle."""
-MEETING = 0.02
+SAME_CYCLE = 1e-5
+"""Largest difference of two solutions that are one cycle."""
+
+FOLD_DISTANCE = 0.02
 """Largest difference of the two sides of a fold, each followed to its end."""
 
+BETWEEN = -1
+"""Row of a cycle that was found between the values of the sweep."""
 
-def branches(
-    model: Model, orbits: pd.DataFrame, parameter: str, values: Sequence[float] | Floats
-) -> list[pd.DataFrame]:
+
+@dataclass(frozen=True)
+class Branch:
+    """Limit cycles in their order along a branch.
+
+    Parameters
+    ----------
+    orbits : Orbits, length n
+    row : ndarray of int, shape (n,)
+        Row of each among the cycles that were joined; `BETWEEN` for those that following found.
+    """
+
+    orbits: Orbits
+    row: Index
+
+    @property
+    def on_grid(self) -> NDArray[np.bool_]:
+        """Which of the cycles are among those that were joined, shape (n,)."""
+        return self.row != BETWEEN
+
+    def reversed(self) -> "Branch":
+        """The branch from its other end."""
+        return Branch(self.orbits[::-1], self.row[::-1])
+
+
+def branches(solver: Solver, orbits: Orbits, parameter: str, values: Sequence[float] | Array) -> list[Branch]:
     """Join cycles that differ in one parameter to branches.
 
     Parameters
     ----------
-    model : Model
-    orbits : pandas.DataFrame
-        Rows of ``orbits.parquet`` at one value of all other parameters.
+    solver : Solver
+    orbits : Orbits
+        Cycles at one value of all other parameters.
     parameter : str
     values : sequence of float
         All values of the parameter in the sweep, ascending, those without a cycle too.
 
     Returns
     -------
-    list of pandas.DataFrame
-        Rows in their order along a branch; those that were found between the sweep's values have cell -1.
-        Branches are ordered by their first value of the parameter, then by the period there.
+    list of Branch
+        Ordered by the value of the parameter at their first cycle, then by the period there.
+
+    Raises
+    ------
+    ValueError
+        If a cycle is at none of the values.
     """
     grid = np.asarray(values, dtype=np.float64)
-    rows = orbits.reset_index(drop=True)
-    if rows.empty:
+    if not np.isin(values_of(orbits, parameter), grid).all():
+        raise ValueError(f"cycles are at values of {parameter} that are not among the {len(grid)} given")
+    if not len(orbits):
         return []
-    pieces = _linked(rows, parameter, grid)
-    found = _followed(model, rows, pieces, parameter, grid)
-    joined = _joined_at_folds(found, parameter)
-    return sorted(joined, key=lambda branch: (branch[parameter].iloc[0], branch["period"].iloc[0]))
+    pieces = _linked(orbits, np.searchsorted(grid, values_of(orbits, parameter)))
+    joined = _joined_at_folds(solver, _followed(solver, orbits, pieces, parameter, grid), parameter)
+    at = [(values_of(branch.orbits, parameter)[0], branch.orbits.period[0]) for branch in joined]
+    return [joined[i] for i in np.lexsort(np.transpose(at)[::-1])]
 
 
-def _linked(rows: pd.DataFrame, parameter: str, grid: Floats) -> list[Piece]:
-    """Pieces that go on from each value to the next."""
-    u, index = rows[state_columns(rows)].to_numpy(), fixed_point_index(rows)
-    place = np.searchsorted(grid, rows[parameter].to_numpy())
-    pieces: list[Piece] = []
-    reaching: list[Piece] = []  # the value before
-    for i in range(len(grid)):
-        here = np.flatnonzero(place == i)
-        gone_on = _matches(reaching, here, u, index)
-        reaching = []
-        for row in here.tolist():
-            if row in gone_on:
-                piece = gone_on[row]
-            else:
-                pieces.append(piece := [])
-            piece.append(row)
-            reaching.append(piece)
-    return pieces
+def _linked(orbits: Orbits, position: Index) -> list[Index]:
+    """Pieces that continue from each value to the next, as rows; `position` is each cycle's on the grid."""
+    u, index = orbits.u, fixed_point_index(orbits.multipliers)
+    piece, before = np.full(len(u), -1), np.full(len(u), -1)
+    ends, count = np.empty(0, dtype=np.int64), 0
+    for i in range(position.max() + 1):
+        here = np.flatnonzero(position == i)
+        last = before[ends]
+        expected = np.where((last >= 0)[:, None], 2 * u[ends] - u[last], u[ends])
+        distance = np.abs(expected[:, None] - u[here][None]).max(axis=2)
+        change = np.abs(u[ends][:, None] - u[here][None]).max(axis=2)
+        distance[(index[ends][:, None] != index[here][None]) | (change > MAX_CHANGE)] = np.inf
+        one, other = _nearest_pairs(distance)
+        before[here[other]], piece[here[other]] = ends[one], piece[ends[one]]
+        new = here[piece[here] < 0]
+        piece[new] = count + np.arange(len(new))
+        count += len(new)
+        ends = here
+    order = np.lexsort((position, piece))
+    return np.split(order, np.flatnonzero(np.diff(piece[order])) + 1)
 
 
-def _matches(pieces: list[Piece], here: NDArray[np.int64], u: Floats, index: Floats) -> dict[int, Piece]:
-    """The piece that each of the cycles at one value goes on with, nearest first, one to one."""
-    if not pieces or not len(here):
-        return {}
-    ends = [piece[-1] for piece in pieces]
-    expected = np.array([2 * u[p[-1]] - u[p[-2]] if len(p) > 1 else u[p[-1]] for p in pieces])
-    distance = np.abs(expected[:, None] - u[here][None]).max(axis=2)
-    change = np.abs(u[ends][:, None] - u[here][None]).max(axis=2)
-    distance[(index[ends][:, None] != index[here][None]) | (change > LIKE)] = np.inf
-    out: dict[int, Piece] = {}
-    while distance.min() < np.inf:
-        piece, row = np.unravel_index(distance.argmin(), distance.shape)
-        out[int(here[row])] = pieces[piece]
-        distance[piece, :] = distance[:, row] = np.inf
-    return out
+def _nearest_pairs(distance: Array) -> tuple[list[int], list[int]]:
+    """Pairs of rows and columns at a finite distance, nearest first, one to one."""
+    one: list[int] = []
+    other: list[int] = []
+    while distance.min(initial=np.inf) < np.inf:
+        i, j = np.unravel_index(distance.argmin(), distance.shape)
+        one.append(int(i))
+        other.append(int(j))
+        distance[i, :] = distance[:, j] = np.inf
+    return one, other
 
 
 def _followed(
-    model: Model, rows: pd.DataFrame, pieces: list[Piece], parameter: str, grid: Floats
-) -> list[pd.DataFrame]:
+    solver: Solver, orbits: Orbits, pieces: list[Index], parameter: str, grid: Array
+) -> list[Branch]:
     """Pieces joined where continuation leads from one to the next, with their other ends followed."""
-    u, names = rows[state_columns(rows)].to_numpy(), state_columns(rows)
-    starts = {piece[0]: piece for piece in pieces}
-    frames = {piece[0]: [rows.iloc[piece]] for piece in pieces}
-    last = _ends(rows, [piece[-1] for piece in pieces], parameter, grid, 1)
-    ahead = follow(model, rows.iloc[list(last)], parameter, np.array(list(last.values())))
-    next_: dict[int, int] = {}
-    on_the_way = dict(zip(last, ahead, strict=True))
-    for end, path in on_the_way.items():
-        if path.arrived:
-            arrival = np.array([path.rows[-1][name] for name in names])
-            near = [
-                s for s in starts if rows[parameter][s] == last[end] and np.abs(u[s] - arrival).max() < SAME
-            ]
-            if near and near[0] not in next_.values():
-                next_[end] = near[0]
-                path.rows.pop()
-    followed = {end: _frame(path.rows, rows) for end, path in on_the_way.items()}
-    first = _ends(rows, [s for s in starts if s not in next_.values()], parameter, grid, -1)
-    back = follow(model, rows.iloc[list(first)], parameter, np.array(list(first.values())))
-    before = {s: _frame(path.rows[::-1], rows) for s, path in zip(first, back, strict=True)}
+    first, last = (np.array([piece[side] for piece in pieces]) for side in (0, -1))
+    ahead = _from_ends(solver, orbits, last, parameter, grid, 1)
+    next_ = np.full(len(pieces), -1)
+    for i, path in ahead.items():
+        starts = orbits.take(first)
+        if path.reached:
+            near = np.abs(starts.u - path.orbits.u[-1]).max(axis=1) < SAME_CYCLE
+            near &= values_of(starts, parameter) == values_of(path.orbits, parameter)[-1]
+            if near.any() and near.argmax() not in next_:
+                next_[i] = near.argmax()
+                ahead[i] = BranchPath(path.orbits[:-1], True)
+    begins = np.setdiff1d(np.arange(len(pieces)), next_)
+    back = _from_ends(solver, orbits, first[begins], parameter, grid, -1)
     out = []
-    for start in [s for s in starts if s not in next_.values()]:
-        parts = [before.get(start, rows.iloc[:0])]
-        following: int | None = start
-        while following is not None:
-            end = starts[following][-1]
-            parts += [*frames[following], followed.get(end, rows.iloc[:0])]
-            following = next_.get(end)
-        out.append(pd.concat([part for part in parts if len(part)], ignore_index=True))
+    for i, begin in enumerate(begins.tolist()):
+        parts = [_between(back[i]).reversed()] if i in back else []
+        while begin >= 0:
+            parts.append(Branch(orbits.take(pieces[begin]), pieces[begin]))
+            parts += [_between(ahead[begin])] if begin in ahead else []
+            begin = int(next_[begin])
+        out.append(_in_one(solver, parts))
     return out
 
 
-def _ends(
-    rows: pd.DataFrame, ends: list[int], parameter: str, grid: Floats, direction: int
-) -> dict[int, float]:
-    """The value next to each end in a direction, for those that are not at the grid's own end."""
-    place = np.searchsorted(grid, rows[parameter].to_numpy()[ends]) + direction
-    return {end: float(grid[p]) for end, p in zip(ends, place.tolist(), strict=True) if 0 <= p < len(grid)}
+def _from_ends(
+    solver: Solver, orbits: Orbits, ends: Index, parameter: str, grid: Array, direction: int
+) -> dict[int, BranchPath]:
+    """Each end followed to the next value in a direction, save those at the grid's own end, by number."""
+    position = np.searchsorted(grid, values_of(orbits, parameter)[ends]) + direction
+    inside = np.flatnonzero((position >= 0) & (position < len(grid)))
+    paths = follow_parameter(solver, orbits.take(ends[inside]), parameter, grid[position[inside]])
+    return dict(zip(inside.tolist(), paths, strict=True))
 
 
-def _frame(found: list[dict], like: pd.DataFrame) -> pd.DataFrame:
-    return pd.DataFrame(found, columns=like.columns).astype(like.dtypes)
+def _between(path: BranchPath) -> Branch:
+    return Branch(path.orbits, np.full(len(path.orbits), BETWEEN))
 
 
-def _joined_at_folds(pieces: list[pd.DataFrame], parameter: str) -> list[pd.DataFrame]:
+def _in_one(solver: Solver, parts: Iterable[Branch]) -> Branch:
+    """Parts of a branch, one after the other."""
+    parts = list(parts)
+    orbits = Orbits.concatenate(solver.model, [part.orbits for part in parts])
+    return Branch(orbits, np.concatenate([part.row for part in parts]))
+
+
+def _joined_at_folds(solver: Solver, pieces: list[Branch], parameter: str) -> list[Branch]:
     """Branches of pieces whose ends meet as the two sides of a fold do, the closest first."""
     out = list(pieces)
     while (meeting := _fold(out, parameter)) is not None:
         (i, side), (j, other) = meeting
-        one = out[i] if side == -1 else out[i][::-1]
-        two = out[j] if other == 0 else out[j][::-1]
-        out[i] = pd.concat([one, two], ignore_index=True)
+        one = out[i] if side == -1 else out[i].reversed()
+        two = out[j] if other == 0 else out[j].reversed()
+        out[i] = _in_one(solver, [one, two])
         del out[j]
     return out
 
 
-def _fold(pieces: list[pd.DataFrame], parameter: str) -> tuple[tuple[int, int], tuple[int, int]] | None:
+def _fold(pieces: list[Branch], parameter: str) -> tuple[tuple[int, int], tuple[int, int]] | None:
     """The two ends that meet most closely, as (piece, side) each, if any do."""
     ends = [(i, side) for i in range(len(pieces)) for side in (0, -1)]
-    last = pd.concat([pieces[i].iloc[[side]] for i, side in ends])
-    u, index, at = last[state_columns(last)].to_numpy(), fixed_point_index(last), last[parameter].to_numpy()
     owner = np.array([i for i, _ in ends])
+    u = np.array([pieces[i].orbits.u[side] for i, side in ends])
+    at = np.array([values_of(pieces[i].orbits, parameter)[side] for i, side in ends])
+    index = fixed_point_index(np.array([pieces[i].orbits.multipliers[side] for i, side in ends]))
     distance = np.abs(u[:, None] - u[None]).max(axis=2)
-    beside = np.abs(at[:, None] - at[None]) < MEETING**2
-    distance[(index[:, None] == index[None]) | (owner[:, None] == owner[None]) | ~beside] = np.inf
-    if not distance.min() < MEETING:
+    close = np.abs(at[:, None] - at[None]) < FOLD_DISTANCE**2
+    distance[(index[:, None] == index[None]) | (owner[:, None] == owner[None]) | ~close] = np.inf
+    if not distance.min() < FOLD_DISTANCE:
         return None
     first, second = np.unravel_index(distance.argmin(), distance.shape)
     return ends[first], ends[second]

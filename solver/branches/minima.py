@@ -1,108 +1,133 @@
-"""Cycles between the points of the grid, where a measure is smallest.
+"""Cycles between the points of a grid, where a measure is smallest.
 
 The smallest value of a measure over a group mostly lies where the grid has no point: at the fold that bounds
 the group, or where two multipliers pass each other in modulus. It is approached from the grid's smallest by
-looking at springs around it, again and again, each time more closely around the best so far.
+searching at values of the parameter around it, again and again, each time more closely around the best so
+far.
 """
 
-from collections.abc import Iterator
+from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
-import pandas as pd
 from numpy.typing import NDArray
 
-from stridemap.solver.branches.main_branch import LINK, walks
-from stridemap.solver.cycles.search import offer, section_point
-from stridemap.solver.model.model import Model
-from stridemap.sweeps.tables import orbit_row
+from stridemap.solver.branches.lines import group_numbers, values_of
+from stridemap.solver.cycles.gait import is_physical_gait
+from stridemap.solver.cycles.orbits import Orbits
+from stridemap.solver.cycles.search import continued
+from stridemap.solver.cycles.solver import Solver
 
-Floats = NDArray[np.float64]
+Array = NDArray[np.float64]
+Index = NDArray[np.int64]
+Mask = NDArray[np.bool_]
 
-SMALLEST = ("spectral_radius", "d_max", "cot", "cot_per_speed")
-"""Measures whose smallest values the statements speak of."""
+REFINEMENTS, POINTS_PER_SIDE = 6, 4
+"""How often it is searched more closely, and at how many values on either side. A spacing of 0.1 becomes
+3e-5."""
 
-LOOKS, ASIDE = 6, 4
-"""How often it is looked, and at how many springs on either side. A spacing of 0.1 becomes 3e-5."""
+MAX_CHANGE = 0.1
+"""Largest difference, in any section coordinate or the period, between a cycle and the best so far."""
 
 
-def between(model: Model, lines: pd.DataFrame, grid: Floats) -> pd.DataFrame:
+@dataclass(frozen=True)
+class Minima:
+    """Cycles around smallest values.
+
+    Parameters
+    ----------
+    orbits : Orbits, length n
+        Cycles that were searched on the way to the smallest values, each once.
+    on_main_branch : ndarray of bool, shape (n,)
+        Whether the search for them began on the main branch.
+    """
+
+    orbits: Orbits
+    on_main_branch: Mask
+
+
+def minima(
+    solver: Solver,
+    orbits: Orbits,
+    on_main_branch: Mask,
+    parameter: str,
+    values: Array,
+    measures: Sequence[str],
+) -> Minima:
     """Cycles around the smallest value of each measure, for stable cycles and the main branch of each group.
 
     Parameters
     ----------
-    model : Model
-    lines : DataFrame
-        Cycles that count, at pairs of alpha and omega, with the column ``main``.
-    grid : ndarray, shape (n,)
-        Every value of `k` that was searched, ascending.
-
-    Returns
-    -------
-    DataFrame
-        Rows as of `lines`, without the columns of time profiles, and with -1 for their cell.
+    solver : Solver
+    orbits : Orbits, length n
+        Physical gaits (see `is_physical_gait`) at a grid of the parameter, on one line of parameter space or
+        on several.
+    on_main_branch : ndarray of bool, shape (n,)
+    parameter : str
+        The parameter that varies along a line.
+    values : ndarray, shape (m,)
+        Every value of it that was searched, ascending.
+    measures : sequence of str
+        Names of measured quantities.
     """
-    starts = list(_starts(lines))
-    columns = [*orbit_columns(lines, model), "main"]
-    if not starts or len(grid) < 2:
-        return lines.loc[[], columns]
-    best = pd.DataFrame([row for row, _, _ in starts]).reset_index(drop=True)
-    measure, must_be_stable = [name for _, name, _ in starts], np.array([only for _, _, only in starts])
-    reach, found = float(np.diff(grid).max()), [best.iloc[:0]]
-    for _ in range(LOOKS):
-        reach /= ASIDE
-        aside = reach * np.array([i for i in range(-ASIDE, ASIDE + 1) if i])
-        trial = best.loc[best.index.repeat(len(aside))]
-        k = (best["k"].to_numpy()[:, None] + aside).ravel()
-        inside = (k >= grid[0]) & (k <= grid[-1])
-        trial, k, owner = trial[inside], k[inside], np.repeat(np.arange(len(best)), len(aside))[inside]
-        rows, owner = _solved(model, trial.assign(k=k), owner, must_be_stable)
-        found.append(rows)
-        best = _best(best, rows, owner, measure)
-    every = pd.concat(found, ignore_index=True)[columns]
-    return every.drop_duplicates(["k", "alpha", "omega", "period"], ignore_index=True)
+    row, measure, only_stable = _starts(orbits, on_main_branch, group_numbers(orbits, parameter), measures)
+    if not len(row) or len(values) < 2:
+        return Minima(orbits.take(row[:0]), on_main_branch[:0])
+    column = solver.model.spec.names.index(parameter)
+    best, n = orbits.take(row), np.arange(len(row))
+    reach, found, owners = float(np.diff(values).max()), [best.take(row[:0])], [row[:0]]
+    for _ in range(REFINEMENTS):
+        reach /= POINTS_PER_SIDE
+        aside = reach * np.array([i for i in range(-POINTS_PER_SIDE, POINTS_PER_SIDE + 1) if i])
+        around = values_of(best, parameter)[:, None] + aside
+        inside = (around >= values[0]) & (around <= values[-1])
+        owner, _ = np.nonzero(inside)
+        points = best.params[owner]
+        points[:, column] = around[inside]
+        trial = continued(solver, points, best.u[owner])
+        good = _of_the_same_kind(trial, best.take(owner), only_stable[owner])
+        found.append(trial.take(good))
+        owners.append(owner[good])
+        amount, number = np.full(inside.shape, np.inf), np.zeros(inside.shape, dtype=np.int64)
+        every = _amounts(trial, measures)[measure[owner], np.arange(len(trial))]
+        amount[inside] = np.where(good, every, np.inf)
+        number[inside] = len(best) + np.arange(len(trial))
+        least = amount.argmin(axis=1)
+        better = amount[n, least] < _amounts(best, measures)[measure, n]
+        best = Orbits.concatenate(solver.model, [best, trial]).take(np.where(better, number[n, least], n))
+    orbits = Orbits.concatenate(solver.model, found)
+    kept = _first_of_each(np.column_stack([orbits.params, orbits.period]))
+    return Minima(orbits.take(kept), on_main_branch[row[np.concatenate(owners)[kept]]])
 
 
-def orbit_columns(lines: pd.DataFrame, model: Model) -> list[str]:
-    """Those columns of a table of cycles that a sweep gives it."""
-    names = [parameter.name for parameter in model.parameters]
-    last = lines.columns.get_loc("integration_error")
-    return ["cell", *names, *[c for c in lines.columns[: last + 1] if c not in ("cell", *names)]]
+def _starts(
+    orbits: Orbits, on_main_branch: Mask, group: Index, measures: Sequence[str]
+) -> tuple[Index, Index, Mask]:
+    """The grid's smallest of each measure: its row, the measure's number, and whether of stable cycles."""
+    amounts, starts = _amounts(orbits, measures), []
+    for number in np.unique(group):
+        for keep, only_stable in ((orbits.stable, True), (on_main_branch, False)):
+            rows = np.flatnonzero((group == number) & keep)
+            for measure, amount in enumerate(amounts[:, rows]):
+                if np.isfinite(amount).any():
+                    starts.append((rows[amount.argmin()], measure, only_stable))
+    row, measure, only_stable = np.array(starts, dtype=np.int64).reshape(-1, 3).T
+    return row, measure, only_stable.astype(bool)
 
 
-def _starts(lines: pd.DataFrame) -> Iterator[tuple[pd.Series, str, bool]]:
-    """The grid's smallest of each measure: its row, the measure, and whether it is one of stable cycles."""
-    for _, group in lines.groupby(["alpha", "omega", "group"]):
-        for keep, only_stable in (("stable", True), ("main", False)):
-            rows = group[group[keep].astype(bool)]
-            if len(rows):
-                for measure in SMALLEST:
-                    yield rows.loc[rows[measure].idxmin()], measure, only_stable
+def _amounts(orbits: Orbits, measures: Sequence[str]) -> Array:
+    """Every measure of every cycle, shape (len(measures), n); infinite where there is none."""
+    table = np.array([orbits.measures[name].astype(np.float64) for name in measures])
+    return np.where(np.isnan(table), np.inf, table)
 
 
-def _solved(
-    model: Model, trial: pd.DataFrame, owner: NDArray[np.int64], must_be_stable: NDArray[np.bool_]
-) -> tuple[pd.DataFrame, NDArray[np.int64]]:
-    """Cycles at other springs that continue those of a table, and whose they are."""
-    points = trial[[parameter.name for parameter in model.parameters]].to_numpy(dtype=np.float64)
-    guesses = trial[[*model.section, "period"]].to_numpy(dtype=np.float64)
-    rows, owners = [], []
-    before = zip(trial["group"], trial["main"], guesses, owner.tolist(), strict=True)
-    for orbit, (group, main, guess, i) in zip(offer(model, points, guesses), before, strict=True):
-        if not walks(orbit) or orbit.group != group or (must_be_stable[i] and not orbit.stable):
-            continue
-        if np.abs(np.array(section_point(orbit)) - guess).max() < LINK:
-            rows.append({**orbit_row(-1, orbit), "main": main})
-            owners.append(i)
-    return pd.DataFrame(rows, columns=trial.columns), np.array(owners, dtype=np.int64)
+def _of_the_same_kind(trial: Orbits, best: Orbits, only_stable: Mask) -> Mask:
+    """Which cycles continue those that they were searched from."""
+    near = np.abs(trial.u - best.u).max(axis=1) < MAX_CHANGE
+    kind = (trial.group == best.group) & (trial.stable | ~only_stable)
+    return near & kind & is_physical_gait(trial)
 
 
-def _best(
-    best: pd.DataFrame, rows: pd.DataFrame, owner: NDArray[np.int64], measure: list[str]
-) -> pd.DataFrame:
-    """For each start the smallest so far."""
-    out = []
-    for i, name in enumerate(measure):
-        mine = rows[owner == i]
-        better = len(mine) and mine[name].min() < best[name].iloc[i]
-        out.append(mine.loc[mine[name].astype(float).idxmin()] if better else best.iloc[i])
-    return pd.DataFrame(out).reset_index(drop=True)
+def _first_of_each(rows: Array) -> Index:
+    """Numbers of the first of each set of equal rows, ascending."""
+    return np.sort(np.unique(rows, axis=0, return_index=True)[1])

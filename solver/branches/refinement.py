@@ -1,123 +1,132 @@
 """A map made finer along its edges: cells are halved where neighbours differ, and only there.
 
 What lies between cells of one class is taken to be of that class. Elsewhere all cycles of the cells around
-are offered, and what is found decides. When it differs from a neighbour that was taken as given, that one is
+are guesses, and what is found decides. When it differs from a neighbour that was taken as given, that one is
 computed too, and so on, so that an edge always runs between cells that were computed.
 """
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
-
 import numpy as np
-import pandas as pd
 from numpy.typing import NDArray
 
-from stridemap.paper.figures.raster import NO_GROUP, Raster, class_of, group_number
-from stridemap.solver.branches.main_branch import walks
-from stridemap.solver.cycles.search import SearchOptions, distinct, merge, section_point
+from stridemap.solver.branches.plane import Plane, cells_of, classified
+from stridemap.solver.cycles.gait import is_physical_gait
+from stridemap.solver.cycles.orbits import Orbits
+from stridemap.solver.cycles.search import distinct, merged
 from stridemap.solver.cycles.solver import Solver
-from stridemap.solver.model.model import Model
-from stridemap.sweeps.grid import Grid
+from stridemap.solver.options import SearchOptions
 
-Floats = NDArray[np.float64]
+Array = NDArray[np.float64]
+Index = NDArray[np.int64]
 Mask = NDArray[np.bool_]
 
-AROUND = [(i, j) for i in (-1, 0, 1) for j in (-1, 0, 1) if (i, j) != (0, 0)]
-
-
-@dataclass
-class _Plane:
-    """Cells of a plane, row by row: what they are, which of them are computed, and the cycles of these."""
-
-    raster: Raster
-    known: Mask
-    cycles: dict[tuple[int, int], list[Floats]] = field(default_factory=dict)
+NEIGHBOURS = np.array([(i, j) for i in (-1, 0, 1) for j in (-1, 0, 1) if (i, j) != (0, 0)])
+"""Rows and columns from a cell to those around it."""
 
 
 def refined(
-    model: Model, fixed: Mapping[str, float], coarse: Raster, orbits: pd.DataFrame, times: int
-) -> Raster:
+    solver: Solver, plane: Plane, orbits: Orbits, times: int, options: SearchOptions | None = None
+) -> Plane:
     """Halve the cells of a map along its edges.
 
     Parameters
     ----------
-    model : Model
-    fixed : mapping of str to float
-        Every parameter that is not of the plane.
-    coarse : Raster
-    orbits : pandas.DataFrame
-        The cycles that it was made from.
+    solver : Solver
+    plane : Plane
+    orbits : Orbits
+        The physical gaits (see `is_physical_gait`) from which it was classified, at one value of all other
+        parameters.
     times : int
         How often.
+    options : SearchOptions, optional
+        Their period range holds.
+
+    Raises
+    ------
+    ValueError
+        If cycles differ in a parameter that is not of the plane.
     """
-    plane = _Plane(coarse, np.ones_like(coarse.classes, dtype=bool))
-    at = coarse.place(orbits)
-    cycles = orbits[[*model.section, "period"]].to_numpy()
-    for row, column, u in zip(*at, cycles, strict=True):
-        plane.cycles.setdefault((int(row), int(column)), []).append(u)
+    others = [i for i, name in enumerate(solver.model.spec.names) if name not in plane.names]
+    if (orbits.params[:, others] != orbits.params[:1, others]).any():
+        raise ValueError(f"the cycles of a plane of {' and '.join(plane.names)} must agree in all others")
+    cells = _Cells(solver, plane, orbits, (options or SearchOptions()).resolved_for(solver.model))
     for _ in range(times):
-        plane = _halved(plane)
-        wanted = ~plane.known & _differs(plane.raster.classes, np.ones_like(plane.known))
+        cells.halve()
+        wanted = ~cells.known & _differs(cells.classes, np.ones_like(cells.known))
         while wanted.any():
-            _compute(model, fixed, plane, wanted)
-            wanted = ~plane.known & _differs(plane.raster.classes, plane.known)
-    return plane.raster
+            cells.compute(wanted)
+            wanted = ~cells.known & _differs(cells.classes, cells.known)
+    return Plane(plane.names, cells.x, cells.y, cells.classes, cells.groups)
 
 
-def _halved(plane: _Plane) -> _Plane:
-    """Twice as many cells along each side, the new ones as the cell before them."""
-    old = plane.raster
-    shape = 2 * len(old.y) - 1, 2 * len(old.x) - 1
-    rows, columns = (np.arange(n) // 2 for n in shape)
-    classes, groups = (a[np.ix_(rows, columns)] for a in (old.classes, old.groups))
-    known = np.zeros(shape, dtype=bool)
-    known[::2, ::2] = plane.known
-    x, y = (np.interp(np.arange(n), np.arange(0, n, 2), v) for n, v in ((shape[1], old.x), (shape[0], old.y)))
-    cycles = {(2 * row, 2 * column): us for (row, column), us in plane.cycles.items()}
-    return _Plane(Raster(old.names, x, y, classes, groups), known, cycles)
+class _Cells:
+    """Cells of a plane: what they are, which of them were computed, and the cycles of these.
+
+    ``u``, shape (n, nz + 1), are the cycles, ordered by ``cell``, shape (n,), the number of their cell.
+    """
+
+    def __init__(self, solver: Solver, plane: Plane, orbits: Orbits, options: SearchOptions) -> None:
+        self.solver, self.options, self.point = solver, options, orbits.params[:1]
+        self.columns = [solver.model.spec.names.index(name) for name in plane.names]
+        self.x, self.y, self.classes, self.groups = plane.x, plane.y, plane.classes, plane.groups
+        self.known = np.ones(plane.classes.shape, dtype=bool)
+        self.cell, self.u = np.empty(0, dtype=np.int64), orbits.u[:0]
+        self._add(cells_of(orbits, plane.names, plane.x, plane.y), orbits.u)
+
+    def halve(self) -> None:
+        """Twice as many cells along each side, the new ones as the cell before them."""
+        row, column = np.divmod(self.cell, len(self.x))
+        known = self.known
+        self.x, self.y = (np.interp(np.arange(2 * len(v) - 1), np.arange(0, 2 * len(v) - 1, 2), v)
+                          for v in (self.x, self.y))  # fmt: skip
+        before = np.ix_(np.arange(len(self.y)) // 2, np.arange(len(self.x)) // 2)
+        self.classes, self.groups = self.classes[before], self.groups[before]
+        self.known = np.zeros(self.classes.shape, dtype=bool)
+        self.known[::2, ::2] = known
+        self.cell = 2 * row * len(self.x) + 2 * column
+
+    def compute(self, wanted: Mask) -> None:
+        """Compute cells from the cycles around them."""
+        row, column = np.nonzero(wanted)
+        points = np.repeat(self.point, len(row), axis=0)
+        points[:, self.columns] = np.column_stack([self.x[column], self.y[row]])
+        at, orbits = self._solved(points, *self._around(row, column))
+        gaits = np.flatnonzero(is_physical_gait(orbits))
+        at, orbits = at[gaits], orbits.take(gaits)
+        self.classes[row, column], self.groups[row, column] = classified(at, orbits, len(row))
+        self.known[row, column] = True
+        self._add(row[at] * len(self.x) + column[at], orbits.u)
+
+    def _around(self, row: Index, column: Index) -> tuple[Index, Array]:
+        """Guesses for m cells from the cycles of their neighbours: number of the cell (0 to m - 1), cycle."""
+        rows, columns = row[:, None] + NEIGHBOURS[:, 0], column[:, None] + NEIGHBOURS[:, 1]
+        inside = (rows >= 0) & (rows < len(self.y)) & (columns >= 0) & (columns < len(self.x))
+        at, _ = np.nonzero(inside)
+        cell = rows[inside] * len(self.x) + columns[inside]
+        first, end = (np.searchsorted(self.cell, cell, side) for side in ("left", "right"))
+        count = end - first
+        within = np.arange(count.sum()) - np.repeat(np.cumsum(count) - count, count)
+        return np.repeat(at, count), self.u[np.repeat(first, count) + within]
+
+    def _solved(self, points: Array, at: Index, guesses: Array) -> tuple[Index, Orbits]:
+        """Limit cycles at m points, from guesses for some of them, and the number of each one's point."""
+        u, closed = self.solver.search(guesses, points[at])
+        at, u = distinct(at[closed], u[closed])
+        return merged(at, self.solver.converge(u, points[at], self.options.period_range))
+
+    def _add(self, cell: Index, u: Array) -> None:
+        """Enter cycles."""
+        cells = np.concatenate([self.cell, cell])
+        order = np.argsort(cells, kind="stable")
+        self.cell, self.u = cells[order], np.concatenate([self.u, u])[order]
 
 
-def _differs(classes: NDArray[np.int64], among: Mask) -> Mask:
+def _differs(classes: Index, among: Mask) -> Mask:
     """Which cells have, among some, a neighbour of another class."""
     padded = np.pad(classes, 1, mode="edge")
     counted = np.pad(among, 1)
     out = np.zeros(classes.shape, dtype=bool)
     rows, columns = classes.shape
-    for i, j in AROUND:
+    for i, j in NEIGHBOURS.tolist():
         there = np.s_[1 + i : 1 + i + rows, 1 + j : 1 + j + columns]
         out |= counted[there] & (padded[there] != classes)
     return out
-
-
-def _compute(model: Model, fixed: Mapping[str, float], plane: _Plane, wanted: Mask) -> None:
-    """Compute cells from the cycles around them."""
-    cells = np.argwhere(wanted)
-    guesses = [
-        (n, u)
-        for n, (row, column) in enumerate(cells.tolist())
-        for i, j in AROUND
-        for u in plane.cycles.get((row + i, column + j), ())
-    ]
-    raster = plane.raster
-    grid = Grid(raster.names[::-1], (raster.y, raster.x))
-    points = grid.points(model, fixed, grid.cells(cells))
-    found = _orbits(model, points, np.array([n for n, _ in guesses], dtype=np.int64), [u for _, u in guesses])
-    for (row, column), orbits in zip(cells.tolist(), found, strict=True):
-        gaits = [orbit for orbit in orbits if walks(orbit)]
-        plane.known[row, column] = True
-        raster.classes[row, column] = class_of(gaits)
-        raster.groups[row, column] = NO_GROUP
-        if gaits:
-            best = min(gaits, key=lambda orbit: orbit.spectral_radius)
-            raster.groups[row, column] = group_number(best.group)
-            plane.cycles[row, column] = [np.array(section_point(orbit)) for orbit in gaits]
-
-
-def _orbits(model: Model, points: Floats, cell: NDArray[np.int64], guesses: list[Floats]) -> list[list]:
-    """Limit cycles of each of n points, from guesses for some of them."""
-    if not guesses:
-        return [[] for _ in points]
-    solver = Solver.of(model)
-    u, closed = solver.search(np.array(guesses), points[cell])
-    cell, u = distinct(cell[closed], u[closed])
-    return merge(len(points), cell, solver.complete(u, points[cell], SearchOptions().of(model).period_range))

@@ -16,15 +16,17 @@ def animate(
     set_: SetOption = None,
     group: Annotated[str | None, typer.Option(help="Show the most stable cycle of this group.")] = None,
     cycle: Annotated[int | None, whole("Show this cycle, as `stridemap orbit` numbers them.")] = None,
-    steps: Annotated[int, whole("Steps until it repeats: an even number.")] = 2,
+    steps: Annotated[int, whole("Number of steps until it repeats, an even number.")] = 2,
     fps: Annotated[int, whole("Frames per second.")] = 25,
     size: Annotated[int, whole("Width and height in pixels.")] = 320,
-    magnify: Annotated[float, typer.Option(help="Draw the wobbling mass's way so many times as long.")] = 1.0,
+    magnify: Annotated[
+        float, typer.Option(help="Enlarge the displacement of the wobbling mass by this factor.")
+    ] = 1.0,
 ) -> int:
     """Show a limit cycle walking, as a GIF that loops; by default the most stable one at the point."""
     from stridemap.solver.api import find_orbits
-    from stridemap.views.animate import animate as animate_
-    from stridemap.views.animate import choose
+    from stridemap.views.animation import animate as animate_
+    from stridemap.views.animation import choose
 
     orbits = find_orbits(model, **parameters(context.args, set_))
     if not orbits:

@@ -1,35 +1,49 @@
-"""``stridemap figures``: the paper's figures from computed data."""
+"""``stridemap figures``: the paper's figures from computed limit cycles."""
 
-import sys
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
-from stridemap.cli.options import FOUND, INTERRUPTED, whole
+from stridemap.cli.options import FOUND, INTERRUPTED, SetOption, parameters
+from stridemap.cli.paper_options import (
+    SweepsOption,
+    ThinOption,
+    WorkersOption,
+    say_interrupted,
+    sweep_progress,
+)
 
 
 def figures(
-    out: Annotated[Path, typer.Option(help="Folder of the figures and of the tables behind them.")] = Path(
+    out: Annotated[Path, typer.Option(metavar="FOLDER", help="Folder of the figures.")] = Path(
         "results/paper-figures"
     ),
     only: Annotated[
-        list[str] | None, typer.Option(metavar="NAME", help="A figure to draw; by default all are.")
+        list[str] | None, typer.Option(metavar="NAME", help="A figure to draw; by default all are drawn.")
     ] = None,
-    workers: Annotated[int | None, whole("Number of processes; by default one a core.")] = None,
+    sweeps: SweepsOption = None,
+    workers: WorkersOption = None,
+    set_: SetOption = None,
+    thin: ThinOption = 1,
 ) -> int:
-    """Draw the paper's figures as SVG and PNG; the sweeps that they need are run or, if there, used again.
+    """Draw the paper's figures as SVG and PNG, from the sweeps that `stridemap claims` decides by.
 
-    Figures: model, map, profiles, profiles-compass, multipliers, d-max, cot, d-profiles.
+    A sweep that a figure needs is run if it is not finished. Figures: model, map, profiles, profiles-compass,
+    multipliers, d-max, cot, d-profiles.
     """
-    from stridemap.cli.progress import show
-    from stridemap.paper.figures.draw import draw_figures
+    from stridemap.paper import figures as draw
+    from stridemap.paper.sweeps import default_folder
 
+    params = parameters([], set_)
+    folder = default_folder(params, thin) if sweeps is None else sweeps
     try:
-        with show() as progress:
-            paths = draw_figures(out, only or (), workers=workers, progress=progress)
+        with sweep_progress() as progress:
+            paths = draw(
+                out, only or (), sweeps=folder, params=params, thin=thin, workers=workers, progress=progress
+            )
     except KeyboardInterrupt:
-        print(f"interrupted: finished parts are kept in {out}; the same command goes on", file=sys.stderr)
+        say_interrupted(folder)
         return INTERRUPTED
     for path in paths:
         print(path)

@@ -5,11 +5,22 @@ from typing import Annotated
 
 import typer
 
-PAPER = Path("results/paper")
+from stridemap.cli.options import FOUND, INTERRUPTED, SetOption, parameters
+from stridemap.cli.paper_options import (
+    SweepsOption,
+    ThinOption,
+    WorkersOption,
+    say_interrupted,
+    sweep_progress,
+)
+from stridemap.errors import InputError
 
 
 def report(
-    folder: Annotated[Path, typer.Argument(metavar="SWEEP_DIR", help="Output folder of a sweep.")] = PAPER,
+    folder: Annotated[
+        Path | None,
+        typer.Argument(metavar="[SWEEP_DIR]", help="Output folder of a sweep; by default the paper's map."),
+    ] = None,
     *,
     out: Annotated[Path, typer.Option(metavar="FILE.html", help="The file to write.")],
     model: Annotated[
@@ -18,13 +29,50 @@ def report(
     claims: Annotated[
         Path | None, typer.Option(metavar="FILE", help="What `stridemap claims --json` printed.")
     ] = None,
+    sweeps: SweepsOption = None,
+    workers: WorkersOption = None,
+    set_: SetOption = None,
+    thin: ThinOption = 1,
 ) -> int:
-    """Write a sweep as one HTML file that opens without network: map, cycles, and the walker moving."""
-    from stridemap.views.report.write import write_report
+    """Write a sweep as one HTML file that opens without network: map, cycles, and the walker moving.
 
-    summary = write_report(folder, out, claims, model)
+    Without SWEEP_DIR it is the map of the paper's sweeps, with the verdicts of `stridemap claims`; what is
+    not finished is swept first. --sweeps, --workers, --set and --thin are for these sweeps.
+    """
+    from stridemap.paper import report as report_paper
+    from stridemap.paper.sweeps import default_folder
+    from stridemap.views import write_report
+
+    if folder is not None:
+        given = {"--sweeps": sweeps, "--workers": workers, "--set": set_, "--thin": thin > 1 or None}
+        unusable = [option for option, value in given.items() if value is not None]
+        if unusable:
+            raise InputError(
+                f"{', '.join(unusable)} cannot be given with the sweep in {folder}, but only for the paper's "
+                "sweeps; leave it out, or leave the folder out"
+            )
+        summary = write_report(folder, out, claims, model)
+    elif model is not None:
+        raise InputError("--model is for the sweep in SWEEP_DIR; give that folder, or leave --model out")
+    else:
+        params = parameters([], set_)
+        where = default_folder(params, thin) if sweeps is None else sweeps
+        try:
+            with sweep_progress() as progress:
+                summary = report_paper(
+                    out,
+                    claims=claims,
+                    sweeps=where,
+                    params=params,
+                    thin=thin,
+                    workers=workers,
+                    progress=progress,
+                )
+        except KeyboardInterrupt:
+            say_interrupted(where)
+            return INTERRUPTED
     print(
         f"report of {summary.orbits:,} limit cycles in {summary.cells:,} cells: {summary.path} "
         f"({summary.size / 1e6:.1f} MB)"
     )
-    return 0
+    return FOUND

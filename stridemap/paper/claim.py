@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from stridemap.paper.data import PaperData
+from stridemap.paper.cycle_tables import CycleTables
 
 
 class Verdict(StrEnum):
@@ -101,9 +101,9 @@ class Statement:
 
     id: str
     text: str
-    decide: Callable[[PaperData], Decided]
+    decide: Callable[[CycleTables], Decided]
 
-    def __call__(self, data: PaperData) -> Claim:
+    def __call__(self, data: CycleTables) -> Claim:
         """Decide the statement."""
         parts, numbers, further = self.decide(data)
         if failing := parts.failing():
@@ -113,7 +113,7 @@ class Statement:
         return Claim(self.id, self.text, parts.verdict(), numbers, evidence)
 
 
-def statement(id_: str, text: str) -> Callable[[Callable[[PaperData], Decided]], Statement]:
+def statement(id_: str, text: str) -> Callable[[Callable[[CycleTables], Decided]], Statement]:
     """Declare the function below as the one that decides a statement."""
     return lambda decide: Statement(id_, text, decide)
 

@@ -8,16 +8,11 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from stridemap.paper.data import ALPHAS, OMEGAS, PaperData
-
-GROUPS = "ABCDE"
-"""The groups that the paper names."""
-
-TYPICAL = {"A": 0.5, "B": 6.0, "C": 22.5}
-"""Springs of the typical solutions, at alpha = 0.25 and omega = 3."""
+from stridemap.paper.cycle_tables import CycleTables
+from stridemap.paper.points import ALPHAS, OMEGAS, TYPICAL
 
 
-def slices(data: PaperData) -> Iterator[tuple[str, float, float, pd.DataFrame]]:
+def slices(data: CycleTables) -> Iterator[tuple[str, float, float, pd.DataFrame]]:
     """Name, alpha, omega and cycles of each pair of alpha and omega."""
     for omega in OMEGAS:
         for alpha in ALPHAS:
@@ -29,15 +24,13 @@ def slices(data: PaperData) -> Iterator[tuple[str, float, float, pd.DataFrame]]:
             )
 
 
-def with_between(data: PaperData) -> PaperData:
-    """The data with the cycles between the springs that were searched among the lines.
+def with_minima(data: CycleTables) -> CycleTables:
+    """The tables with the cycles between the springs that were searched among the lines.
 
-    For smallest values and where they are; not for what is counted or averaged, or seen from one spring to
-    the next.
+    They are for smallest values and where these are, not for what is counted, averaged, or compared from one
+    spring to the next.
     """
-    lines = pd.concat(
-        [data.lines.assign(between=False), data.between.assign(between=True)], ignore_index=True
-    )
+    lines = pd.concat([data.lines.assign(on_grid=True), data.minima.assign(on_grid=False)], ignore_index=True)
     return replace(data, lines=lines)
 
 
@@ -63,34 +56,34 @@ def main_branch(orbits: pd.DataFrame, group: str) -> pd.DataFrame:
     return orbits[orbits["main"].astype(bool) & (orbits["group"] == group)].sort_values(["k", "period"])
 
 
-def typical(data: PaperData, group: str) -> pd.Series | None:
+def typical(data: CycleTables, group: str) -> pd.Series | None:
     """The stable cycle of a group at its typical spring; the most stable one if there are several."""
     rows = at(stable(data.typical, group), k=TYPICAL[group])
     return None if rows.empty else rows.iloc[rows["spectral_radius"].to_numpy().argmin()]
 
 
-def compass(data: PaperData, omega: float, column: str) -> float:
+def compass(data: CycleTables, omega: float, column: str) -> float:
     """A number of the compass's most stable cycle at a frequency; NaN if there is none."""
     rows = at(data.compass, omega=omega)
     return math.nan if rows.empty else float(rows.iloc[rows["spectral_radius"].to_numpy().argmin()][column])
 
 
 def span(orbits: pd.DataFrame) -> list[float]:
-    """Least and greatest `k`; nothing for no cycles."""
+    """Least and greatest `k`; empty where there are no cycles."""
     return [float(orbits["k"].min()), float(orbits["k"].max())] if len(orbits) else []
 
 
 def extremes(orbits: pd.DataFrame, column: str) -> dict[str, Any]:
-    """Least and greatest value of a column, and at which `k`; nothing for no cycles.
+    """Least and greatest value of a column, and at which `k`; empty where there are no cycles.
 
-    The number of cycles is that of the springs that were searched.
+    The number of cycles counts those at the springs that were searched.
     """
     values = orbits[column]
     if not values.notna().any():
         return {}
     low, high = values.idxmin(), values.idxmax()
     return {
-        "cycles": len(orbits) - int(orbits["between"].sum() if "between" in orbits else 0),
+        "cycles": int(orbits["on_grid"].sum()) if "on_grid" in orbits else len(orbits),
         "least": values[low],
         "least_at_k": orbits["k"][low],
         "greatest": values[high],

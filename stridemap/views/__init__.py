@@ -1,4 +1,33 @@
-"""What draws from tables and motions: the paper's figures, and walkers in motion.
+"""What draws models and limit cycles: animations, plots, and the report of a sweep as a page to explore.
 
-Only here is matplotlib imported, and only when something is drawn.
+Only here and in the drawings of the paper is matplotlib imported, and only when something is drawn.
 """
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from stridemap.views.animation import animate
+    from stridemap.views.plots import plot
+    from stridemap.views.report.write import ReportSummary, write_report
+
+__all__ = ["ReportSummary", "animate", "plot", "write_report"]
+
+_HOMES = {
+    "ReportSummary": "report.write",
+    "animate": "animation",
+    "plot": "plots",
+    "write_report": "report.write",
+}
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _HOMES:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    value = getattr(import_module(f"{__name__}.{_HOMES[name]}"), name)
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    return __all__

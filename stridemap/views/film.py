@@ -15,9 +15,9 @@ from stridemap.views.scene import Scene
 VIEW = (-0.75, 0.75, -0.16, 1.34)
 """A square: left, right, bottom and top of a panel, in heights of the walker."""
 FORCE = 0.3
-"""Length of the force's arrow for a force like the weight, in heights of the walker."""
+"""Length of the arrow for a force that equals the weight, in heights of the walker."""
 HATCHES = 3
-"""Hatches of the ground in a step, a whole number so that the ground repeats with the steps."""
+"""Hatches of the ground per step, a whole number so that the ground repeats with the steps."""
 COLOURS = 32
 
 
@@ -38,7 +38,7 @@ def film(
     size : int
         Width and height of a panel in pixels.
     magnify : float
-        As the scenes were made with; told in the picture if it is not 1.
+        As the scenes were made with; the picture says so if it is not 1.
     """
     frames = len(scenes[0].middle) - 1
     with style.styled():
@@ -60,7 +60,7 @@ def _frame(
         axes.text(0.5, 0.985, title, transform=axes.transAxes, ha="center", va="top", fontsize=8)
         if magnify != 1:
             axes.text(
-                0.99, 0.01, f"wobbling mass: way drawn ×{magnify:g}", transform=axes.transAxes,
+                0.99, 0.01, f"displacement of the wobbling mass ×{magnify:g}", transform=axes.transAxes,
                 ha="right", va="bottom", fontsize=6, color=style.DARK,
             )  # fmt: skip
     canvas.draw()
@@ -78,18 +78,20 @@ def draw_frame(axes: Axes, of: Scene, step: int, i: int) -> None:
     walker.draw_ground(axes, middle - reach, middle + reach, of.step / HATCHES)
     stance, swing = (walker.LEFT, walker.RIGHT) if step % 2 == 0 else (walker.RIGHT, walker.LEFT)
     _draw_prints(axes, of, stance, swing)
-    for name, line in of.lines.items():
-        points = line[i]
-        if name in of.springs:
+    hip = None
+    for line in of.drawn_lines:
+        points = of.lines[line.name][i]
+        if line.role == "spring":
             walker.draw_spring(axes, points)
-        elif name == "legs" and len(points) > 2:
-            half = len(points) // 2
-            walker.draw_leg(axes, points[half:], swing)
-            walker.draw_leg(axes, points[: half + 1], stance)
+        elif line.role == "legs":
+            stance_leg, swing_leg = walker.leg_points(points)
+            walker.draw_leg(axes, swing_leg, swing)
+            walker.draw_leg(axes, stance_leg, stance)
+            hip = swing_leg[0]
         else:
             axes.plot(*points.T, color=style.DARK, linewidth=2, zorder=2)
-    feet = {"stance foot": stance, "swing foot": swing}
-    walker.draw_masses(axes, of.names, of.positions[i], of.masses, feet)
+    colours = walker.mass_colours(of.bodies, of.positions[i], hip, stance, swing)
+    walker.draw_masses(axes, [mass.name for mass in of.bodies], of.positions[i], of.masses, colours)
     arrow = {"arrowstyle": "-|>,head_width=0.25,head_length=0.5", "color": style.GREEN, "linewidth": 1.5}
     foot = np.array([of.contact[i], 0.0])
     axes.annotate(
@@ -99,7 +101,7 @@ def draw_frame(axes: Axes, of: Scene, step: int, i: int) -> None:
 
 
 def _draw_prints(axes: Axes, of: Scene, stance: str, swing: str) -> None:
-    """Where the feet stood before, in the colours of their legs."""
+    """Earlier footholds, in the colours of their legs."""
     for back in range(1, int(np.ceil(1 / of.step)) + 1):
         axes.plot(
             -back * of.step, 0, "_", color=stance if back % 2 == 0 else swing, markersize=7, mew=2, zorder=1
@@ -107,7 +109,7 @@ def _draw_prints(axes: Axes, of: Scene, stance: str, swing: str) -> None:
 
 
 def _gif(images: Sequence[Image.Image], hundredths: int) -> bytes:
-    """All frames with one palette of few colours, without dithering, so that still parts cost nothing."""
+    """All frames share one palette of few colours, without dithering, so that still parts cost nothing."""
     sheet = Image.new("RGB", (images[0].width, 4 * images[0].height))
     for n in range(4):
         sheet.paste(images[n * len(images) // 4], (0, n * images[0].height))

@@ -1,4 +1,4 @@
-"""The packages that drawing needs and nothing else does."""
+"""The packages that are needed for drawing only."""
 
 from importlib.util import find_spec
 
@@ -18,7 +18,8 @@ def require_pictures() -> None:
     """
     missing = [name for module, name in PACKAGES.items() if find_spec(module) is None]
     if missing:
+        are = "is" if len(missing) == 1 else "are"
         raise InputError(
-            f"drawing needs {' and '.join(missing)}, which is not installed here: run `pip install "
-            '"stridemap[pictures]"`, or `make figures` in a checkout'
+            f"drawing needs {' and '.join(missing)}, which {are} not installed here: run "
+            f"`pip install {' '.join(missing)}`"
         )

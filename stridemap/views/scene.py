@@ -8,16 +8,17 @@ from numpy.typing import NDArray
 from stridemap.errors import InputError
 from stridemap.solver.cycles.orbit import Orbit
 from stridemap.solver.observables.motion import Motion, motion
+from stridemap.spec import Line, Mass
 
 Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
 class Scene:
-    """One step of a limit cycle in n frames, the next touchdown not among them.
+    """One step of a limit cycle in n frames, and the moment of the next touchdown.
 
-    Positions are from the stance foot, in terms of the walker's height; so walkers in any units fit the
-    picture.
+    Positions are measured from the stance foot in heights of the walker, so that walkers in any units fit
+    the picture.
 
     Parameters
     ----------
@@ -30,11 +31,11 @@ class Scene:
     force : ndarray, shape (n + 1, 2)
         Ground force in terms of the weight.
     contact, zmp : ndarray, shape (n + 1,)
-        Horizontal places of the contact with the ground and of the zero moment point.
+        Horizontal positions of the contact with the ground and of the zero moment point.
     step : float
         From one contact point to the next.
     middle : ndarray, shape (n + 1,)
-        Horizontal place that the view is centred on; it moves evenly, and by a step in a step.
+        Horizontal position that the view is centred on; it moves evenly, by one step length per step.
     """
 
     seen: Motion
@@ -48,14 +49,14 @@ class Scene:
     middle: Array
 
     @property
-    def names(self) -> list[str]:
-        """The masses, in the order of `positions`."""
-        return list(self.seen.model.manifest["masses"])
+    def bodies(self) -> tuple[Mass, ...]:
+        """The masses with their roles, in the order of `positions`."""
+        return self.seen.model.spec.masses
 
     @property
-    def springs(self) -> set[str]:
-        """Those of the lines that are springs."""
-        return {line["name"] for line in self.seen.model.manifest["lines"] if line["spring"]}
+    def drawn_lines(self) -> tuple[Line, ...]:
+        """The lines with their roles."""
+        return self.seen.model.spec.lines
 
 
 def scene(orbit: Orbit, frames: int, magnify: float = 1.0) -> Scene:
@@ -65,14 +66,14 @@ def scene(orbit: Orbit, frames: int, magnify: float = 1.0) -> Scene:
     ----------
     orbit : Orbit
     frames : int
-        Frames a step.
+        Frames per step.
     magnify : float
-        The wobbling mass's way is drawn so many times as long as it is.
+        Factor by which the displacement of the wobbling mass is drawn larger than it is.
 
     Raises
     ------
     InputError
-        When the orbit is none, or has no wobbling mass whose way could be magnified.
+        When the orbit was not found, or has no wobbling mass whose displacement could be magnified.
     """
     seen = motion(orbit, frames + 1)
     positions, lines = seen.positions, seen.lines
@@ -98,7 +99,7 @@ def scene(orbit: Orbit, frames: int, magnify: float = 1.0) -> Scene:
 
 
 def _magnified(seen: Motion, orbit: Orbit, magnify: float) -> tuple[Array, dict[str, Array]]:
-    name = seen.model.manifest["wobbling"]
+    name = seen.model.spec.wobbling
     if name is None:
         raise InputError(
             f"magnify = {magnify:g} is not possible: {orbit.model} has no wobbling mass; leave it out"

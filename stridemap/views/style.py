@@ -1,7 +1,7 @@
 """How all figures look: colours, sizes, line styles, and how they are written.
 
 Colours are from the set of Okabe and Ito (jfly.uni-koeln.de/color), which people with any colour vision tell
-apart. Nothing is told by colour alone: classes of the map differ in luminance, curves in width or dashes.
+apart. Nothing depends on colour alone: classes of the map differ in luminance, curves in width or dashes.
 """
 
 import io
@@ -39,7 +39,7 @@ SOLUTIONS: dict[str, dict[str, Any]] = {
     "c": {"color": BLUE, "linewidth": 1.3, "linestyle": (0, (5, 1.2, 1, 1.2))},
     "compass": COMPASS_LINE,
 }
-"""The typical solutions, and the compass walker, each with a colour and dashes of its own."""
+"""Lines of the typical solutions and of the compass walker, which differ in colour and dashes."""
 
 RC = {
     "font.family": "sans-serif",
@@ -79,7 +79,7 @@ def styled() -> Iterator[None]:
 
 
 def new_figure(width: float, height: float) -> Figure:
-    """An empty figure of a size in inches, which no window and no other figure knows of."""
+    """An empty figure of a size in inches, independent of pyplot and its windows."""
     figure = Figure(figsize=(width, height), layout="constrained")
     FigureCanvasAgg(figure)
     figure.get_layout_engine().set(w_pad=0.02, h_pad=0.02, wspace=0.03, hspace=0.03)

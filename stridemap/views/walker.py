@@ -1,5 +1,6 @@
 """A walker, drawn: legs, masses, springs, and the ground under it."""
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -7,14 +8,15 @@ from matplotlib.axes import Axes
 from matplotlib.patches import Circle
 from numpy.typing import NDArray
 
+from stridemap.spec import Mass
 from stridemap.views import style
 
 Array = NDArray[np.float64]
 
 RADIUS = 0.095
-"""Radius of a disc of the whole walker's mass, in its heights; areas are as masses."""
+"""Radius of a disc for the mass of the whole walker, in heights of the walker."""
 LEFT, RIGHT = style.DARK, style.SKY
-MASS_COLOURS = {"hip": style.DARK, "wobbling mass": style.VERMILION}
+HIP, WOBBLING, BODY = style.DARK, style.VERMILION, style.PURPLE
 COILS = 5
 
 
@@ -23,24 +25,52 @@ def draw_leg(axes: Axes, points: Array, colour: str) -> None:
     axes.plot(*points.T, color=colour, linewidth=3, solid_capstyle="round", zorder=2)
 
 
-def draw_masses(axes: Axes, names: list[str], positions: Array, masses: Array, feet: dict[str, str]) -> None:
-    """Discs of the area of their mass, the lighter ones in front; `feet` gives the colours of the feet."""
+def leg_points(points: Array) -> tuple[Array, Array]:
+    """Points of the stance leg and of the swing leg of a line whose role is ``legs``; the hip is in both."""
+    half = len(points) // 2
+    return points[: half + 1], points[half:]
+
+
+def mass_colours(
+    masses: Sequence[Mass], positions: Array, hip: Array | None, stance: str, swing: str
+) -> list[str]:
+    """Colours of the masses by their roles; a body at the hip, where the legs meet, has its own.
+
+    Parameters
+    ----------
+    masses : sequence of Mass
+    positions : ndarray, shape (n_masses, 2)
+    hip : ndarray, shape (2,), or None
+        Where the legs meet, if the walker has legs.
+    stance, swing : str
+        Colours of the two legs.
+    """
+    by_role = {"stance_foot": stance, "swing_foot": swing, "wobbling": WOBBLING, "body": BODY}
+    return [
+        HIP if mass.role == "body" and hip is not None and np.allclose(position, hip) else by_role[mass.role]
+        for mass, position in zip(masses, positions, strict=True)
+    ]
+
+
+def draw_masses(
+    axes: Axes, names: Sequence[str], positions: Array, masses: Array, colours: Sequence[str]
+) -> None:
+    """Discs whose areas are as the masses, the lighter ones in front."""
     for i in np.argsort(-masses, kind="stable"):
-        colour = feet.get(names[i]) or MASS_COLOURS.get(names[i], style.PURPLE)
         radius = RADIUS * np.sqrt(masses[i])
-        disc = Circle(tuple(positions[i]), radius, facecolor=colour, edgecolor=style.WHITE, linewidth=0.6)
+        disc = Circle(tuple(positions[i]), radius, facecolor=colours[i], edgecolor=style.WHITE, linewidth=0.6)
         axes.add_patch(disc)
         disc.set(zorder=4, gid=names[i])
 
 
 def spring_line(points: Array, width: float) -> Array:
     """A zigzag between the first and the last of some points, shape (2 COILS + 2, 2)."""
-    begin, way = points[0], points[-1] - points[0]
-    length = float(np.hypot(*way))
+    begin, extent = points[0], points[-1] - points[0]
+    length = float(np.hypot(*extent))
     along = np.concatenate([[0.0], (np.arange(2 * COILS) + 0.5) / (2 * COILS), [1.0]])
     aside = np.concatenate([[0.0], np.resize([1.0, -1.0], 2 * COILS), [0.0]]) * width
-    normal = np.array([-way[1], way[0]]) / length if length else np.zeros(2)
-    return begin + along[:, None] * way + aside[:, None] * normal
+    normal = np.array([-extent[1], extent[0]]) / length if length else np.zeros(2)
+    return begin + along[:, None] * extent + aside[:, None] * normal
 
 
 def draw_spring(axes: Axes, points: Array, width: float = 0.03, **line: Any) -> None:

@@ -49,7 +49,7 @@ def test_swing_phase(model, at):
 
 
 def test_impact(model, at):
-    after, impulse = ByHand(str(model.folder), at).strike()
+    after, impulse = ByHand(str(model.folder), at).impact()
     result = model.evaluate("impact_map", **at)
     assert_close(result["v_plus"][:, :3], after)
     assert np.abs(result["v_plus"][:, 2] + result["v_plus"][:, 0]).max() < 1e-13  # locked
@@ -76,9 +76,9 @@ def test_the_impact_takes_energy_and_the_walker_stays_where_it_is(model, at):
 def test_what_is_measured(model, at):
     hand = ByHand(str(model.folder), at)
     mass = sum(body.mass for body in hand.bodies)
-    com = sum(body.mass[:, None] * hand.standing(body.point) for body in hand.bodies) / mass[:, None]
+    com = sum(body.mass[:, None] * hand.on_stance(body.point) for body in hand.bodies) / mass[:, None]
     assert_close(model.evaluate("centre_of_mass", **at)["com"], com, 1e-14)
-    assert_close(model.evaluate("swing_foot", **at)["foot"], hand.standing(hand.foot), 1e-14)
+    assert_close(model.evaluate("swing_foot", **at)["foot"], hand.on_stance(hand.foot), 1e-14)
     _, force = hand.motion()
     contact = -hand.par["radius"] * at["q"][:, 0]
     expected = com[:, 0] - force[:, 0] / force[:, 1] * com[:, 1] - contact

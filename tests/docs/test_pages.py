@@ -18,6 +18,7 @@ import typer
 
 import stridemap
 from stridemap.cli.app import app
+from stridemap.quantities import QUANTITIES
 from stridemap.solver.model.loading import available
 from stridemap.sweeps.config import Search, load_config, parse_config
 from stridemap.sweeps.run import sweep
@@ -184,9 +185,12 @@ def test_every_public_name_is_documented():
 
 
 def test_every_measure_is_defined():
-    words, _ = words_of("measures")
+    words, text = words_of("measures")
     measured = {f.name for f in fields(stridemap.Orbit)} - {"model", "params"}
-    assert measured - words == set()
+    tables = re.findall(r"^```\{stridemap-quantities\}\n(.*?)^```$", text, re.MULTILINE | re.DOTALL)
+    assert measured - words <= set(QUANTITIES)
+    assert set(" ".join(tables).split()) - {":rest:"} <= set(QUANTITIES)
+    assert tables[-1] == ":rest:\n"  # whatever the registry has, the page defines
 
 
 @pytest.mark.parametrize("schema", [orbit_schema, cell_schema])

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pandas as pd
 
-from stridemap.paper.data import PaperData
+from stridemap.paper.cycle_tables import CycleTables
 
 STARTS = {"A": 0.5, "B": 10.0, "C": 22.0, "D": 34.0, "E": 46.0}
 STABLE, MAIN = {2.0: 4.0, 3.0: 6.0}, 8.0
@@ -28,11 +28,11 @@ def made_up():
         ]
     )  # fmt: skip
     lines = pd.DataFrame([row for a in (0.25, 0.5) for w in (2.0, 3.0) for row in _line(a, w)])
-    return PaperData(
+    return CycleTables(
         typical=pd.DataFrame([_typical(g, k) for g, k in (("A", 0.5), ("B", 6.0), ("C", 22.5))]),
         compass=compass,
         lines=lines,
-        between=lines.iloc[:0],
+        minima=lines.iloc[:0],
         edges=pd.DataFrame({n: [] for n in ("alpha", "omega", "group", "k_grid", "side", "k")}),
         map=pd.DataFrame([row for w in (2.0, 3.0) for a in MAP_ALPHA for row in _map_row(a, w)]),
         line_k=LINE_K,
@@ -64,7 +64,7 @@ def profile(group):
     sign = 1 if group == "A" else -1
     return {
         "x_first": -0.01 * sign, "x_second": 0.01 * sign, "x_first_behind": 0.5 + 0.5 * sign,
-        "x_second_ahead": 0.5 + 0.5 * sign, "x_amplitude": 0.05, "x_travel": 0.1, "x_maxima": 1,
+        "x_second_ahead": 0.5 + 0.5 * sign, "wobble_amplitude": 0.05, "x_travel": 0.1, "x_maxima": 1,
         "d_first": 0.1, "d_second": -0.1, "d_first_positive": 0.9, "d_second_negative": 1.0,
         "d_travel": 0.4 if group == "A" else 0.3, "d_start": 0.1, "d_sign_changes": 1, "d_crossing": 0.45,
     }  # fmt: skip
@@ -103,7 +103,7 @@ def changed(data, table, where=None, **columns):
     return replace(data, **{table: rows})
 
 
-def swapped(data, one, other, column="group", tables=("typical", "lines", "between", "edges", "map")):
+def swapped(data, one, other, column="group", tables=("typical", "lines", "minima", "edges", "map")):
     """The data with two values of a column swapped in all tables."""
     for table in tables:
         rows = getattr(data, table)

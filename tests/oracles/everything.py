@@ -116,7 +116,7 @@ class ByHand(Newton):
         solution = np.linalg.solve(system, right[..., None])[..., 0]
         return solution[:, :5], solution[:, 5:]
 
-    def strike(self):
+    def impact(self):
         """Rates after the impact, legs swapped, and the impulses of the ground and of the lock."""
         inertia, swing = self.floating()
         free = np.zeros((self.count, 3, 5))
@@ -129,7 +129,7 @@ class ByHand(Newton):
         solution = np.linalg.solve(system, right[..., None])[..., 0]
         return self.swapped(solution[:, 2:5]), solution[:, 5:7]
 
-    def standing(self, point):
-        """Place of a point that is given from the arc's centre, from where the foot's lowest point was."""
+    def on_stance(self, point):
+        """Position of a point that is given from the arc's centre, from where the foot's lowest point was."""
         radius, theta1 = self.par["radius"], self.q[:, 0]
-        return point.place + np.stack([-radius * theta1, radius], axis=-1)
+        return point.position + np.stack([-radius * theta1, radius], axis=-1)

@@ -38,7 +38,7 @@ def transposed(matrix):
 class Point:
     """A point of the walker: position, Jacobian and acceleration at constant rates, from the stance foot."""
 
-    place: Any
+    position: Any
     jacobian: Any
     acceleration: Any
 
@@ -163,7 +163,7 @@ class Newton:
         inertia = self.sum(lambda p: np.matmul(transposed(wide(p)), wide(p))) + self.rotation(2)
         return inertia, wide(self.foot)
 
-    def released(self):
+    def after_release(self):
         """The impact as it is stated: ``Me (v+ - v-) = J^T Lambda, J v+ = 0`` for all n + 4 unknowns."""
         inertia, jacobian = self.floating()
         size = self.n + 2
@@ -181,17 +181,17 @@ class Newton:
         return np.concatenate([vector[:, :1] - vector[:, 1:2], -vector[:, 1:2], vector[:, 2:]], axis=-1)
 
     def impact_map(self):
-        return {"q_plus": self.swapped(self.q), "v_plus": self.swapped(self.released()[0])}
+        return {"q_plus": self.swapped(self.q), "v_plus": self.swapped(self.after_release()[0])}
 
     def impact_impulse(self):
-        return {"Lambda": self.released()[1]}
+        return {"Lambda": self.after_release()[1]}
 
     def before_touchdown(self):
         return {"q_minus": self.swapped(self.q)}
 
     def step_length(self):
         """The old stance foot is now the swing foot, that far behind the new one."""
-        return {"length": -self.foot.place[:, 0]}
+        return {"length": -self.foot.position[:, 0]}
 
     # -- what is measured ------------------------------------------------------------------------------------
 
@@ -205,7 +205,7 @@ class Newton:
         return {"kinetic": (self.sum(lambda p: (self.velocity(p) ** 2).sum(axis=-1)) + turning) / 2}
 
     def potential_energy(self):
-        return {"potential": -self.sum(lambda p: (self.gravity * p.place).sum(axis=-1))}
+        return {"potential": -self.sum(lambda p: (self.gravity * p.position).sum(axis=-1))}
 
     def total_mass(self):
         """The acceleration of gravity is 1 in all these walkers."""
@@ -214,7 +214,7 @@ class Newton:
 
     def centre_of_mass(self):
         mass = self.total_mass()["mass"][:, None]
-        return {"com": self.sum(lambda p: p.place) / mass, "dcom": self.sum(self.velocity) / mass}
+        return {"com": self.sum(lambda p: p.position) / mass, "dcom": self.sum(self.velocity) / mass}
 
     def ground_force(self):
         acceleration = self.state_derivative()["dv"]
@@ -227,7 +227,7 @@ class Newton:
         return {"zmp": point, "d": -point}
 
     def swing_foot(self):
-        return {"foot": self.foot.place, "dfoot": self.velocity(self.foot)}
+        return {"foot": self.foot.position, "dfoot": self.velocity(self.foot)}
 
     def lines(self):
         """Points of the lines by which the walker is drawn."""
@@ -235,9 +235,9 @@ class Newton:
 
     def drawing(self):
         return {
-            "positions": np.stack([b.point.place for b in self.bodies], axis=1),
+            "positions": np.stack([b.point.position for b in self.bodies], axis=1),
             "masses": np.stack([b.mass for b in self.bodies], axis=-1),
-            **{key: np.stack([p.place for p in line], axis=1) for key, line in self.lines().items()},
+            **{key: np.stack([p.position for p in line], axis=1) for key, line in self.lines().items()},
         }
 
     def section_state(self):
@@ -250,7 +250,7 @@ class Wobbling(Newton):
 
     def upper_body(self):
         rail = self.rest
-        rail.place[:, 0] = self.q[:, 2]
+        rail.position[:, 0] = self.q[:, 2]
         rail.jacobian[:, 0, 2] = 1
         alpha = self.par["alpha"]
         return [Body(1 - alpha, self.hip), Body(alpha, self.hip + rail)]
@@ -375,7 +375,7 @@ class Wheel(Newton):
 
     def step_length(self):
         """From the foot of the spoke behind to the stance foot."""
-        return {"length": -self.behind.place[:, 0]}
+        return {"length": -self.behind.position[:, 0]}
 
     def lines(self):
         return {"stance_spokes": [self.rest, self.hip, self.foot], "spoke_behind": [self.hip, self.behind]}

@@ -7,7 +7,8 @@ from pathlib import Path
 import numpy as np
 from scipy.stats import qmc
 
-from stridemap.solver.cycles.search import find_orbits
+from stridemap.solver.cycles.search import find_all
+from stridemap.solver.cycles.solver import Solver
 from stridemap.solver.model.loading import load
 
 REFERENCE = json.loads((Path(__file__).parent / "reference_orbits.json").read_text(encoding="utf-8"))
@@ -36,7 +37,7 @@ def section_point(entry):
 
 
 def parameters(orbit):
-    return load(orbit.model).point(orbit.params)
+    return orbit.model.point(orbit.params)
 
 
 def _points():
@@ -72,4 +73,4 @@ def orbits_at(index):
     """Every cycle at one of `POINTS`."""
     name, params = POINTS[index]
     model = load(name)
-    return tuple(find_orbits(model, model.point(params)[None])[0])
+    return tuple(find_all(Solver.for_model(model), model.point(params)[None])[1])

@@ -34,10 +34,10 @@ class Assembly:
         point = origin.locatenew(name, offset)
         point.set_vel(self.world, point.pos_from(self.ground).dt(self.world))
         self.bodies.append(me.Particle(name, point, mass))
-        self.forces.append((point, mass * self.pull(downhill)))
+        self.forces.append((point, mass * self.gravity(downhill)))
         return point
 
-    def pull(self, downhill):
+    def gravity(self, downhill):
         return sp.sin(downhill) * self.world.x - sp.cos(downhill) * self.world.y
 
 
@@ -89,7 +89,7 @@ def rimless_wheel():
     hub.set_vel(a.world, hub.pos_from(a.ground).dt(a.world))
     inertia = me.inertia(spoke, 0, 0, 1 / lambda2 - 1)
     a.bodies.append(me.RigidBody("wheel", hub, spoke, sp.Integer(1), (inertia, hub)))
-    a.forces.append((hub, a.pull(slope)))
+    a.forces.append((hub, a.gravity(slope)))
     return a
 
 

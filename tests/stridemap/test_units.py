@@ -10,8 +10,9 @@ from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 
 import stridemap
+from stridemap.quantities import QUANTITIES
 from stridemap.solver.model.loading import available
-from stridemap.units import MEASURES, QUANTITIES, STANDARD_GRAVITY
+from stridemap.units import KINDS, MEASURE_KINDS, STANDARD_GRAVITY
 
 InputError = stridemap.InputError
 ROBOT = stridemap.Units(leg_length=0.8, mass=40.0, gravity=9.81)
@@ -23,7 +24,7 @@ robots = st.builds(
     gravity=st.floats(1e-2, 300),
 )
 values = st.floats(-1e9, 1e9).filter(lambda x: x == 0 or abs(x) > 1e-9)
-names = st.sampled_from(sorted(QUANTITIES))
+names = st.sampled_from(sorted(KINDS))
 
 # What the SI unit of a quantity is in kg, m and s: from the SI Brochure (BIPM, 9th edition, tables 2 to 4).
 SI_BASE = {
@@ -37,10 +38,10 @@ SI_BASE = {
 # -- the units -----------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("name", QUANTITIES)
+@pytest.mark.parametrize("name", KINDS)
 def test_every_quantity_has_the_dimension_of_its_si_unit(name):
     """Units of another size change the number of every quantity by the powers of its SI unit."""
-    kilogram, metre, second = SI_BASE[QUANTITIES[name][1]]
+    kilogram, metre, second = SI_BASE[KINDS[name][1]]
     one = stridemap.Units(leg_length=1, mass=1, gravity=1)
     # 1 m = 4 of the new unit of length, 1 s = 2 of the new unit of time: L is 4, g = 1 m/s^2 is 4/2^2 = 1.
     smaller = stridemap.Units(leg_length=4, mass=8, gravity=1)
@@ -92,12 +93,24 @@ def test_units_belong_together(robot):
 
 @pytest.mark.parametrize("model", available())
 def test_every_unit_of_a_model_can_be_converted(model):
-    manifest = stridemap.load(model).manifest
-    written = {p["unit"] for p in manifest["parameters"]} | {c["unit"] for c in manifest["coordinates"]}
-    for function in manifest["functions"].values():
-        written |= {e["unit"] for i in function["inputs"] for e in i["entries"] if e.get("unit")}
+    spec = stridemap.load(model).spec
+    written = {entry.unit for argument in "tqvpz" for entry in spec.entries(argument)}
     assert written
     assert all(ROBOT.unit(unit) > 0 for unit in written)
+
+
+def test_every_measured_quantity_is_of_a_known_kind():
+    assert {quantity.kind for quantity in QUANTITIES.values()} <= set(KINDS)
+    assert MEASURE_KINDS["work"] == "energy"
+    assert "peaks" not in MEASURE_KINDS
+
+
+@pytest.mark.parametrize(("old", "new"), [("QUANTITIES", "KINDS"), ("MEASURES", "MEASURE_KINDS")])
+def test_former_names_say_what_they_are_called_now(old, new):
+    with pytest.raises(InputError, match=f"stridemap.units.{old} is called stridemap.units.{new} now"):
+        getattr(stridemap.units, old)
+    with pytest.raises(AttributeError, match="has no attribute 'KIND'"):
+        stridemap.units.KIND  # noqa: B018
 
 
 # -- there and back ------------------------------------------------------------------------------------------
@@ -348,7 +361,7 @@ def test_a_robot_in_si_units_walks_the_converted_cycle():
         ])  # fmt: skip
         t, y, period, end = robot.step(q, v)
         measured = units.measures(orbit)
-        assert set(measured) == set(MEASURES)
+        assert set(measured) == {name for name in QUANTITIES if isinstance(getattr(orbit, name, None), float)}
         assert period == pytest.approx(measured["period"], rel=1e-9)
         after = robot.impact(end[:3], end[3:6])
         assert after == pytest.approx(v, rel=1e-7, abs=1e-8)

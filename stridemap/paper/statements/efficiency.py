@@ -7,10 +7,9 @@ import numpy as np
 import pandas as pd
 
 from stridemap.paper.claim import Decided, Parts, shown, statement
-from stridemap.paper.data import ALPHAS, OMEGAS, PaperData
+from stridemap.paper.cycle_tables import CycleTables
+from stridemap.paper.points import ALPHAS, GROUPS, OMEGAS, TYPICAL
 from stridemap.paper.select import (
-    GROUPS,
-    TYPICAL,
     compass,
     extremes,
     main_branch,
@@ -18,16 +17,16 @@ from stridemap.paper.select import (
     span,
     stable,
     typical,
-    with_between,
+    with_minima,
 )
 
-Rule = Callable[[PaperData, str], tuple[Parts, str]]
+Rule = Callable[[CycleTables, str], tuple[Parts, str]]
 
 
-def least_is_largest_in_a(data: PaperData, column: str) -> tuple[Parts, str]:
+def least_is_largest_in_a(data: CycleTables, column: str) -> tuple[Parts, str]:
     """At each alpha and omega, the smallest value over stable A is above those over stable B and stable C."""
     parts, texts = Parts(), []
-    for name, _, _, orbits in slices(with_between(data)):
+    for name, _, _, orbits in slices(with_minima(data)):
         found = {g: extremes(stable(orbits, g), column) for g in "ABC"}
         least = {g: found[g].get("least", np.nan) for g in "ABC"}
         for g in "BC":
@@ -36,17 +35,19 @@ def least_is_largest_in_a(data: PaperData, column: str) -> tuple[Parts, str]:
     return parts, "smallest in A/B/C: " + ", ".join(texts)
 
 
-def a_is_above_the_compass(data: PaperData, column: str) -> tuple[Parts, str]:
+def a_is_above_the_compass(data: CycleTables, column: str) -> tuple[Parts, str]:
     """Every stable cycle of A is above the compass, at each alpha and omega."""
     parts, texts = Parts(), []
-    for name, _, omega, orbits in slices(with_between(data)):
+    for name, _, omega, orbits in slices(with_minima(data)):
         reference, found = compass(data, omega, column), extremes(stable(orbits, "A"), column)
         parts.add(name, found.get("least", np.nan) > reference, compass=reference, **found)
         texts.append(f"{shown(found.get('least', np.nan), '.4g')} (compass {shown(reference, '.4g')})")
     return parts, "smallest in A: " + ", ".join(texts)
 
 
-def some_are_below_the_compass(data: PaperData, column: str, omegas: tuple[float, ...]) -> tuple[Parts, str]:
+def some_are_below_the_compass(
+    data: CycleTables, column: str, omegas: tuple[float, ...]
+) -> tuple[Parts, str]:
     """Some stable cycles of B, and some of C, are below the compass, at each alpha and some omega."""
     parts, texts = Parts(), []
     for name, _, omega, orbits in slices(data):
@@ -64,7 +65,7 @@ def some_are_below_the_compass(data: PaperData, column: str, omegas: tuple[float
     return parts, "stable cycles below it: " + ", ".join(texts)
 
 
-def grows(data: PaperData, column: str) -> tuple[Parts, str]:
+def grows(data: CycleTables, column: str) -> tuple[Parts, str]:
     """Whether a measure grows with alpha and with omega, and falls as `k` falls within a group.
 
     Everything is asked twice: of the group's main branch, and of its stable cycles alone. With alpha and
@@ -126,7 +127,7 @@ def _tally(parts: Parts) -> str:
     return "so " + ", ".join(texts)
 
 
-def of_cost(data: PaperData, rule: Rule) -> Decided:
+def of_cost(data: CycleTables, rule: Rule) -> Decided:
     """Decide by the cost of transport, and tell how the paper's own formula decides.
 
     The paper divides work by weight and mean speed, which is no dimensionless cost; the cost of transport
@@ -139,31 +140,31 @@ def of_cost(data: PaperData, rule: Rule) -> Decided:
 
 
 @statement("C11", "The smallest d_max of stable cycles is larger in A than in B and than in C")
-def c11(data: PaperData) -> Decided:
+def c11(data: CycleTables) -> Decided:
     """See `least_is_largest_in_a`."""
     return *least_is_largest_in_a(data, "d_max"), {}
 
 
 @statement("C12", "In stable cycles of A, d_max is always above the compass's")
-def c12(data: PaperData) -> Decided:
+def c12(data: CycleTables) -> Decided:
     """See `a_is_above_the_compass`."""
     return *a_is_above_the_compass(data, "d_max"), {}
 
 
 @statement("C13", "At omega = 2, some stable cycles of B and of C have d_max below the compass's")
-def c13(data: PaperData) -> Decided:
+def c13(data: CycleTables) -> Decided:
     """See `some_are_below_the_compass`."""
     return *some_are_below_the_compass(data, "d_max", (2.0,)), {}
 
 
 @statement("C14", "d_max grows with alpha and omega, and falls quickly as k falls within a group")
-def c14(data: PaperData) -> Decided:
+def c14(data: CycleTables) -> Decided:
     """See `grows`."""
     return *grows(data, "d_max"), {}
 
 
 @statement("C15", "d is positive first and then negative; of the typical solutions A's d fluctuates most")
-def c15(data: PaperData) -> Decided:
+def c15(data: CycleTables) -> Decided:
     """Signs in each typical solution, and which of them has the largest range of d.
 
     Signs: d starts positive, changes its sign once, and is on average positive in the first half of the
@@ -210,24 +211,24 @@ def _turns_negative_once(cycles: Any) -> Any:
 
 
 @statement("C16", "The smallest CoT of stable cycles is larger in A than in B and than in C")
-def c16(data: PaperData) -> Decided:
+def c16(data: CycleTables) -> Decided:
     """See `least_is_largest_in_a`."""
     return of_cost(data, least_is_largest_in_a)
 
 
 @statement("C17", "In stable cycles of A, CoT is always above the compass's")
-def c17(data: PaperData) -> Decided:
+def c17(data: CycleTables) -> Decided:
     """See `a_is_above_the_compass`."""
     return of_cost(data, a_is_above_the_compass)
 
 
 @statement("C18", "Some stable cycles of B and of C have CoT below the compass's")
-def c18(data: PaperData) -> Decided:
+def c18(data: CycleTables) -> Decided:
     """See `some_are_below_the_compass`."""
     return of_cost(data, lambda d, column: some_are_below_the_compass(d, column, OMEGAS))
 
 
 @statement("C19", "CoT grows with alpha and omega, and falls quickly as k falls within a group")
-def c19(data: PaperData) -> Decided:
+def c19(data: CycleTables) -> Decided:
     """See `grows`."""
     return of_cost(data, grows)

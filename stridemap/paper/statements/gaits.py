@@ -7,10 +7,9 @@ import numpy as np
 import pandas as pd
 
 from stridemap.paper.claim import Decided, Parts, shown, statement
-from stridemap.paper.data import OMEGAS, PaperData
+from stridemap.paper.cycle_tables import CycleTables
+from stridemap.paper.points import GROUPS, OMEGAS, TYPICAL
 from stridemap.paper.select import (
-    GROUPS,
-    TYPICAL,
     at,
     compass,
     extremes,
@@ -23,7 +22,7 @@ from stridemap.paper.select import (
 
 
 @statement("C1", "There is a stable cycle at each typical solution: k = 0.5 in A, 6 in B, 22.5 in C")
-def c1(data: PaperData) -> Decided:
+def c1(data: CycleTables) -> Decided:
     """At alpha = 0.25 and omega = 3. A part for each: a stable cycle of that group at that k."""
     parts, numbers = Parts(), []
     for group, k in TYPICAL.items():
@@ -38,7 +37,7 @@ def c1(data: PaperData) -> Decided:
 
 
 @statement("C2", "Groups A to E follow each other as k grows, with gaps without a cycle on the main branch")
-def c2(data: PaperData) -> Decided:
+def c2(data: CycleTables) -> Decided:
     """Whether the main branch (see `branch`) comes in pieces, lettered in order.
 
     At each alpha and omega: ``order``, the letters on the main branch, by their smallest k, are A, B, C ...
@@ -66,14 +65,14 @@ def c2(data: PaperData) -> Decided:
     return parts, "letters up to k = 60: " + ", ".join(letters), {}
 
 
-def _gap(data: PaperData, before: list[float], after: list[float]) -> dict[str, Any]:
+def _gap(data: CycleTables, before: list[float], after: list[float]) -> dict[str, Any]:
     """What lies between two groups: its ends, and how many values of `k` were searched in it."""
     inside = (data.line_k > before[1]) & (data.line_k < after[0])
     return {"k_from": before[1], "k_to": after[0], "k_without": int(inside.sum())}
 
 
 @statement("C3", "In A the wobbling mass is behind the hip first and ahead of it later; in B the reverse")
-def c3(data: PaperData) -> Decided:
+def c3(data: CycleTables) -> Decided:
     """A part for each group at each alpha and omega: so it is in every stable cycle.
 
     In a cycle it is so if, in either half of the step, x has the stated sign for more than half of the time
@@ -101,7 +100,7 @@ def c3(data: PaperData) -> Decided:
 
 
 @statement("C4", "The wobbling mass oscillates twice a step in C, three times in D, four times in E")
-def c4(data: PaperData) -> Decided:
+def c4(data: CycleTables) -> Decided:
     """Oscillations are half the sign changes of `x` within a step.
 
     For each of these groups that has stable cycles at an alpha and omega: ``most`` of them and ``all`` of
@@ -135,7 +134,7 @@ def c4(data: PaperData) -> Decided:
 
 
 @statement("C5", "The rate of theta1 has 1, 2 and 3 peaks in the typical solutions of A, B and C")
-def c5(data: PaperData) -> Decided:
+def c5(data: CycleTables) -> Decided:
     """A part for each typical solution. Peaks of all stable cycles are further evidence."""
     parts, counts = Parts(), []
     for peaks, group in enumerate(TYPICAL, 1):
@@ -153,7 +152,7 @@ def c5(data: PaperData) -> Decided:
 @statement(
     "C6", "The compass has one cycle at each omega, with one peak in the rate of theta1, and resembles A"
 )
-def c6(data: PaperData) -> Decided:
+def c6(data: CycleTables) -> Decided:
     """One cycle and one peak at each omega; the likeness with the typical solutions, at omega = 3.
 
     ``as many peaks as A alone``: as the typical solution of A, and not as those of B and C. ``most like
@@ -184,20 +183,20 @@ def c6(data: PaperData) -> Decided:
 
 
 @statement("C20", "The wobbling mass moves by about 0.05 of the leg length in the solutions shown")
-def c20(data: PaperData) -> Decided:
+def c20(data: CycleTables) -> Decided:
     """The greatest modulus of `x` over the three typical solutions.
 
     ``rounds to 0.05``: from 0.045 to 0.055. ``within a factor of two``: from 0.025 to 0.1. Stable cycles
     elsewhere are further evidence: the paper does not say which solution it means.
     """
-    amplitude = {g: _number(typical(data, g), "x_amplitude") for g in TYPICAL}
+    amplitude = {g: _number(typical(data, g), "wobble_amplitude") for g in TYPICAL}
     travel = {g: _number(typical(data, g), "x_travel") for g in TYPICAL}
     largest = np.nanmax([*amplitude.values(), 0.0])
     parts = Parts()
     parts.add("rounds to 0.05", 0.045 <= largest < 0.055, largest=largest, amplitude=amplitude, travel=travel)
     parts.add("within a factor of two", 0.025 <= largest <= 0.1, largest=largest)
     elsewhere = {
-        name: {g: extremes(stable(orbits, g), "x_amplitude") for g in GROUPS}
+        name: {g: extremes(stable(orbits, g), "wobble_amplitude") for g in GROUPS}
         for name, _, _, orbits in slices(data)
     }
     text = "largest |x|: " + ", ".join(f"{g} {shown(value, '.3f')}" for g, value in amplitude.items())

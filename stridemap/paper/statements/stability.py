@@ -6,25 +6,25 @@ import numpy as np
 import pandas as pd
 
 from stridemap.paper.claim import Decided, Parts, shown, statement
-from stridemap.paper.data import ALPHAS, OMEGAS, PaperData
+from stridemap.paper.cycle_tables import CycleTables
+from stridemap.paper.points import ALPHAS, GROUPS, OMEGAS
 from stridemap.paper.select import (
-    GROUPS,
     at,
     compass,
     extremes,
     main_branch,
     slices,
     stable,
-    with_between,
+    with_minima,
 )
-from stridemap.solver.branches.edges import Run, stable_runs
+from stridemap.paper.stable_runs import Run, stable_runs
 
 
 @statement("C7", "The largest multiplier of every cycle is larger than the compass's")
-def c7(data: PaperData) -> Decided:
+def c7(data: CycleTables) -> Decided:
     """A part for each alpha and omega: so for every cycle that walks, stable or not."""
     parts, texts = Parts(), []
-    for name, _, omega, orbits in slices(with_between(data)):
+    for name, _, omega, orbits in slices(with_minima(data)):
         reference, found = compass(data, omega, "spectral_radius"), extremes(orbits, "spectral_radius")
         least = found.get("least", np.nan)
         below = int((orbits["spectral_radius"] <= reference).sum())
@@ -34,7 +34,7 @@ def c7(data: PaperData) -> Decided:
 
 
 @statement("C8", "Within B, C and D the largest multiplier is smallest towards the group's small-k end")
-def c8(data: PaperData) -> Decided:
+def c8(data: CycleTables) -> Decided:
     """At the smallest `k` itself is the fold, where a multiplier is 1; so the minimum is somewhat inside.
 
     For each group that has stable cycles at an alpha and omega: the minimum lies in the lower half of the
@@ -42,7 +42,7 @@ def c8(data: PaperData) -> Decided:
     cycles.
     """
     parts, places = Parts(), []
-    for name, _, _, orbits in slices(with_between(data)):
+    for name, _, _, orbits in slices(with_minima(data)):
         for group in "BCD":
             if stable(orbits, group).empty:
                 continue
@@ -67,7 +67,7 @@ def _place_of_least(rows: pd.DataFrame, column: str) -> tuple[float, dict[str, A
 
 
 @statement("C9", "The range of k with stable cycles is wider at omega = 3 than at omega = 2")
-def c9(data: PaperData) -> Decided:
+def c9(data: CycleTables) -> Decided:
     """Total length of the values of `k` from 0.1 to 60 with stable cycles, ends bisected.
 
     A part for each alpha, all groups together, and for each alpha and each group that has stable cycles and
@@ -94,7 +94,7 @@ def c9(data: PaperData) -> Decided:
     return parts, "length of the range of k: " + ", ".join(texts), {"stable_k": ranges}
 
 
-def _runs(data: PaperData, alpha: float, omega: float) -> dict[str, list[Run]]:
+def _runs(data: CycleTables, alpha: float, omega: float) -> dict[str, list[Run]]:
     """Ranges with stable cycles of each of the five groups at one alpha and omega."""
     orbits, edges = at(data.lines, alpha=alpha, omega=omega), at(data.edges, alpha=alpha, omega=omega)
     return {
@@ -115,7 +115,7 @@ def _length(groups: dict[str, list[Run]]) -> float:
 @statement(
     "C10", "Stable cycles take most of k for alpha from 0.4 to 0.5, little for very small or large alpha"
 )
-def c10(data: PaperData) -> Decided:
+def c10(data: CycleTables) -> Decided:
     """The share of the values of `k` up to 60 at which there is a stable cycle, over a fine axis of alpha.
 
     For each omega: ``largest from 0.4 to 0.5``; ``few at the smallest alpha`` and ``few at the largest

@@ -234,7 +234,7 @@ function buildPlayer() {
     stage.seek((Number(byId("time").value) / 1000) * stage.path.period);
   });
   byId("profiles").addEventListener("pointerdown", () => play(false));
-  options(byId("speed"), SPEEDS.map((s) => [s, `${s} ${model.units.time} a second`]), stage.speed, (value) => { stage.speed = Number(value); });
+  options(byId("speed"), SPEEDS.map((s) => [s, `${s} ${model.units.time} per second`]), stage.speed, (value) => { stage.speed = Number(value); });
   const still = matchMedia("(prefers-reduced-motion: reduce)");
   still.addEventListener("change", () => still.matches && play(false));
   play(!still.matches);

@@ -7,15 +7,17 @@ table and with the equations of the model.
 
 import base64
 from collections.abc import Mapping
+from dataclasses import asdict
 from typing import Any
 
 import numpy as np
 import pandas as pd
 from scipy.integrate import DOP853
 
+from stridemap.quantities import QUANTITIES
 from stridemap.solver.model.model import Model
 from stridemap.spec import Parameter
-from stridemap.views.report.quantities import MEASURES, Quantity, printed, rate_symbol, symbol, units
+from stridemap.views.notation import printed, rate_symbol, symbol, units
 
 NEEDED = ("section_state", "state_derivative", "impact_map", "swing_foot", "drawing")
 """Generated functions without which no walker can be shown."""
@@ -73,42 +75,34 @@ def axes(model: Model, configuration: Mapping[str, Any]) -> list[Parameter]:
 
 def functions(model: Model) -> list[str]:
     """Return the names of the model's functions that the page calls."""
-    return [*NEEDED, *(name for name in SHOWN if name in model.manifest["functions"])]
+    return [*NEEDED, *(name for name in SHOWN if name in model.spec.functions)]
 
 
 def _model(model: Model) -> dict[str, Any]:
-    manifest = model.manifest
+    spec = model.spec
     return {
         "name": model.name,
         "title": model.title,
         "parameters": [{"name": p.name, "symbol": symbol(p.name)} for p in model.parameters],
         "coordinates": [
             {
-                **c,
-                "unit": printed(c["unit"]),
-                "symbol": symbol(c["name"]),
-                "rate_symbol": rate_symbol(c["name"]),
-                "rate_unit": printed(rate["unit"]),
+                "name": c.name,
+                "unit": printed(c.unit),
+                "symbol": symbol(c.name),
+                "rate_symbol": rate_symbol(c.name),
+                "rate_unit": printed(c.rate_unit),
             }
-            for c, rate in zip(manifest["coordinates"], _rates(manifest), strict=True)
+            for c in spec.coordinates
         ],
         "section": [
             {"name": name, "symbol": _section_symbol(name, model.coordinates)} for name in model.section
         ],
-        "actuated": [symbol(name) for name in manifest["actuated"]],
-        "units": units(manifest["units"]),
-        "masses": manifest["masses"],
-        "lines": manifest["lines"],
-        "inputs": {
-            name: [a["name"] for a in manifest["functions"][name]["inputs"]] for name in functions(model)
-        },
+        "actuated": [symbol(name) for name in spec.actuated],
+        "units": units(spec.units),
+        "masses": [asdict(mass) for mass in spec.masses],
+        "lines": [asdict(line) for line in spec.lines],
+        "inputs": {name: list(spec.functions[name].arguments) for name in functions(model)},
     }
-
-
-def _rates(manifest: Mapping[str, Any]) -> Any:
-    """The rates of the coordinates, as the manifest describes them where they are an input."""
-    inputs = manifest["functions"]["state_derivative"]["inputs"]
-    return next(entry["entries"] for entry in inputs if entry["name"] == "v")
 
 
 def _section_symbol(name: str, coordinates: tuple[str, ...]) -> str:
@@ -116,20 +110,23 @@ def _section_symbol(name: str, coordinates: tuple[str, ...]) -> str:
 
 
 def _measures(model: Model, orbits: pd.DataFrame, hidden: set[str]) -> list[dict[str, str]]:
-    """What of an orbit is shown as a measure, in the order of `MEASURES`, then what is not known there."""
+    """Columns that are shown as measured quantities, in the registry's order and then those it lacks."""
     shown = [
         name
         for name in orbits
-        if name not in hidden and name not in model.section and not name.startswith("multiplier_")
+        if name not in hidden
+        and name not in model.section
+        and not name.startswith("multiplier_")
+        and not orbits[name].isna().all()
     ]
-    known = [name for name in MEASURES if name in shown]
-    rest = [name for name in shown if name not in MEASURES]
-    quantities = {name: MEASURES.get(name, Quantity(name.replace("_", " "))) for name in known + rest}
-    unit = units(model.manifest["units"])
+    unit = units(model.spec.units)
+    known = [quantity for name, quantity in QUANTITIES.items() if name in shown]
     return [
-        {"name": name, "label": quantity.label, "unit": unit[quantity.kind], "meaning": quantity.meaning}
-        for name, quantity in quantities.items()
-        if not orbits[name].isna().all()
+        {"name": q.name, "label": q.label, "unit": unit[q.kind], "meaning": q.definition} for q in known
+    ] + [
+        {"name": name, "label": name.replace("_", " "), "unit": "", "meaning": ""}
+        for name in shown
+        if name not in QUANTITIES
     ]
 
 

@@ -10,11 +10,11 @@ import pandas as pd
 
 from stridemap.errors import InputError
 from stridemap.solver.model.model import Model
+from stridemap.views.notation import symbol, units
 from stridemap.views.report.payload import axes
-from stridemap.views.report.quantities import symbol, units
 
 VERDICTS = {"holds": "✓", "in part": "◐", "differs": "✗"}
-"""What a verdict may be, each with the mark that tells it from the others without colour."""
+"""What a verdict may be, each with a mark that distinguishes it from the others without colour."""
 
 OF_THE_PAPER = ("wobbling", "compass")
 """The models that the paper's statements are about, and from which their preset was identified."""
@@ -36,12 +36,12 @@ def lead(model: Model, provenance: Mapping[str, Any], orbits: pd.DataFrame, cell
         f"<i>{text(symbol(axis.name))}</i> ({text(axis.meaning.split(';')[0])})"
         for axis in axes(model, provenance["configuration"])
     ]
-    named = [f"{kind} {text(units(model.manifest['units'])[kind])}" for kind in ("mass", "length", "time")]
+    named = [f"{kind} {text(units(model.spec.units)[kind])}" for kind in ("mass", "length", "time")]
     return (
         f"<p>All limit cycles found in a sweep over {_listed(varied)}: <b>{len(orbits):,}</b> cycles, "
         f"<b>{int(orbits['stable'].sum()):,}</b> of them stable, in <b>{len(cells):,}</b> grid cells. "
         "Choose a cell of the map to see its cycles walk.</p>"
-        f'<p class="note">Units: {_listed(named)}. {text(model.manifest["reference"])}.</p>'
+        f'<p class="note">Units: {_listed(named)}. {text(model.spec.reference)}.</p>'
     )
 
 
@@ -59,13 +59,13 @@ def read_claims(path: str | Path) -> list[dict[str, Any]]:
     except OSError as error:
         raise InputError(f"cannot read {path} ({error.strerror}); {wanted}") from None
     except ValueError as error:
-        raise InputError(f"{path} is no JSON ({error}); {wanted}") from None
+        raise InputError(f"{path} is not JSON ({error}); {wanted}") from None
     claims = found.get("claims") if isinstance(found, dict) else None
     if not isinstance(claims, list):
-        raise InputError(f'{path} holds no list "claims"; {wanted}')
+        raise InputError(f'{path} does not hold a list "claims"; {wanted}')
     for i, claim in enumerate(claims, 1):
         if not isinstance(claim, dict) or not isinstance(claim.get("id"), str):
-            raise InputError(f"claim {i} in {path} has no id; {wanted}")
+            raise InputError(f"claim {i} in {path} does not have an id; {wanted}")
         if claim.get("verdict") not in list(VERDICTS):
             raise InputError(
                 f"the verdict of {claim['id']} in {path} is {claim.get('verdict')!r}, not one of "
@@ -143,7 +143,7 @@ def _plain(value: Any) -> str:
 
 
 def _numbers(claim: Mapping[str, Any]) -> str:
-    """The deciding numbers in a few words, if there are, and all of them to be unfolded."""
+    """The deciding numbers in a few words, if there are any, and all of them to be unfolded."""
     evidence = _evidence(claim.get("evidence"))
     if not claim.get("numbers"):
         return evidence

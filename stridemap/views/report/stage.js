@@ -1,6 +1,8 @@
 // The stage: the walker on its ground, with zero moment point and ground force, moving or at a chosen time.
 
 const SPEEDS = [0.05, 0.1, 0.25, 0.5, 1];
+const MASS_COLOURS = { swing_foot: "swing", wobbling: "spring" };
+const springLines = model.lines.filter(({ role }) => role === "spring");
 
 class Stage {
   // `onTime(t)` is called when the time within the step changes.
@@ -18,13 +20,13 @@ class Stage {
     this.stride = path.seen(path.period).foot;
     const samples = path.samples(49);
     const heights = samples.flatMap(({ positions, lines }) => [positions, ...Object.values(lines)].flat().map(([, y]) => y));
-    const pulls = samples.flatMap(({ lines }) => model.lines.filter((l) => l.spring).map((l) => [l.name, lines[l.name].at(-1).map((v, i) => v - lines[l.name][0][i])]));
+    const extents = samples.flatMap(({ lines }) => springLines.map(({ name }) => [name, lines[name].at(-1).map((v, i) => v - lines[name][0][i])]));
     // The direction of a spring is that in which it is longest: its length may pass through zero.
     this.springs = new Map();
-    for (const [name, pull] of pulls) if (Math.hypot(...pull) > Math.hypot(...(this.springs.get(name) ?? [0, 0]))) this.springs.set(name, pull);
+    for (const [name, extent] of extents) if (Math.hypot(...extent) > Math.hypot(...(this.springs.get(name) ?? [0, 0]))) this.springs.set(name, extent);
     const forces = samples.map(({ force }) => (force === null ? 0 : Math.hypot(...force))).sort((a, b) => a - b);
     this.size = Math.max(...heights);
-    this.extent = Math.max(0, ...[...this.springs.values()].map((pull) => Math.hypot(...pull)));
+    this.extent = Math.max(0, ...[...this.springs.values()].map((extent) => Math.hypot(...extent)));
     this.usualForce = forces[24] || 1;
     [this.time, this.step] = [0, 0];
     this.show();
@@ -66,7 +68,7 @@ class Stage {
     if (!this.path) return;
     const { pen, width, height } = prepared(this.canvas);
     const scale = Math.min(width / 1.5, height / 1.4) / this.size;
-    // The camera follows at the mean speed; the world lies from the present stance foot.
+    // The camera follows at the mean speed; the origin of the world is the present stance foot.
     const share = this.time / this.path.period - 0.5;
     const centre = [share * this.stride[0], share * this.stride[1]];
     const place = ([x, y]) => [width / 2 + (x - centre[0]) * scale, height - 0.2 * this.size * scale - (y - centre[1]) * scale];
@@ -99,25 +101,24 @@ class Stage {
   }
 
   walker(pen, place, scale) {
-    const { lines, positions, masses, foot } = this.seen;
+    const { lines, positions, masses } = this.seen;
     pen.lineCap = "round";
     pen.lineJoin = "round";
-    const isFoot = (point) => foot !== null && distance(point, foot) < 1e-9 * this.size;
-    for (const { name, spring } of model.lines) {
+    for (const { name, role } of model.lines) {
       const points = lines[name];
+      const hip = Math.floor(points.length / 2); // of legs: the stance leg ends here and the swing leg begins
       for (let i = 1; i < points.length; i++) {
-        const swing = isFoot(points[i]) || isFoot(points[i - 1]);
-        pen.strokeStyle = styled(spring ? "spring" : swing ? "swing" : "ink");
-        pen.lineWidth = spring ? 2 : swing ? 4 : 5;
-        if (spring) coil(pen, place(points[i - 1]), place(points[i]));
+        const [colour, width] = role === "spring" ? ["spring", 2] : role === "legs" && i > hip ? ["swing", 4] : ["ink", 5];
+        pen.strokeStyle = styled(colour);
+        pen.lineWidth = width;
+        if (role === "spring") coil(pen, place(points[i - 1]), place(points[i]));
         else segment(pen, ...place(points[i - 1]), ...place(points[i]));
       }
     }
-    const coiled = new Set(model.lines.filter((l) => l.spring).map((l) => String(lines[l.name].at(-1))));
     const heaviest = Math.max(...masses.map(Math.abs));
     positions.forEach((position, i) => {
       const radius = Math.max(3, 0.045 * this.size * scale * Math.sqrt(Math.abs(masses[i] / heaviest)));
-      pen.fillStyle = styled(coiled.has(String(position)) ? "spring" : isFoot(position) ? "swing" : "ink");
+      pen.fillStyle = styled(MASS_COLOURS[model.masses[i].role] ?? "ink");
       disc(pen, place(position), radius);
       pen.strokeStyle = styled("card");
       pen.lineWidth = 1.5;
@@ -131,10 +132,10 @@ class Stage {
     const radius = Math.min(0.16 * height, 0.16 * width, 60);
     const larger = lensPower((0.6 * radius) / (scale * this.extent));
     if (!(larger > 1)) return;
-    [...this.springs].forEach(([name, pull], i) => {
+    [...this.springs].forEach(([name, extent], i) => {
       const points = this.seen.lines[name];
       const middle = [width - radius - 6 - i * (2 * radius + 12), radius + 6];
-      const along = [pull[0] / Math.hypot(...pull), pull[1] / Math.hypot(...pull)];
+      const along = [extent[0] / Math.hypot(...extent), extent[1] / Math.hypot(...extent)];
       const length = points.at(-1).reduce((sum, v, j) => sum + (v - points[0][j]) * along[j], 0);
       const at = (s, aside = 0) => [middle[0] + s * along[0] + aside * along[1], middle[1] - s * along[1] + aside * along[0]];
       const tip = at(larger * scale * length);

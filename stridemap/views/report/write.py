@@ -5,18 +5,19 @@ import json
 import os
 import re
 import tempfile
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from importlib.resources import files
 from pathlib import Path
+from typing import Any
 
-from stridemap.derive.printers.javascript import equations
 from stridemap.errors import InputError
 from stridemap.solver.model.loading import load
 from stridemap.solver.model.model import Model
 from stridemap.sweeps.store import read_cells, read_orbits, read_provenance
 from stridemap.views.report import sections
-from stridemap.views.report.payload import NEEDED, functions, payload
+from stridemap.views.report.equations import equations
+from stridemap.views.report.payload import NEEDED, payload
 
 SCRIPTS = (
     "data.js",
@@ -57,10 +58,10 @@ class ReportSummary:
 def write_report(
     folder: str | Path,
     out: str | Path,
-    claims: str | Path | None = None,
+    claims: str | Path | Sequence[Mapping[str, Any]] | None = None,
     model: str | Path | None = None,
 ) -> ReportSummary:
-    """Write a sweep as one HTML file that needs nothing beside it, and no network.
+    """Write a sweep as one HTML file that needs no other file and no network.
 
     Parameters
     ----------
@@ -68,16 +69,16 @@ def write_report(
         Output folder of a finished sweep.
     out : path
         The file; folders on the way to it are made.
+    claims : path or sequence of mapping, optional
+        Verdicts to show: what ``stridemap claims --json`` printed, or records of `Claim.to_dict`.
     model : str or path, optional
-        What the model is loaded by, where it is none of the built-in ones: the path of its file.
-    claims : path, optional
-        JSON of verdicts: ``{"claims": [{"id", "statement", "verdict", "evidence"}]}``.
+        What the model is loaded by, where it is not a built-in one: the path of its file.
 
     Raises
     ------
     InputError
-        When the folder holds no finished sweep, the sweep found nothing or is of another model than the
-        one that is installed, when the claims cannot be read, or the file cannot be written.
+        When the folder does not hold a finished sweep, the sweep found nothing or is of another model than
+        the one that is installed, when the claims cannot be read, or the file cannot be written.
     """
     provenance = read_provenance(folder)
     loaded = load(model or provenance["model"])
@@ -86,7 +87,7 @@ def write_report(
     if orbits.empty:
         raise InputError(f"the sweep in {folder} found no limit cycle, so there is nothing to show")
     data = payload(loaded, provenance["configuration"], orbits, cells)
-    verdicts = sections.read_claims(claims) if claims is not None else None
+    verdicts = sections.read_claims(claims) if isinstance(claims, str | Path) else claims
     page = _page(
         title=sections.text(f"Limit cycles: {loaded.title}"),
         heading=sections.text(loaded.title),
@@ -96,7 +97,7 @@ def write_report(
         provenance=sections.provenance(loaded, provenance),
         # A `<` could end the element that holds the data.
         data=json.dumps(data, separators=(",", ":"), allow_nan=False).replace("<", "\\u003c"),
-        equations=equations(loaded, functions(loaded)),
+        equations=equations(loaded),
     ).encode()
     if len(page) > LARGEST:
         raise InputError(
@@ -109,15 +110,18 @@ def write_report(
 
 
 def _check_model(folder: str | Path, provenance: Mapping[str, str], model: Model) -> None:
-    """Refuse a sweep whose walker is not the one that is installed: its steps would be other steps."""
+    """Refuse a sweep whose walker is not the one that is installed: its steps would differ."""
     if provenance["model_hash"] != model.hash:
         raise InputError(
             f"the sweep in {folder} is of another version of the model {model.name} (hash "
             f"{provenance['model_hash'][:12]} there, {model.hash[:12]} here); sweep again, or use the "
             "stridemap that computed it"
         )
-    if missing := [name for name in NEEDED if name not in model.manifest["functions"]]:
-        raise InputError(f"the model {model.name} cannot be shown: it has no {' and no '.join(missing)}")
+    if missing := [name for name in NEEDED if name not in model.spec.functions]:
+        raise InputError(
+            f"the model {model.name} cannot be shown: it lacks the function {' and '.join(missing)}; "
+            "derive it with this version of stridemap"
+        )
 
 
 def _page(**parts: str) -> str:

@@ -10,6 +10,7 @@ import subprocess
 import numpy as np
 import pytest
 
+from stridemap import codegen
 from stridemap.solver.model.loading import load
 from tests.oracles.states import MODELS, lacking, need
 
@@ -32,7 +33,7 @@ def run(*command, cwd=None):
 
 
 def folder(name):
-    return load(name).folder
+    return codegen.generated_folder() / name
 
 
 # -- compilers -----------------------------------------------------------------------------------------------
@@ -90,7 +91,7 @@ def test_readable_c_exports_its_functions_and_needs_only_libm(name, compiler, tm
     run(need(compiler), "-std=c99", "-O2", "-c", folder(name) / f"{name}.c", "-o", tmp_path / "out.o")
     symbols = [line.split()[-2:] for line in run(need("nm"), tmp_path / "out.o").splitlines()]
     kinds = {kind: {symbol for k, symbol in symbols if k == kind} for kind, _ in symbols}
-    assert kinds["T"] == {f"{name}_{function}" for function in load(name).manifest["functions"]}
+    assert kinds["T"] == {f"{name}_{function}" for function in load(name).spec.functions}
     assert kinds["U"] <= LIBM  # so there is no allocation either
     assert not kinds.keys() & set("BbCDdGgSs"), "there is data that can change"
 
@@ -140,11 +141,30 @@ def test_the_readme_builds_the_example_and_names_everything(name, tmp_path):
     assert "M(1,:)" in run("sh", "-c", command, cwd=tmp_path / name)
     for file in {path.name for path in folder(name).iterdir() if path.is_file()} - {"README.md"}:
         assert f"`{file}`" in readme, file
-    for function, entry in load(name).manifest["functions"].items():
-        assert f"| `{name}_{function}` | {entry['operations']} |" in readme, function
+    for function, entry in load(name).spec.functions.items():
+        assert f"| `{name}_{function}` | {entry.operations} |" in readme, function
         assert f"void {name}_{function}(" in readme, function
     for argument in ("q", "v", "p", "z"):
         assert f"`{argument}[" in readme
+
+
+@all_models
+def test_header_and_readme_list_what_each_function_reads(name):
+    spec = load(name).spec
+    header, readme = (load(name).text(file) for file in (f"{name}.h", "README.md"))
+    documented = re.findall(r"/\*\* (.*?)\*/\nvoid\s+(\w+)\(", header, flags=re.DOTALL)
+    assert [function for _, function in documented] == [f"{name}_{function}" for function in spec.functions]
+    for (comment, _), (function, entry) in zip(documented, spec.functions.items(), strict=True):
+        reads = [read for argument in entry.inputs for read in argument.reads]
+        assert re.findall(r"^ \*  in +\S+ +(\w+) ", comment, flags=re.M) == reads
+        shown = ", ".join(f"`{read}`" for read in reads) or "nothing"
+        assert re.search(
+            rf"^\| `{name}_{function}` \| \d+ \| [^|]+ \| {re.escape(shown)} \|$", readme, flags=re.M
+        )
+        # What the code reads, it reads by index; the comment names the same entries.
+        body = re.search(rf"^def {function}\(.*?(?=^def |\Z)", load(name).text(f"{name}.py"), re.M | re.S)[0]
+        unpacked = re.findall(r"^    (\w+) = [qvpz]\[\d+\]$", body, flags=re.M)
+        assert [read for read in reads if read != "t"] == unpacked
 
 
 # -- sanitizers ----------------------------------------------------------------------------------------------
@@ -174,12 +194,12 @@ def readable_main(name):
     lines += ["    for (i = 0; i < n; i++) if (!isfinite(x[i])) { puts(what); exit(1); }", "}"]
     lines += ["int main(void) {"]
     lines += [f"    const double {k}0[] = {c_list(v)};" for k, v in state.items()]
-    for function, entry in model.manifest["functions"].items():
-        inputs = [a for a in entry["inputs"] if not a["scalar"]]
-        outputs = [(o["name"], np.prod(o["shape"], dtype=int)) for o in entry["outputs"]]
-        arrays = [(a["name"], f"copy({a['name']}0, {a['size']})") for a in inputs]
+    for function, entry in model.spec.functions.items():
+        inputs = [a for a in entry.arguments if a != "t"]
+        outputs = [(o.name, np.prod(o.shape, dtype=int)) for o in entry.outputs]
+        arrays = [(a, f"copy({a}0, {model.spec.size(a)})") for a in inputs]
         arrays += [(f"{o}_", f"copy(0, {size})") for o, size in outputs]
-        given = ["0.7" if a["scalar"] else a["name"] for a in entry["inputs"]] + [f"{o}_" for o, _ in outputs]
+        given = ["0.7" if a == "t" else a for a in entry.arguments] + [f"{o}_" for o, _ in outputs]
         lines += ["    {"] + [f"        double *{a} = {made};" for a, made in arrays]
         lines += [f"        {name}_{function}({', '.join(given)});"]
         lines += [f'        check("{function}", {o}_, {size});' for o, size in outputs]
@@ -273,7 +293,7 @@ def sanitized(compiler, source, *others, includes, tmp_path):
 def test_readable_c_under_sanitizers(name, compiler, tmp_path):
     here = folder(name)
     printed = sanitized(compiler, readable_main(name), here / f"{name}.c", includes=here, tmp_path=tmp_path)
-    assert printed == list(load(name).manifest["functions"])
+    assert printed == list(load(name).spec.functions)
 
 
 @all_models

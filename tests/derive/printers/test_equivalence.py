@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 from cffi import FFI
 
+from stridemap import codegen
 from stridemap.solver.model.loading import load
 from tests.oracles.newton import by_hand
 from tests.oracles.states import (
@@ -48,7 +49,7 @@ PAIRS = [(m, f) for m in MODELS for f in (*FUNCTIONS, *JACOBIANS) if f not in LA
 
 @pytest.mark.parametrize("name", MODELS)
 def test_every_generated_function_is_on_the_ladder(name):
-    assert set(load(name).manifest["functions"]) == {f for m, f in PAIRS if m == name}
+    assert set(load(name).spec.functions) == {f for m, f in PAIRS if m == name}
 
 
 @pytest.mark.parametrize(("name", "function"), PAIRS, ids=[f"{m}-{f}" for m, f in PAIRS])
@@ -93,8 +94,8 @@ def by_casadi(name, function):
     compiled = getattr(load(name), function)
     inputs = {key: states(name)[key].T.reshape(-1, COUNT) for key in compiled.name_in()}
     result = compiled.map(COUNT)(**inputs) if inputs else compiled()
-    entries = load(name).manifest["functions"][function]["outputs"]
-    return {o["name"]: from_casadi(result[o["name"]], o["shape"]) for o in entries}
+    outputs = load(name).spec.functions[function].outputs
+    return {o.name: from_casadi(result[o.name], o.shape) for o in outputs}
 
 
 def from_casadi(value, shape):
@@ -106,14 +107,14 @@ def from_casadi(value, shape):
 def by_c(library, name, function):
     """The C function at all states; everything goes through pointers into the arrays."""
     ffi, compiled = library
-    entry = load(name).manifest["functions"][function]
-    inputs = [np.ascontiguousarray(states(name)[a["name"]]) for a in entry["inputs"]]
-    outputs = [np.full((COUNT, *o["shape"]), np.nan) for o in entry["outputs"]]
+    spec = load(name).spec.functions[function]
+    inputs = [np.ascontiguousarray(states(name)[a]) for a in spec.arguments]
+    outputs = [np.full((COUNT, *o.shape), np.nan) for o in spec.outputs]
     in_c = getattr(compiled, f"{name}_{function}")
     for i in range(COUNT):
         read = [float(x[i]) if x.ndim == 1 else pointer(ffi, x, i) for x in inputs]
         in_c(*read, *[pointer(ffi, x, i) for x in outputs])
-    return dict(zip([o["name"] for o in entry["outputs"]], outputs, strict=True))
+    return dict(zip([o.name for o in spec.outputs], outputs, strict=True))
 
 
 def pointer(ffi, array, row):
@@ -129,7 +130,10 @@ def libraries(tmp_path_factory):
         compiler = need("cc", "gcc", "clang")
         target = tmp_path_factory.mktemp("readable") / f"{name}.so"
         flags = ["-O2", "-std=c99", "-ffp-contract=off", "-shared", "-fPIC"]
-        subprocess.run([compiler, *flags, load(name).path(f"{name}.c"), "-o", target, "-lm"], check=True)
+        subprocess.run(
+            [compiler, *flags, codegen.generated_folder() / name / f"{name}.c", "-o", target, "-lm"],
+            check=True,
+        )
         ffi = FFI()
         ffi.cdef(prototypes(name))
         return ffi, ffi.dlopen(str(target))
@@ -139,7 +143,7 @@ def libraries(tmp_path_factory):
 
 def prototypes(name):
     """The header's declarations, without comments and preprocessor."""
-    text = re.sub(r"/\*.*?\*/", "", load(name).path(f"{name}.h").read_text(), flags=re.DOTALL)
+    text = re.sub(r"/\*.*?\*/", "", load(name).text(f"{name}.h"), flags=re.DOTALL)
     return re.sub(r'^#.*$|extern "C" \{|^\}$', "", text, flags=re.MULTILINE)
 
 
@@ -179,13 +183,10 @@ def assert_sharp(bounds, value):
 
 @pytest.mark.parametrize("name", MODELS)
 def test_the_header_declares_what_the_manifest_says(name):
-    expected = []
-    for function, entry in load(name).manifest["functions"].items():
-        arguments = [
-            f"double {a['name']}" if a["scalar"] else f"const double {a['name']}[{a['size']}]"
-            for a in entry["inputs"]
-        ]
-        arguments += [f"double {o['name']}[{np.prod(o['shape'], dtype=int)}]" for o in entry["outputs"]]
+    expected, spec = [], load(name).spec
+    for function, entry in spec.functions.items():
+        arguments = ["double t" if a == "t" else f"const double {a}[{spec.size(a)}]" for a in entry.arguments]
+        arguments += [f"double {o.name}[{np.prod(o.shape, dtype=int)}]" for o in entry.outputs]
         expected.append((f"{name}_{function}", ", ".join(arguments)))
     declared = re.findall(r"void (\w+)\(([^)]*)\);", prototypes(name))
     assert [(f, re.sub(r"\s+", " ", a)) for f, a in declared] == expected

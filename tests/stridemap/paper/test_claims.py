@@ -1,7 +1,11 @@
 """Every verdict is what the tables say: on made-up tables that hold, hold in part and differ."""
 
 import json
+import re
+import subprocess
+import sys
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pandas as pd
@@ -9,11 +13,13 @@ import pytest
 
 import stridemap
 from stridemap.errors import InputError
+from stridemap.paper.branch_tables import EDGE_COLUMNS
 from stridemap.paper.claim import Parts, Verdict
-from stridemap.paper.data import configurations
 from stridemap.paper.evaluate import STATEMENTS, evaluate
-from stridemap.solver.branches.edges import COLUMNS, stable_runs
-from stridemap.solver.branches.main_branch import fixed_point_index, on_main_branch, walks
+from stridemap.paper.points import ALPHAS, OMEGAS, PLANE, TYPICAL
+from stridemap.paper.stable_runs import stable_runs
+from stridemap.paper.sweeps import configurations, default_folder
+from stridemap.solver.cycles.gait import is_physical_gait
 from tests.oracles.claim_tables import changed, made_up, slow, swapped
 
 IDS = [f"C{i}" for i in range(1, 21)]
@@ -104,8 +110,8 @@ CHANGES = {
         lambda d: changed(d, "lines", cot=lambda r: 1 / (r["k"] * r["alpha"] * r["omega"])),
     ),
     "C20": (
-        lambda d: changed(d, "typical", x_amplitude=0.03),
-        lambda d: changed(d, "typical", x_amplitude=0.5),
+        lambda d: changed(d, "typical", wobble_amplitude=0.03),
+        lambda d: changed(d, "typical", wobble_amplitude=0.5),
     ),
 }
 
@@ -173,36 +179,15 @@ def test_only_cycles_that_walk_count():
             "min_vertical_force": [1.0, 1.0, 1.0, 0.0],
         }
     )
-    assert walks(rows).tolist() == [True, False, False, False]
-
-
-def _fold(k, period, multiplier, stable=False):
-    """Rows of one sheet: real multipliers, of which the first is given and the other is 0."""
-    zero = np.zeros(len(k))
-    return pd.DataFrame(
-        {
-            "alpha": 0.25, "omega": 3.0, "k": k, "period": period, "stable": stable,
-            "multiplier_0_re": multiplier, "multiplier_0_im": zero,
-            "multiplier_1_re": zero, "multiplier_1_im": zero,
-        }
-    )  # fmt: skip
-
-
-def test_the_main_branch_is_what_stable_cycles_lead_to_without_a_fold():
-    k = np.arange(1.0, 11.0)
-    lower = _fold(k, 1.0 + 0.001 * k, 0.9, stable=True)
-    flipped = _fold(k + 10, 1.011 + 0.001 * k, -1.5)  # the same sheet, after a flip
-    upper = _fold(k + 10, 1.2 - 0.001 * k, 1.5)  # beyond a fold
-    apart = _fold(k + 5, 2.0 - 0.01 * k, -1.5)  # as good an index, but no stable cycle
-    orbits = pd.concat([lower, flipped, upper, apart]).reset_index(drop=True)
-    assert fixed_point_index(orbits).tolist() == [1.0] * 20 + [-1.0] * 10 + [1.0] * 10
-    assert on_main_branch(orbits).tolist() == [True] * 20 + [False] * 20
+    assert is_physical_gait(rows).tolist() == [True, False, False, False]
 
 
 def test_ranges_are_closed_by_bisected_edges():
     grid = np.arange(1.0, 11.0)
     orbits = pd.DataFrame({"k": [1.0, 2.0, 3.0, 6.0, 7.0, 8.0], "stable": [True] * 4 + [False, True]})
-    edges = pd.DataFrame([(0.25, 3.0, "A", 3.0, 1, 3.4), (0.25, 3.0, "A", 6.0, -1, 5.2)], columns=COLUMNS)
+    edges = pd.DataFrame(
+        [(0.25, 3.0, "A", 3.0, 1, 3.4), (0.25, 3.0, "A", 6.0, -1, 5.2)], columns=EDGE_COLUMNS
+    )
     runs = stable_runs(orbits, grid, edges)
     assert [(r.low, r.high, r.opens, r.closes) for r in runs] == [
         (1, 3, 1, 3.4),
@@ -216,16 +201,16 @@ def test_ranges_are_closed_by_bisected_edges():
 @pytest.mark.parametrize(
     ("table", "column"), [("typical", "likeness"), ("compass", "cot"), ("lines", "main"), ("map", "alpha")]
 )
-def test_a_missing_column_is_told(table, column):
+def test_a_missing_column_is_reported(table, column):
     data = made_up()
     with pytest.raises(InputError, match=f"the table {table} has no column {column}; give tables of"):
         replace(data, **{table: getattr(data, table).drop(columns=column)})
 
 
 @pytest.mark.parametrize("table", ["compass", "lines", "map"])
-def test_an_empty_sweep_is_told(table):
+def test_an_empty_sweep_is_reported(table):
     data = made_up()
-    with pytest.raises(InputError, match=f"the sweep {table} holds no limit cycle that walks"):
+    with pytest.raises(InputError, match=f"the sweep {table} holds no limit cycle that is a physical gait"):
         replace(data, **{table: getattr(data, table).iloc[:0]})
 
 
@@ -242,11 +227,54 @@ def test_configurations_take_parameters_and_thin_out():
     plain, thin = configurations(), configurations({"beta": 0.2}, thin=10)
     assert [config.n_cells for config in plain.values()] == [3, 2, 2400, 23040]
     assert {0.5, 6.0, 22.5} <= set(plain["lines"].grid["k"])
+    # The statements name these points.
+    assert (plain["lines"].grid["alpha"], plain["lines"].grid["omega"]) == (ALPHAS, OMEGAS)
+    assert (plain["map"].grid["omega"], plain["compass"].grid["omega"]) == (OMEGAS, OMEGAS)
+    assert set(plain["typical"].grid["k"]) == set(TYPICAL.values())
+    assert PLANE.items() <= plain["typical"].params.items()
     assert [config.n_cells for config in thin.values()] == [3, 2, 61 * 4, 25 * 6 * 2]
     assert all(config.params["beta"] == 0.2 for config in thin.values())
 
 
-def test_public_names():
-    assert stridemap.Claim.__name__ == "Claim"
-    assert callable(stridemap.claims)
+def test_the_pages_have_the_configurations_of_the_sweeps():
+    """Numbers of cells, wherever a page gives them, and the folder."""
+    cells = {name: config.n_cells for name, config in configurations().items()}
+    docs = Path(__file__).parents[3] / "docs"
+    claims, figures = ((docs / f"{page}.md").read_text("utf-8") for page in ("claims", "figures"))
+    rows = re.findall(r"^\| `(\w+)` \| .* \| ([\d,]+) \|$", claims, re.MULTILINE)
+    assert {name: int(count.replace(",", "")) for name, count in rows} == cells
+    named = re.findall(r"`(\w+)`\s+\(([\d,]+) cells\)", figures)
+    assert {name: int(count.replace(",", "")) for name, count in named}.items() <= cells.items()
+    assert {name for name, _ in named} == {"lines", "map"}
+    assert len(re.findall(r"[\d,]+ cells", figures)) == len(named)
+    assert f"`{default_folder().as_posix()}`" in claims
+
+
+def test_each_choice_of_parameters_has_its_own_folder():
+    assert default_folder().parts == ("results", "paper-sweeps")
+    assert default_folder({"beta": 0.2, "S": 0.1}, 10).name == "paper-sweeps-S=0.1-beta=0.2-thin=10"
+
+
+def test_the_folder_of_the_sweeps_is_called_sweeps(refused, tmp_path):
+    with pytest.raises(InputError, match=r"given by `sweeps` now: write sweeps='here'"):
+        stridemap.claims(out="here")
+    refused(f"claims --out {tmp_path}", f"--out is called --sweeps now: write --sweeps {tmp_path}")
+
+
+PUBLIC = """
+import sys
+import stridemap.paper, stridemap.views
+assert stridemap.paper.Claim.__name__ == "Claim"
+assert all(callable(getattr(stridemap.paper, name)) for name in stridemap.paper.__all__)
+assert all(callable(getattr(stridemap.views, name)) for name in stridemap.views.__all__)
+assert not {"matplotlib", "PIL"} & set(sys.modules)
+"""
+
+
+def test_public_names_need_nothing_that_draws():
+    done = subprocess.run([sys.executable, "-c", PUBLIC], capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert stridemap.paper.claims is stridemap.claims
     assert [v.value for v in stridemap.Verdict] == ["holds", "in part", "differs"]
+    with pytest.raises(AttributeError, match="has no attribute 'claim_s'"):
+        stridemap.paper.claim_s  # noqa: B018

@@ -10,10 +10,11 @@ import pandas as pd
 import pytest
 
 import stridemap
-from stridemap.paper.data import collect
+from stridemap.paper.cycle_tables import cycle_tables
 from stridemap.paper.evaluate import STATEMENTS
-from stridemap.paper.profiles import sampled, with_profiles
+from stridemap.paper.profile_features import sampled, with_profiles
 from stridemap.paper.select import at, main_branch, slices, stable, typical
+from stridemap.paper.sweeps import paper_sweeps
 from stridemap.solver.branches.edges import BISECTIONS
 from stridemap.solver.model.loading import load
 from tests.oracles.claim_tables import changed, swapped
@@ -30,13 +31,13 @@ def folder(tmp_path_factory):
         base = base.parent
     with (base / "claims.lock").open("w") as lock:
         fcntl.flock(lock, fcntl.LOCK_EX)
-        collect(base / "claims", thin=THIN, workers=2)
+        cycle_tables(paper_sweeps(base / "claims", thin=THIN, workers=2))
     return base / "claims"
 
 
 @pytest.fixture(scope="session")
 def data(folder):
-    return collect(folder, thin=THIN)
+    return cycle_tables(paper_sweeps(folder, thin=THIN))
 
 
 CORRUPTED = {
@@ -49,7 +50,7 @@ CORRUPTED = {
     "C7": lambda d: changed(d, "lines", lambda r: r.index == 7, spectral_radius=0.5),
     "C8": lambda d: changed(
         changed(d, "lines", spectral_radius=lambda r: 1 / r["k"]),
-        "between",
+        "minima",
         spectral_radius=lambda r: 1 / r["k"].astype(float),
     ),
     "C9": lambda d: swapped(swapped(d, 2.0, 3.0, "omega", ("lines",)), 2.0, 3.0, "omega", ("edges",)),
@@ -63,7 +64,7 @@ CORRUPTED = {
     "C17": lambda d: changed(d, "compass", cot=lambda r: 2 * r["cot"]),
     "C18": lambda d: changed(d, "lines", cot=lambda r: 2 * r["cot"]),
     "C19": lambda d: changed(d, "lines", cot=lambda r: r["k"] * r["alpha"] * r["omega"]),
-    "C20": lambda d: changed(d, "typical", x_amplitude=lambda r: 10 * r["x_amplitude"]),
+    "C20": lambda d: changed(d, "typical", wobble_amplitude=lambda r: 10 * r["wobble_amplitude"]),
 }
 
 
@@ -105,7 +106,7 @@ def test_edges_are_where_an_independent_search_finds_them(data):
 
 
 def test_smallest_values_are_those_that_fresh_searches_find_around_them(data):
-    rows = at(data.between, alpha=0.5, omega=2.0)
+    rows = at(data.minima, alpha=0.5, omega=2.0)
     rows = rows[rows["stable"].astype(bool) & (rows["group"] == "A")]
     grid = at(data.lines, alpha=0.5, omega=2.0)
     grid = stable(grid, "A")
@@ -152,7 +153,7 @@ def test_the_typical_solutions_are_those_of_the_paper(data):
 
 
 def test_json(folder, run):
-    status, out, err = run("claims", "--json", "--out", folder, "--thin", THIN)
+    status, out, err = run("claims", "--json", "--sweeps", folder, "--thin", THIN)
     assert (status, err) == (0, "")
     answer = json.loads(out)
     assert [claim["id"] for claim in answer["claims"]] == IDS
@@ -165,7 +166,7 @@ def test_json(folder, run):
 
 
 def test_table(folder, run):
-    status, out, _ = run("claims", "--out", folder, "--thin", THIN)
+    status, out, _ = run("claims", "--sweeps", folder, "--thin", THIN)
     assert status == 0
     lines = out.splitlines()
     assert [line.split()[0] for line in lines[:20]] == IDS
@@ -184,17 +185,19 @@ def test_from_python_and_a_second_time(folder):
 
 
 def test_another_configurations_folder_is_refused(folder, refused):
-    refused(["claims", "--out", folder, "--thin", "7"], "output of another configuration")
-    refused(["claims", "--out", folder, "--thin", THIN, "--set", "beta=0.2"], "beta", "give another folder")
+    refused(["claims", "--sweeps", folder, "--thin", "7"], "output of another configuration")
+    refused(
+        ["claims", "--sweeps", folder, "--thin", THIN, "--set", "beta=0.2"], "beta", "give another folder"
+    )
 
 
 def test_another_models_folder_is_refused(folder, tmp_path, refused):
     (tmp_path / "typical").symlink_to(folder / "compass")
-    refused(["claims", "--out", tmp_path], "output of another configuration")
+    refused(["claims", "--sweeps", tmp_path], "output of another configuration")
 
 
 @pytest.mark.parametrize(
-    ("words", "told"),
+    ("words", "expected"),
     [
         ("--set k=3", "k cannot be set here"),
         ("--set beta", "write --set NAME=VALUE"),
@@ -203,13 +206,15 @@ def test_another_models_folder_is_refused(folder, tmp_path, refused):
         ("--workers 0", "workers = 0 is not allowed"),
     ],
 )
-def test_unusable_words_are_refused(words, told, tmp_path, refused):
-    refused(f"claims --out {tmp_path} {words}", told)
+def test_unusable_words_are_refused(words, expected, tmp_path, refused):
+    refused(f"claims --sweeps {tmp_path} {words}", expected)
 
 
-def test_nothing_that_walks_is_told(tmp_path, run):
-    """With feet fifty times as heavy as all the rest no cycle walks."""
-    status, out, err = run(*f"claims --out {tmp_path} --thin 60 --workers 1 --set beta=50".split())
+def test_sweeps_without_a_physical_gait_are_reported(tmp_path, run):
+    """With feet fifty times as heavy as all the rest there is no physical gait."""
+    status, out, err = run(*f"claims --sweeps {tmp_path} --thin 60 --workers 1 --set beta=50".split())
     assert (status, out) == (2, "")
-    assert err.splitlines()[-1].startswith("error: the sweep compass holds no limit cycle that walks")
+    assert err.splitlines()[-1].startswith(
+        "error: the sweep compass holds no limit cycle that is a physical gait"
+    )
     assert "Traceback" not in err

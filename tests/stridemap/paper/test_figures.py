@@ -7,9 +7,8 @@ import pandas as pd
 import pytest
 
 import stridemap
-from stridemap.solver.model.loading import load
+from stridemap.paper.sweeps import PaperSweeps, configurations
 from stridemap.sweeps.config import parse_config
-from stridemap.sweeps.run import sweep
 from stridemap.sweeps.store import read_orbits
 from tests.oracles.sweeping import Inline
 
@@ -18,13 +17,12 @@ pytest.importorskip("PIL")
 
 from matplotlib.colors import to_rgb
 
-from stridemap.paper.figures import curves, sketch
-from stridemap.paper.figures import map as maps
-from stridemap.paper.figures import time_profiles as profiles
-from stridemap.paper.figures.material import Data
-from stridemap.paper.figures.raster import NONE, STABLE, UNSTABLE, class_of
-from stridemap.solver.branches.joining import branches
-from stridemap.solver.branches.main_branch import walks
+from stridemap.paper.drawings import curves, sketch
+from stridemap.paper.drawings import map as maps
+from stridemap.paper.drawings import time_profiles as profiles
+from stridemap.paper.drawings.material import Material
+from stridemap.solver.branches.plane import NONE, STABLE, UNSTABLE
+from stridemap.solver.cycles.gait import is_physical_gait
 from stridemap.views import style
 
 K = [float(k) for k in np.round(np.linspace(4.5, 12.0, 16), 3)]
@@ -35,22 +33,20 @@ ALPHA = [0.2, 0.25, 0.3]
 def configs():
     """A small map, and one line of springs, across the gap between groups A and B."""
     base = {"model": "wobbling", "search": {"starts": 24}}
-    small_map = {**base, "params": {"omega": 3.0}, "grid": {"k": K, "alpha": ALPHA}}
+    small_map = {**base, "grid": {"k": K, "alpha": ALPHA, "omega": [2.0, 3.0]}}
     line = {**base, "grid": {"k": K, "alpha": [0.25], "omega": [3.0]}}
-    return {"map": parse_config(small_map), "branches": parse_config(line)}
+    small = {"map": parse_config(small_map), "lines": parse_config(line)}
+    return {**configurations(), **small}
 
 
 @pytest.fixture(scope="module")
 def data(configs, tmp_path_factory):
-    folder = tmp_path_factory.mktemp("figures")
-    for name, config in configs.items():
-        sweep(config, folder / name, executor=Inline())
-    return Data(folder, configs=configs)
+    return Material(PaperSweeps(tmp_path_factory.mktemp("sweeps"), configs, executor=Inline()))
 
 
 def test_the_map_is_the_table(data):
-    orbits = read_orbits(data.folder / "map")
-    orbits = orbits[walks(orbits)]
+    orbits = read_orbits(data.sweeps.run("map"))
+    orbits = orbits[is_physical_gait(orbits) & (orbits["omega"] == 3.0)]
     with style.styled():
         axes = maps.draw(data).axes[0]
     image = axes.images[0]
@@ -80,7 +76,9 @@ def test_edges_run_where_a_search_finds_them(data):
     assert len(edges)
     for j in sorted({*edges.tolist(), *(edges + 1).tolist()})[:8]:
         found = stridemap.find_orbits("wobbling", k=float(ks[j]), alpha=float(alphas[row]), omega=3.0)
-        assert fine[row, j] == class_of([orbit for orbit in found if walks(orbit)]), ks[j]
+        found = found[is_physical_gait(found)]
+        wanted = NONE if not len(found) else STABLE if found.stable.any() else UNSTABLE
+        assert fine[row, j] == wanted, ks[j]
 
 
 def test_classes_differ_in_grey():
@@ -98,15 +96,15 @@ def test_lines_differ_without_colour():
 
 
 def test_curves_hold_every_cycle_of_the_table(data):
-    table = data.branches.orbits
+    table = data.sweeps.orbits("lines")
     (of,) = data.branch_sets.values()
     joined = pd.concat(of)
     columns = ["k", "period", "spectral_radius"]
-    on_grid = joined[joined["cell"] >= 0].sort_values(["k", "period"])[columns]
+    on_grid = joined[joined["on_grid"]].sort_values(["k", "period"])[columns]
     assert np.array_equal(on_grid.to_numpy(), table.sort_values(["k", "period"])[columns].to_numpy())
     with style.styled():
         axes = curves.draw_multipliers(data).axes[0]
-    compass = data.compass(3.0).spectral_radius
+    compass = data.compass(3.0).row["spectral_radius"]
     dashed = [line for line in axes.lines if line.is_dashed()]
     assert [set(line.get_ydata()) for line in dashed] == [{compass}]
     drawn = {
@@ -118,16 +116,6 @@ def test_curves_hold_every_cycle_of_the_table(data):
     for k, radius, stable in physical[["k", "spectral_radius", "stable"]].itertuples(index=False):
         width = (style.STABLE_LINE if stable else style.UNSTABLE_LINE)["linewidth"]
         assert (k, radius, width) in drawn
-
-
-def test_branches_do_not_cross_a_gap(tmp_path):
-    # Groups A and B are separated by springs without a cycle on the main branch: no curve may join them.
-    grid = {"k": [0.5, 1.0, 1.5, 6.5, 7.0, 7.5], "alpha": [0.25], "omega": [3.0]}
-    config = parse_config({"model": "wobbling", "grid": grid, "search": {"starts": 64}})
-    sweep(config, tmp_path / "out", executor=Inline())
-    orbits = read_orbits(tmp_path / "out")
-    for branch in branches(load("wobbling"), orbits, "k", config.grid["k"]):
-        assert branch["group"].nunique() == 1
 
 
 def test_a_branch_is_cut_where_its_stability_changes():
@@ -148,16 +136,17 @@ def test_a_branch_is_cut_where_its_stability_changes():
 
 
 def test_profiles_are_the_motions(data):
-    from stridemap.solver.observables.motion import motion
-
     with style.styled():
         axes = profiles.draw_distance(data).axes[0]
     lines = {line.get_label(): line for line in axes.lines}
-    for letter, (_, k) in {"a": ("A", 0.5), "b": ("B", 6.0), "c": ("C", 22.5)}.items():
+    for letter, (group, k) in {"a": ("A", 0.5), "b": ("B", 6.0), "c": ("C", 22.5)}.items():
         line = next(line for label, line in lines.items() if label.startswith(f"{letter}:"))
-        seen = motion(data.typical[letter], len(line.get_xdata()))
-        assert data.typical[letter].params["k"] == k
-        assert np.array_equal(line.get_ydata(), seen.d)
+        cycle = data.typical[letter]
+        assert (cycle.row["k"], cycle.row["alpha"], cycle.row["omega"]) == (k, 0.25, 3.0)
+        found = stridemap.find_orbits("wobbling", k=k, alpha=0.25, omega=3.0)
+        orbit = min((o for o in found if o.group == group), key=lambda o: o.spectral_radius)
+        seen = stridemap.motion(orbit, len(line.get_xdata()))
+        assert line.get_ydata() == pytest.approx(seen.d, abs=1e-9)
 
 
 def test_text_stays_text_and_bytes_stay_the_same(tmp_path):
@@ -180,5 +169,8 @@ def test_refusals(run, tmp_path, monkeypatch):
     monkeypatch.setattr(optional, "find_spec", lambda name: None)
     status, out, err = run("figures", "--only", "model", "--out", tmp_path)
     assert (status, out) == (2, "")
-    assert 'pip install "stridemap[pictures]"' in err.replace("`", "")
+    assert "matplotlib and Pillow, which are not installed here: run `pip install matplotlib Pillow`" in err
+    monkeypatch.setattr(optional, "find_spec", lambda name: None if name == "PIL" else name)
+    status, out, err = run("figures", "--only", "model", "--out", tmp_path)
+    assert "drawing needs Pillow, which is not installed here: run `pip install Pillow`" in err
     assert not list(tmp_path.iterdir())

@@ -1,6 +1,5 @@
 """The report as a file: what is in it, that it needs nothing else, and what it refuses."""
 
-import ast
 import base64
 import json
 import os
@@ -13,14 +12,15 @@ import pyarrow.parquet as pq
 import pytest
 
 import stridemap
-from stridemap.derive.printers.javascript import equations, function
 from stridemap.errors import InputError
+from stridemap.paper.sweeps import paper_sweeps
+from stridemap.quantities import QUANTITIES
 from stridemap.solver.model.loading import available, load
 from stridemap.sweeps import store
 from stridemap.sweeps.run import sweep
 from stridemap.sweeps.store import read_cells, read_provenance
+from stridemap.views.report.equations import equations
 from stridemap.views.report.payload import functions
-from stridemap.views.report.quantities import rate_symbol, symbol
 from stridemap.views.report.sections import read_claims
 from stridemap.views.report.write import write_report
 from tests.oracles.sweeping import Inline
@@ -152,49 +152,16 @@ def test_text_stands_out_from_its_ground(page, light, start):
             assert (bright + 0.05) / (dark + 0.05) >= 4.5, (text, ground)
 
 
-@pytest.mark.parametrize(
-    ("name", "shown"),
-    [("theta1", "θ₁"), ("alpha", "α"), ("k", "k"), ("Kp", "Kp"), ("x2", "x₂"), ("leg_1", "leg_1")],
-)
-def test_symbols(name, shown):
-    assert symbol(name) == shown
-
-
-def test_symbols_of_rates():
-    assert [rate_symbol(name) for name in ("theta1", "x", "leg")] == ["θ\u0307₁", "x\u0307", "dleg"]
-
-
 # -- the equations -------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("name", available())
-def test_every_generated_function_can_be_translated(name):
+def test_every_generated_function_is_there(name):
     model = load(name)
-    text = equations(model, model.manifest["functions"])
-    for generated in [*model.manifest["functions"], *functions(model)]:
-        assert f"\n{generated}(xp" in text
-
-
-def test_a_reserved_word_is_renamed():
-    source = 'def f(xp, q):\n    """Doc."""\n    new = q[0]\n    return {"y": [new*xp.sin(new), 1/2]}'
-    assert function(ast.parse(source).body[0]) == (
-        "f(xp, q) {\n  const new_ = q[0];\n  return {'y': [new_ * xp.sin(new_), 1 / 2]};\n}"
-    )
-
-
-@pytest.mark.parametrize(
-    "line",
-    [
-        "y = q[0]**2", "y = q[0]//2", "y = q[0] % 2", "y = xp.arcsin(q[0])", "y = abs(q[0])", "y = q.real",
-        "y = q[1:]", "y = q[-1]", "y = True", "y = 1j", "y = 1 if q[0] else 2", "y = q[0] < 2",
-        "y = (q[0], 1)", "y = xp.sin(q[0], 1)", "y += 1", "for y in q: pass", "y, z = q", "return y",
-        "y = lambda: 1", "y: int = 1",
-    ],
-)  # fmt: skip
-def test_what_could_mean_something_else_is_refused(line):
-    source = f"def f(xp, q):\n    {line}\n    return {{'y': y}}"
-    with pytest.raises(TypeError, match="in JavaScript"):
-        function(ast.parse(source).body[0])
+    text = equations(model)
+    for generated in [*model.spec.functions, *functions(model)]:
+        assert re.search(rf"^ *{generated}\(", text, re.MULTILINE), generated
+    assert text.rstrip().endswith("})")
 
 
 # -- the command and its refusals ----------------------------------------------------------------------------
@@ -209,6 +176,56 @@ def test_the_command_writes_it_and_says_so(done, run):
         f"report of {orbits} limit cycles in 2 cells: {done / 'new' / 'page.html'} ({size / 1e6:.1f} MB)\n"
     )
     assert os.listdir(done / "new") == ["page.html"]
+
+
+def test_measures_are_those_of_the_registry(done, page):
+    shown, orbits = data_of(page)["measures"], stridemap.read_orbits(done / "out")
+    names = [measure["name"] for measure in shown]
+    assert names == [name for name in QUANTITIES if name in orbits and not orbits[name].isna().all()]
+    for measure in shown:
+        quantity = QUANTITIES[measure["name"]]
+        assert (measure["label"], measure["meaning"]) == (quantity.label, quantity.definition)
+    units = {measure["name"]: measure["unit"] for measure in shown}
+    assert (units["period"], units["d_max"], units["work"]) == ("√(L/g)", "L", "M g L")
+    assert (units["speed"], units["min_vertical_force"], units["cot"]) == ("√(g L)", "M g", "")
+
+
+def test_roles_travel_with_the_page(page):
+    model = data_of(page)["model"]
+    assert model["lines"] == [{"name": "legs", "role": "legs"}]
+    assert [mass["role"] for mass in model["masses"]] == ["body", "stance_foot", "swing_foot"]
+
+
+# -- the paper's map -----------------------------------------------------------------------------------------
+
+OPTIONS = ("--thin", 60, "--workers", 2)
+
+
+@pytest.fixture(scope="module")
+def paper(tmp_path_factory):
+    """The paper's sweeps, very coarse, except that the map is all there is to show."""
+    folder = tmp_path_factory.mktemp("paper")
+    sweeps = paper_sweeps(folder, thin=60, executor=Inline())
+    sweeps.run("map")
+    return folder
+
+
+def test_without_a_folder_it_is_the_papers_map(paper, tmp_path, run):
+    (tmp_path / "claims.json").write_text(json.dumps(CLAIMS))
+    words = ("report", "--sweeps", paper, *OPTIONS, "--claims", tmp_path / "claims.json")
+    status, out, err = run(*words, "--out", tmp_path / "map.html")
+    assert (status, err) == (0, "")  # nothing is swept again, and no other sweep is needed
+    page, cells = (tmp_path / "map.html").read_text(), read_cells(paper / "map")
+    assert f"in {len(cells)} cells: {tmp_path / 'map.html'}" in out
+    assert [axis["name"] for axis in data_of(page)["axes"]] == ["k", "alpha", "omega"]
+    assert "3 statements: 1 holds, 1 in part, 1 differs." in page
+
+
+def test_options_of_the_papers_sweeps_are_for_them_alone(done, refused, tmp_path):
+    line = f"report {done}/out --out {done}/a.html"
+    refused(f"{line} --thin 2", "--thin cannot be given with the sweep in", "leave the folder out")
+    refused(f"{line} --sweeps {tmp_path} --set beta=1", "--sweeps, --set cannot be given")
+    refused(f"report --model m.py --out {done}/a.html", "--model is for the sweep in SWEEP_DIR")
 
 
 def test_no_sweep(tmp_path, refused):
@@ -282,16 +299,16 @@ def test_a_failed_write_leaves_what_was_there(done, monkeypatch):
 @pytest.mark.parametrize(
     ("content", "words"),
     [
-        ("", "is no JSON"),
-        ("[1]", 'holds no list "claims"'),
-        ('{"claims": 3}', 'holds no list "claims"'),
-        ('{"claims": [{"verdict": "holds"}]}', "claim 1 in"),
+        ("", "is not JSON"),
+        ("[1]", 'does not hold a list "claims"'),
+        ('{"claims": 3}', 'does not hold a list "claims"'),
+        ('{"claims": [{"verdict": "holds"}]}', "does not have an id"),
         ('{"claims": [{"id": "C1", "verdict": "maybe"}]}', "'maybe', not one of holds, in part, differs"),
         ('{"claims": [{"id": "C1", "verdict": ["holds"]}]}', "not one of holds"),
-        (b"\xff\xfe\x00", "is no JSON"),
+        (b"\xff\xfe\x00", "is not JSON"),
     ],
 )
-def test_claims_that_are_none(done, refused, content, words):
+def test_files_that_do_not_hold_claims(done, refused, content, words):
     (done / "c.json").write_bytes(content if isinstance(content, bytes) else content.encode())
     refused(f"report {done}/out --out {done}/a.html --claims {done}/c.json", words, "stridemap claims --json")
 

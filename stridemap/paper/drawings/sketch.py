@@ -6,7 +6,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Arc, Circle
 from numpy.typing import NDArray
 
-from stridemap.paper.figures.material import Data
+from stridemap.paper.drawings.material import Material
 from stridemap.solver.model.loading import load
 from stridemap.views import style, walker
 
@@ -14,36 +14,36 @@ Array = NDArray[np.float64]
 
 THETA1, THETA2, X = 0.3, 0.85, 0.42
 """Coordinates of the pose; much larger than in a gait, so that they can be seen."""
+RADII = {"body": 0.07, "wobbling": 0.055, "stance_foot": 0.035, "swing_foot": 0.035}
+"""Radii of the discs by the roles of the masses, of which the model has one each; the body is the hip."""
 ARROW = {"arrowstyle": "<|-|>,head_width=0.15,head_length=0.35", "color": style.BLACK, "linewidth": 0.7}
 
 
-def draw(data: Data | None = None) -> Figure:
+def draw(material: Material | None = None) -> Figure:
     """The wobbling model: legs, hip, feet, wobbling mass on its spring, coordinates and masses."""
     model = load("wobbling")
     drawn = model.evaluate("drawing", q=np.array([THETA1, THETA2, X]), p=model.point({"alpha": 0.45}))
-    positions = dict(zip(model.manifest["masses"], drawn["positions"], strict=True))
+    (legs,) = (line.name for line in model.spec.lines if line.role == "legs")
+    positions = {mass.role: at for mass, at in zip(model.spec.masses, drawn["positions"], strict=True)}
     figure = style.new_figure(style.COLUMN, 72 * style.MM)
     axes = figure.add_subplot()
     axes.set(xlim=(-1.05, 0.62), ylim=(-0.2, 1.3))
     axes.set_aspect("equal")
     axes.axis("off")
     walker.draw_ground(axes, -1.0, 0.55, 0.06)
-    foot, hip, swing = drawn["legs"]
-    walker.draw_leg(axes, np.array([hip, swing]), walker.RIGHT)
-    walker.draw_leg(axes, np.array([foot, hip]), walker.LEFT)
-    feet = {"stance foot": walker.LEFT, "swing foot": walker.RIGHT}
-    for name, place in positions.items():
-        axes.add_patch(_disc(place, name, feet))
-    _draw_wobbling(axes, hip, positions["wobbling mass"])
-    _draw_angles(axes, foot, hip)
+    stance_leg, swing_leg = walker.leg_points(drawn[legs])
+    walker.draw_leg(axes, swing_leg, walker.RIGHT)
+    walker.draw_leg(axes, stance_leg, walker.LEFT)
+    colours = walker.mass_colours(
+        model.spec.masses, drawn["positions"], swing_leg[0], walker.LEFT, walker.RIGHT
+    )
+    for (role, position), colour in zip(positions.items(), colours, strict=True):
+        look = {"facecolor": colour, "edgecolor": style.WHITE, "linewidth": 0.6, "zorder": 4}
+        axes.add_patch(Circle(tuple(position), RADII[role], **look))
+    _draw_wobbling(axes, positions["body"], positions["wobbling"])
+    _draw_angles(axes, positions["stance_foot"], positions["body"])
     _draw_names(axes, positions)
     return figure
-
-
-def _disc(place: Array, name: str, feet: dict[str, str]) -> Circle:
-    radius = {"hip": 0.07, "wobbling mass": 0.055}.get(name, 0.035)
-    colour = feet.get(name) or walker.MASS_COLOURS[name]
-    return Circle(tuple(place), radius, facecolor=colour, edgecolor=style.WHITE, linewidth=0.6, zorder=4)
 
 
 def _draw_wobbling(axes: Axes, hip: Array, mass: Array) -> None:
@@ -54,10 +54,8 @@ def _draw_wobbling(axes: Axes, hip: Array, mass: Array) -> None:
     x, y = ends.mean(axis=0)
     axes.text(x, y + 0.045, "$k$", ha="center", va="bottom")
     above = 0.2
-    for place in (hip, mass):
-        axes.plot(
-            [place[0]] * 2, [place[1] + 0.08, place[1] + above + 0.03], color=style.BLACK, linewidth=0.5
-        )
+    for x, y in (hip, mass):
+        axes.plot([x, x], [y + 0.08, y + above + 0.03], color=style.BLACK, linewidth=0.5)
     tips = [(x, y + above) for x, y in (hip, mass)]
     axes.annotate(
         "",
@@ -87,12 +85,12 @@ def _arc(axes: Axes, centre: Array, radius: float, first: float, last: float, te
         Arc(tuple(centre), 2 * radius, 2 * radius, theta1=first, theta2=last, linewidth=0.8, zorder=3)
     )
     middle = np.radians((first + last) / 2)
-    place = centre + (radius + 0.07) * np.array([np.cos(middle), np.sin(middle)])
-    axes.text(*place, text, ha="center", va="center")
+    position = centre + (radius + 0.07) * np.array([np.cos(middle), np.sin(middle)])
+    axes.text(*position, text, ha="center", va="center")
 
 
 def _draw_names(axes: Axes, positions: dict[str, Array]) -> None:
-    hip, mass, foot, swing = positions.values()
+    hip, mass, foot, swing = (positions[role] for role in RADII)
     axes.text(*(hip + np.array([-0.09, 0.03])), r"$m_1=(1-\alpha)M$", ha="right", va="center")
     axes.text(*(mass + np.array([0.03, -0.11])), r"$m_3=\alpha M$", ha="center", va="top")
     axes.text(*(foot + np.array([0.06, 0.03])), r"$m_2=\beta M$", ha="left", va="bottom")

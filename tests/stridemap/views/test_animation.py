@@ -1,17 +1,24 @@
 """Animations: frames, loops, what is drawn where, any model, refusals."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 import stridemap
 from stridemap.errors import InputError
+from stridemap.spec import Line, Mass
 
 pytest.importorskip("matplotlib")
 pytest.importorskip("PIL")
 
+from matplotlib.colors import to_hex
+from matplotlib.figure import Figure
 from PIL import Image
 
-from stridemap.views.animate import choose
+from stridemap.views import walker
+from stridemap.views.animation import choose
+from stridemap.views.film import draw_frame
 from stridemap.views.scene import scene
 
 
@@ -53,9 +60,10 @@ def test_a_scene_is_the_motion(orbits):
 
 def test_only_the_wobbling_mass_is_magnified(orbits):
     plain, larger = scene(orbits[1], 8), scene(orbits[1], 8, magnify=5)
-    hip, mass = (plain.names.index(name) for name in ("hip", "wobbling mass"))
-    way = plain.positions[:, mass] - plain.positions[:, hip]
-    assert np.allclose(larger.positions[:, mass] - larger.positions[:, hip], 5 * way, atol=1e-14)
+    roles = [mass.role for mass in plain.bodies]
+    hip, mass = (roles.index(role) for role in ("body", "wobbling"))
+    displacement = plain.positions[:, mass] - plain.positions[:, hip]
+    assert np.allclose(larger.positions[:, mass] - larger.positions[:, hip], 5 * displacement, atol=1e-14)
     assert np.array_equal(larger.positions[:, hip], plain.positions[:, hip])
 
 
@@ -65,6 +73,35 @@ def test_any_model(model, tmp_path):
     path = stridemap.animate(orbit, tmp_path / "walk.gif", fps=5, size=80)
     with Image.open(path) as film:
         assert film.n_frames == 12
+
+
+def drawn(shown):
+    """Colours and line widths of a frame, and the colours of its discs by mass."""
+    axes = Figure().add_subplot()
+    draw_frame(axes, shown, 0, 3)
+    discs = {patch.get_gid(): to_hex(patch.get_facecolor()) for patch in axes.patches if patch.get_gid()}
+    return [(line.get_color(), line.get_linewidth(), len(line.get_xdata())) for line in axes.lines], discs
+
+
+def test_names_do_not_matter_but_roles_do(orbits, monkeypatch):
+    shown = scene(orbits[1], 8)
+    model = shown.seen.model
+    lines, discs = drawn(shown)
+    assert discs == {
+        "hip": walker.HIP, "wobbling mass": walker.WOBBLING, "stance foot": walker.LEFT,
+        "swing foot": walker.RIGHT,
+    }  # fmt: skip
+    names = [mass.name for mass in model.spec.masses]
+    others = tuple(Mass(f"part {i}", mass.role) for i, mass in enumerate(model.spec.masses))
+    monkeypatch.setattr(model, "spec", replace(model.spec, masses=others))
+    renamed = drawn(shown)
+    assert renamed == (lines, {f"part {i}": discs[m] for i, m in enumerate(names)})
+    swapped = tuple(Mass(mass.name, "body") for mass in others)
+    monkeypatch.setattr(model, "spec", replace(model.spec, masses=swapped))
+    assert set(drawn(shown)[1].values()) == {walker.HIP, walker.BODY}
+    rigid = tuple(Line(line.name, "part") for line in model.spec.lines)
+    monkeypatch.setattr(model, "spec", replace(model.spec, lines=rigid))
+    assert len(drawn(shown)[0]) == len(lines) - 1  # one line in place of two legs
 
 
 def test_choices(orbits):

@@ -9,7 +9,7 @@ from stridemap.solver.cycles.orbit import Orbit
 from stridemap.views.optional import require_pictures
 
 SECONDS = 1.2
-"""What a step lasts on the screen: about three times as long as with a leg of one metre on Earth."""
+"""Duration of a step on the screen: about three times that of a leg of one metre on Earth."""
 
 FPS, SIZE, WALKERS = (2, 50), (80, 1600), 6
 """Frames per second and pixels that are allowed, and how many walkers."""
@@ -27,9 +27,9 @@ def animate(
 ) -> Path:
     """Write a GIF of limit cycles walking side by side, which loops without a jump.
 
-    Drawn are the legs, the masses (discs of their area), springs, the force of the ground on the stance foot
-    (arrow) and the zero moment point (triangle). Each walker's step lasts the same time on the screen,
-    whatever its period.
+    It shows the legs, the masses (discs whose areas are as the masses), springs, the force of the ground on
+    the stance foot (arrow) and the zero moment point (triangle). A step of each walker lasts the same time on
+    the screen, whatever its period.
 
     Parameters
     ----------
@@ -37,16 +37,15 @@ def animate(
     path : path
         Where the GIF goes.
     titles : sequence of str, optional
-        One for each; by default the model, group and stability, and what the parameters differ in.
+        One for each; by default the model, group and stability, and the parameters that differ.
     steps : int
         Steps until it repeats, an even number: after an odd number left and right leg are exchanged.
     fps : int
-        Frames per second, rounded to whole hundredths of a second a frame, as GIF has it.
+        Frames per second; the duration of a frame is rounded to hundredths of a second, as GIF has it.
     size : int
         Width and height of each walker's panel in pixels.
     magnify : float
-        The way of the wobbling mass is drawn so many times as long as it is, which is then told in the
-        picture.
+        Factor by which the displacement of the wobbling mass is drawn larger than it is; the picture says so.
 
     Returns
     -------
@@ -55,7 +54,7 @@ def animate(
     Raises
     ------
     InputError
-        For an orbit that is none, a setting out of range, a missing package, or a path that cannot be
+        For an orbit that was not found, a setting out of range, a missing package, or a path that cannot be
         written.
     """
     shown = [orbits] if isinstance(orbits, Orbit) else list(orbits)
@@ -108,7 +107,7 @@ def _check_range(name: str, value: int, allowed: tuple[int, int], what: str) -> 
 
 
 def _titles(orbits: Sequence[Orbit]) -> list[str]:
-    """What tells walkers apart: group (or else model) and stability, and the parameters that differ."""
+    """What distinguishes the walkers: group (or else model), stability, and the parameters that differ."""
     names = dict.fromkeys(name for orbit in orbits for name in orbit.params)
     differing = [n for n in names if len({orbit.params.get(n) for orbit in orbits}) > 1]
     out = []

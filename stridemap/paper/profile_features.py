@@ -1,4 +1,4 @@
-"""What the statements say of time profiles, as columns of the table of cycles."""
+"""Features of time profiles that the statements speak of, as columns of the table of cycles."""
 
 import numpy as np
 import pandas as pd
@@ -10,7 +10,7 @@ from stridemap.solver.observables.motion import Motion, motions
 Array = NDArray[np.float64]
 
 SAMPLES = 401
-"""Evenly over a step, both ends included. The middle is one of them and belongs to both halves."""
+"""Evenly spaced over a step, both ends included. The middle is one of them and belongs to both halves."""
 
 ANGLES = ("theta1", "theta2")
 
@@ -23,30 +23,34 @@ def sampled(model: Model, orbits: pd.DataFrame) -> Motion:
 
 
 def with_profiles(model: Model, orbits: pd.DataFrame) -> pd.DataFrame:
-    """Cycles of the walker with a wobbling mass with columns that tell how `x` and `d` go over a step.
+    """Cycles of the walker with a wobbling mass, with columns that describe `x` and `d` over a step.
 
     ``x_first``, ``x_second`` : mean of `x` over either half of the step. ``x_first_behind``,
-    ``x_second_ahead`` : share of that half in which `x` is negative, and positive. ``x_amplitude``,
-    ``x_travel`` : greatest modulus of `x`, and greatest minus least. ``x_maxima`` : local maxima within the
-    step. The same for `d`: ``d_first``, ``d_second``, ``d_first_positive``, ``d_second_negative``,
-    ``d_travel``; ``d_start`` is `d` just after touchdown, ``d_sign_changes`` how often its sign changes and
-    ``d_crossing`` when it first does, in periods.
+    ``x_second_ahead`` : share of that half in which `x` is negative, and positive. ``x_travel`` : greatest
+    minus least `x`. ``x_maxima`` : local maxima within the step. The same for `d`: ``d_first``,
+    ``d_second``, ``d_first_positive``, ``d_second_negative``, ``d_travel``; ``d_start`` is `d` just after
+    touchdown, ``d_sign_changes`` how often its sign changes and ``d_crossing`` when it first does, in
+    periods. ``wobble_amplitude`` is added where the table of cycles does not have it.
     """
     if orbits.empty:
-        return orbits.assign(**{name: np.empty(0) for name in COLUMNS})
+        return orbits.assign(**{name: np.empty(0) for name in (*COLUMNS, "wobble_amplitude")})
     motion = sampled(model, orbits)
-    return orbits.assign(**_of_x(motion.coordinate("x")), **_of_d(motion.d))
+    x = motion.coordinate("x")
+    if "wobble_amplitude" not in orbits:
+        orbits = orbits.assign(wobble_amplitude=np.abs(x).max(axis=1))
+    return orbits.assign(**_of_x(x), **_of_d(motion.d))
 
 
-def beside(model: Model, orbits: pd.DataFrame, other: Model, cycle: pd.DataFrame) -> pd.DataFrame:
-    """Cycles laid beside one cycle of another model, at the same fractions of the step.
+def compare_with(model: Model, orbits: pd.DataFrame, other: Model, cycle: pd.DataFrame) -> pd.DataFrame:
+    """Cycles compared with one cycle of another model, at the same fractions of the step.
 
-    Of the angles of the legs and their rates: ``likeness``, the least of the four correlations with the
-    other model's cycle over the step, so 1 for curves of one shape; ``angle_difference`` and
-    ``rate_difference``, the greatest difference as a share of the range that the angle, or the rate, goes
-    through in the other model's cycle. NaN where there is not exactly one such cycle.
+    The columns are about the angles of the legs and their rates. ``likeness`` is the least of the four
+    correlations with the other model's cycle over the step, and so 1 for curves of one shape.
+    ``angle_difference`` and ``rate_difference`` are the greatest difference as a share of the range that the
+    angle, or the rate, covers in the other model's cycle. They are NaN where there is not exactly one such
+    cycle.
     """
-    columns = {name: np.full(len(orbits), np.nan) for name in BESIDE}
+    columns = {name: np.full(len(orbits), np.nan) for name in COMPARED}
     if len(orbits) and len(cycle) == 1:
         one, reference = sampled(model, orbits), sampled(other, cycle)
         correlation, difference = [], []
@@ -76,7 +80,6 @@ def _of_x(x: Array) -> dict[str, Array]:
         "x_second": second.mean(axis=1),
         "x_first_behind": (first < 0).mean(axis=1),
         "x_second_ahead": (second > 0).mean(axis=1),
-        "x_amplitude": np.abs(x).max(axis=1),
         "x_travel": np.ptp(x, axis=1),
         "x_maxima": ((rise[:, :-1] > 0) & (rise[:, 1:] <= 0)).sum(axis=1),
     }
@@ -98,7 +101,7 @@ def _of_d(d: Array) -> dict[str, Array]:
 
 
 COLUMNS = tuple([*_of_x(np.zeros((1, SAMPLES))), *_of_d(np.zeros((1, SAMPLES)))])
-"""Names of the columns that `with_profiles` adds."""
+"""Names of the columns that `with_profiles` always adds."""
 
-BESIDE = ("likeness", "angle_difference", "rate_difference")
-"""Names of the columns that `beside` adds."""
+COMPARED = ("likeness", "angle_difference", "rate_difference")
+"""Names of the columns that `compare_with` adds."""

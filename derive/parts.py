@@ -1,0 +1,228 @@
+"""The parts that a declaration consists of: coordinates, parameters, bodies, touchdown, clock, lines."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+import sympy as sp
+
+from stridemap import spec
+from stridemap.spec import UnitNames
+
+STANCE_FOOT = sp.Matrix(sp.symbols("stance_x stance_y", real=True))
+"""Position of the stance foot, shape (2, 1): the two coordinates of the floating base.
+
+Of a point foot it is the point; of a rolling foot, the centre of its arc.
+"""
+
+DOWN = sp.ImmutableMatrix([0, -1])
+ORIGIN = sp.ImmutableMatrix([0, 0])
+
+TIME = sp.Symbol("t", real=True)
+"""Time since the last touchdown."""
+
+PHASE = "phase"
+"""Name of the coordinate that a clock which is not reset adds."""
+
+
+class Coordinate(spec.Coordinate):
+    """One generalised coordinate of the swing phase.
+
+    Parameters
+    ----------
+    name : str
+        Name in generated code; its rate is called ``d<name>``.
+    unit : str
+    meaning : str
+        One line for the documentation of generated functions.
+    rate_unit : str
+        Left empty: it follows from `unit` and the walker's units.
+    """
+
+    @property
+    def symbol(self) -> sp.Symbol:
+        """The coordinate in expressions."""
+        return sp.Symbol(self.name, real=True)
+
+    @property
+    def rate(self) -> sp.Symbol:
+        """Its time derivative in expressions."""
+        return sp.Symbol(f"d{self.name}", real=True)
+
+
+class Parameter(spec.Parameter):
+    """One parameter: its preset value, unit and allowed range.
+
+    Parameters
+    ----------
+    name : str
+    default : float
+        The preset's value.
+    unit : str
+    meaning : str
+    lower, upper : float or None
+        Ends of the allowed range; None means that there is none (but values must be finite).
+    lower_open, upper_open : bool
+        Whether that end itself is excluded.
+    """
+
+    @property
+    def symbol(self) -> sp.Symbol:
+        """The parameter in expressions."""
+        return sp.Symbol(self.name, real=True)
+
+
+@dataclass(frozen=True)
+class Body:
+    """A rigid body, or a point mass where it has no moment of inertia.
+
+    Parameters
+    ----------
+    name : str
+    mass : sympy.Expr
+    position : sympy.Matrix, shape (2, 1)
+        Its centre of mass, in terms of `STANCE_FOOT` and the coordinates.
+    inertia : sympy.Expr
+        Moment of inertia about the centre of mass.
+    angle : sympy.Expr
+        Its orientation, in terms of the coordinates; only its rate matters.
+    """
+
+    name: str
+    mass: sp.Expr
+    position: sp.Matrix
+    inertia: sp.Expr = sp.S.Zero
+    angle: sp.Expr = sp.S.Zero
+
+
+@dataclass(frozen=True)
+class Touchdown:
+    """When the swing foot strikes the ground.
+
+    Parameters
+    ----------
+    condition : sympy.Expr
+        Zero with the swing foot on the ground, in terms of coordinates and parameters. It must be zero just
+        after touchdown too, where the foot that has become the swing foot is still on the ground.
+    region : sympy.Expr
+        Negative at an admissible touchdown; it excludes the scuff of straight legs at mid-stance.
+    rising : bool
+        Whether the condition rises through zero at a touchdown; else it falls.
+    """
+
+    condition: sp.Expr
+    region: sp.Expr
+    rising: bool = True
+
+
+@dataclass(frozen=True)
+class Clock:
+    """The controller's oscillator: a phase that grows at a constant rate.
+
+    Parameters
+    ----------
+    rate : sympy.Expr
+        In terms of parameters.
+    resets : bool
+        Whether the phase is set to zero at every touchdown. If not, the phase at touchdown is one more
+        coordinate, called ``phase``, and a limit cycle is locked to the clock.
+    turn : sympy.Expr
+        By how much the phase of a clock that is not reset advances in one step of a limit cycle.
+    """
+
+    rate: sp.Expr
+    resets: bool = True
+    turn: sp.Expr = 2 * sp.pi
+
+    @property
+    def phase(self) -> sp.Expr:
+        """The phase in expressions."""
+        return self.rate * TIME if self.resets else self.coordinate.symbol
+
+    @property
+    def coordinate(self) -> Coordinate:
+        """The coordinate of a clock that is not reset."""
+        return Coordinate(PHASE, "rad", "phase of the clock")
+
+
+@dataclass(frozen=True)
+class Massless:
+    """The limit in which a mass goes to zero, and the coordinates that only this mass moves with.
+
+    The equations of those coordinates are divided by the mass before it is let go to zero.
+
+    Parameters
+    ----------
+    mass : sympy.Symbol
+        The mass in the bodies' expressions; it is not a parameter of the model.
+    coordinates : tuple of Coordinate
+    """
+
+    mass: sp.Symbol
+    coordinates: tuple[Coordinate, ...]
+
+
+@dataclass(frozen=True)
+class Line:
+    """A line through points of the walker, by which it is drawn.
+
+    Parameters
+    ----------
+    name : str
+        Name of the output in generated code.
+    points : tuple of sympy.Matrix, shape (2, 1) each
+        In terms of `STANCE_FOOT` and the coordinates.
+    spring : bool
+        Whether it is drawn as a spring.
+    legs : bool
+        Whether it is the legs, from the stance foot to the swing foot: the first half of its points is the
+        stance leg, and each leg is drawn in a colour of its own.
+    """
+
+    name: str
+    points: tuple[sp.Matrix, ...]
+    spring: bool = False
+    legs: bool = False
+
+
+DIMENSIONLESS = UnitNames()
+SI = UnitNames("kg", "m", "s", "J")
+"""Units of a model that is written with a parameter for gravity."""
+
+
+def rolling_arc(radius: sp.Expr, angle: sp.Expr) -> sp.Matrix:
+    """Where the centre of a circular foot is while it rolls without slip, for `Walker.stance`.
+
+    Parameters
+    ----------
+    radius : sympy.Expr
+    angle : sympy.Expr
+        Of the stance leg from the vertical, positive leaning back.
+
+    Returns
+    -------
+    sympy.Matrix, shape (2, 1)
+    """
+    return sp.Matrix([-radius * angle, radius])
+
+
+def exact(value: Any) -> Any:
+    """`value` with decimal numbers in its expressions as fractions: generated code has no rounded ones."""
+    if isinstance(value, sp.MatrixBase):
+        return sp.ImmutableMatrix(value.applyfunc(exact))
+    if isinstance(value, sp.Basic):
+        return sp.nsimplify(value, rational=True) if value.has(sp.Float) else value
+    if isinstance(value, Body | Touchdown | Clock | Line):
+        return replace(value, **{name: _exact_number(name, v) for name, v in vars(value).items()})
+    if isinstance(value, tuple):
+        return tuple(exact(v) for v in value)
+    if isinstance(value, Mapping):
+        return {key: exact(v) for key, v in value.items()}
+    return value
+
+
+def _exact_number(name: str, value: Any) -> Any:
+    """Plain numbers where an expression is meant, as expressions."""
+    if isinstance(value, bool | str):
+        return value
+    return exact(sp.sympify(value)) if isinstance(value, int | float) else exact(value)

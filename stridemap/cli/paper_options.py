@@ -1,0 +1,59 @@
+"""What the commands about the paper have in common: the folder of its sweeps, and how far each sweep is."""
+
+import signal
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack, contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any, NoReturn
+
+import typer
+
+from stridemap.cli.options import whole
+
+if TYPE_CHECKING:
+    from stridemap.sweeps.run import Progress
+
+SweepsOption = Annotated[
+    Path | None,
+    typer.Option(
+        "--sweeps",
+        metavar="FOLDER",
+        help="Folder of the paper's sweeps; by default results/paper-sweeps, with what is set in its name.",
+    ),
+]
+WorkersOption = Annotated[
+    int | None, whole("Number of processes that run the sweeps; by default one per core.")
+]
+ThinOption = Annotated[
+    int, whole("Search only every Nth value of k and alpha, which is faster and less certain.")
+]
+
+
+@contextmanager
+def sweep_progress() -> "Iterator[Callable[[str, Progress], None]]":
+    """Show how far each sweep is, one after another; a termination counts as an interruption."""
+    from stridemap.cli.progress import show
+
+    signal.signal(signal.SIGTERM, _interrupt)
+    current: dict[str, Any] = {}
+    with ExitStack() as stack:
+
+        def update(name: str, seen: "Progress") -> None:
+            if name not in current:
+                stack.close()
+                current.clear()
+                print(f"sweep {name}", file=sys.stderr)
+                current[name] = stack.enter_context(show())
+            current[name](seen)
+
+        yield update
+
+
+def _interrupt(*_: object) -> NoReturn:
+    raise KeyboardInterrupt
+
+
+def say_interrupted(folder: Path) -> None:
+    """Say where the finished parts of interrupted sweeps are."""
+    print(f"interrupted: finished parts are kept in {folder}; the same command continues", file=sys.stderr)

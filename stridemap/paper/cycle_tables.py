@@ -1,0 +1,131 @@
+"""The limit cycles that the paper's statements are about, as the tables from which they are decided."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import pandas as pd
+from numpy.typing import NDArray
+
+from stridemap.errors import InputError
+from stridemap.paper.branch_tables import EDGE_COLUMNS, edge_table, minima_table
+from stridemap.paper.profile_features import COLUMNS as PROFILE_COLUMNS
+from stridemap.paper.profile_features import COMPARED, compare_with, with_profiles
+from stridemap.paper.sweeps import PaperSweeps, require_gaits
+from stridemap.solver.branches.main_branch import on_main_branch
+from stridemap.solver.cycles.orbits import Orbits
+from stridemap.solver.cycles.solver import Solver
+from stridemap.solver.model.loading import load
+from stridemap.solver.model.model import Model
+
+_ORBIT = (
+    "status", "step_length", "min_vertical_force", "period", "spectral_radius", "stable", "d_max", "cot",
+    "cot_per_speed", "peaks",
+)  # fmt: skip
+_WALKER = (*_ORBIT, "k", "alpha", "omega", "group", "x_zero_crossings")
+_PROFILED = (*_WALKER, *PROFILE_COLUMNS, "wobble_amplitude")
+
+
+@dataclass(frozen=True)
+class CycleTables:
+    """The tables from which the statements are decided; they hold only cycles that are physical gaits.
+
+    Parameters
+    ----------
+    typical : DataFrame
+        Cycles at the three typical solutions, with their time profiles, compared with the compass's.
+    compass : DataFrame
+        Cycles of the compass, one per row.
+    lines : DataFrame
+        Cycles over `k` at the pairs of alpha and omega. ``main`` says whether one is on the main branch; the
+        columns of time profiles are filled for stable cycles.
+    minima : DataFrame
+        Cycles between the springs of `lines`, where measures are smallest.
+    edges : DataFrame
+        Bisected edges of the ranges with stable cycles.
+    map : DataFrame
+        Cycles over `k` and alpha at both omega.
+    line_k, map_k, map_alpha : ndarray
+        What was searched: values of `k` of the lines, and of `k` and alpha of the map.
+    """
+
+    typical: pd.DataFrame
+    compass: pd.DataFrame
+    lines: pd.DataFrame
+    minima: pd.DataFrame
+    edges: pd.DataFrame
+    map: pd.DataFrame
+    line_k: NDArray[np.float64]
+    map_k: NDArray[np.float64]
+    map_alpha: NDArray[np.float64]
+
+    def __post_init__(self) -> None:
+        for name, columns in {
+            "typical": (*_PROFILED, *COMPARED),
+            "compass": (*_ORBIT, "omega"),
+            "lines": (*_PROFILED, "main"),
+            "minima": (*_WALKER, "main"),
+            "edges": EDGE_COLUMNS,
+            "map": _WALKER,
+        }.items():
+            require(getattr(self, name), columns, name)
+        for name in ("compass", "lines", "map"):
+            require_gaits(getattr(self, name), name)
+
+
+def require(table: pd.DataFrame, columns: Sequence[str], name: str) -> None:
+    """Refuse a table without the columns that the statements need.
+
+    Raises
+    ------
+    InputError
+        Naming the first that is missing.
+    """
+    for column in columns:
+        if column not in table.columns:
+            raise InputError(
+                f"the table {name} has no column {column}; give tables of the sweeps that belong here"
+            )
+
+
+def cycle_tables(sweeps: PaperSweeps) -> CycleTables:
+    """Make the tables from the sweeps, which are run where they are not finished.
+
+    Parameters
+    ----------
+    sweeps : PaperSweeps
+
+    Raises
+    ------
+    InputError
+        For unusable folders, among them those with tables of another configuration, and when a sweep holds
+        no physical gait.
+    """
+    gaits = {name: sweeps.gaits(name) for name in sweeps.configs}
+    walker, compass = load("wobbling"), load("compass")
+    solver, orbits = Solver.for_model(walker), Orbits.from_columns(walker, gaits["lines"])
+    main = on_main_branch(orbits, "k")
+    lines = _lines(walker, gaits["lines"], main)
+    line_k = np.array(sweeps.configs["lines"].grid["k"])
+    return CycleTables(
+        typical=_typical(walker, gaits["typical"], compass, gaits["compass"]),
+        compass=gaits["compass"],
+        lines=lines,
+        minima=minima_table(solver, orbits, main, line_k),
+        edges=edge_table(solver, orbits, line_k),
+        map=gaits["map"],
+        line_k=line_k,
+        map_k=np.array(sweeps.configs["map"].grid["k"]),
+        map_alpha=np.array(sweeps.configs["map"].grid["alpha"]),
+    )
+
+
+def _typical(walker: Model, orbits: pd.DataFrame, compass: Model, cycles: pd.DataFrame) -> pd.DataFrame:
+    profiled = with_profiles(walker, orbits)
+    return compare_with(walker, profiled, compass, cycles[cycles["omega"].isin(orbits["omega"])])
+
+
+def _lines(walker: Model, orbits: pd.DataFrame, main: NDArray[np.bool_]) -> pd.DataFrame:
+    profiled = with_profiles(walker, orbits[orbits["stable"]])
+    added = [name for name in profiled if name not in orbits]
+    return orbits.assign(main=main).join(profiled[added])

@@ -1,0 +1,1 @@
+"""The figures of the paper: what each is drawn from, and how."""

@@ -1,0 +1,42 @@
+"""Where a map lies on paper, and where the letters of its groups stand."""
+
+import string
+
+import numpy as np
+from scipy.ndimage import distance_transform_edt, label
+
+from stridemap.solver.branches.plane import Plane
+
+SMALLEST = 0.004
+"""Share of the map's area below which a patch of one group is not lettered."""
+
+
+def extent(plane: Plane) -> tuple[float, float, float, float]:
+    """Left, right, bottom and top of the cells, whose middles are the values; these are evenly spaced."""
+    (left, right), (bottom, top) = (
+        (v[0] - (v[1] - v[0]) / 2, v[-1] + (v[-1] - v[-2]) / 2) for v in (plane.x, plane.y)
+    )
+    return float(left), float(right), float(bottom), float(top)
+
+
+def letters(plane: Plane, aspect: float) -> list[tuple[str, float, float]]:
+    """The letter of each group with the position, in parameters, where its largest patch is widest.
+
+    Parameters
+    ----------
+    plane : Plane
+    aspect : float
+        Height of the map on paper over its width.
+    """
+    out = []
+    cell = aspect / len(plane.y), 1 / len(plane.x)
+    for group in range(int(plane.groups.max()) + 1):
+        patches, count = label(plane.groups == group)
+        sizes = np.bincount(patches.ravel(), minlength=count + 1)[1:]
+        if not count or sizes.max() < SMALLEST * plane.groups.size:
+            continue
+        patch = np.pad(patches == 1 + sizes.argmax(), 1)  # the map's own edge bounds a patch too
+        room = distance_transform_edt(patch, sampling=cell)[1:-1, 1:-1]
+        row, column = np.unravel_index(room.argmax(), room.shape)
+        out.append((string.ascii_uppercase[group], float(plane.x[column]), float(plane.y[row])))
+    return out

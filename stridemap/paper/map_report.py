@@ -1,0 +1,45 @@
+"""The paper's map as a page to explore, with the verdicts on its statements."""
+
+from collections.abc import Callable, Mapping
+from concurrent.futures import Executor
+from pathlib import Path
+from typing import Any
+
+from stridemap.paper.cycle_tables import cycle_tables
+from stridemap.paper.evaluate import evaluate
+from stridemap.paper.sweeps import paper_sweeps
+from stridemap.sweeps.run import Progress
+from stridemap.views.report.write import ReportSummary, write_report
+
+
+def report(
+    out: str | Path,
+    *,
+    claims: str | Path | None = None,
+    sweeps: str | Path | None = None,
+    params: Mapping[str, Any] | None = None,
+    thin: int = 1,
+    workers: int | None = None,
+    executor: Executor | None = None,
+    progress: Callable[[str, Progress], None] | None = None,
+) -> ReportSummary:
+    """Write the map of the paper's sweeps, with the verdicts, as one HTML file that needs no network.
+
+    Parameters
+    ----------
+    out : path
+        The file.
+    claims : path, optional
+        A file of verdicts that ``stridemap claims --json`` printed; by default the statements are decided
+        from the sweeps.
+    sweeps, params, thin, workers, executor, progress
+        As for `claims`: sweeps that are not finished are run.
+
+    Raises
+    ------
+    InputError
+        As for `claims` and `stridemap.views.write_report`.
+    """
+    paper = paper_sweeps(sweeps, params, thin, workers=workers, executor=executor, progress=progress)
+    verdicts = claims or [claim.to_dict() for claim in evaluate(cycle_tables(paper))]
+    return write_report(paper.run("map"), out, verdicts)

@@ -1,0 +1,153 @@
+"""How names and units are written: as symbols, in plain text and in LaTeX."""
+
+import math
+import re
+
+from stridemap.spec import ModelSpec, UnitNames
+from stridemap.units import KINDS, Units
+
+_NAMES = "alpha beta gamma delta epsilon zeta eta theta kappa lambda mu nu xi rho sigma tau phi chi psi omega"
+_GREEK = dict(zip(_NAMES.split(), "αβγδεζηθκλμνξρστφχψω", strict=True))
+_SUBSCRIPTS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
+_DOT = "\u0307"
+_SCALED = "sqrt(L/g)"
+"""The unit of time of models that are written in units of a mass, a length and gravity."""
+
+
+# -- units ---------------------------------------------------------------------------------------------------
+
+
+def unit_of(kind: str, names: UnitNames) -> str:
+    """Unit of a kind of quantity in a model's own units, written as in a specification.
+
+    Parameters
+    ----------
+    kind : str
+        A key of `stridemap.units.KINDS`.
+    names : UnitNames
+        What the model calls its units.
+    """
+    own = {"mass": names.mass, "length": names.length, "time": names.time, "energy": names.energy}
+    scaled, si = KINDS[kind]
+    if kind in own:
+        return own[kind]
+    if names.time == _SCALED:
+        words = {"M": names.mass, "L": names.length}
+        return re.sub(r"\b[ML]\b", lambda match: words[match[0]], scaled)
+    if (names.mass, names.length, names.time) == ("kg", "m", "s"):
+        return si
+    return _composed(kind, names)
+
+
+def _composed(kind: str, names: UnitNames) -> str:
+    """A unit as a product of powers of the units of mass, length and time."""
+
+    def power(mass: float = 1, length: float = 1, gravity: float = 1) -> int:
+        return round(2 * math.log2(Units(length, mass, gravity).unit(kind)))
+
+    # Units are formed from M, L and g; g is a length over a time squared. Powers are in halves.
+    gravity = power(gravity=2)
+    halves = {names.mass: power(mass=2), names.length: power(length=2) + gravity, names.time: -2 * gravity}
+    factors = [f"{name}^{h // 2}" if h != 2 else name for name, h in halves.items() if h]
+    return " ".join(factors) or ("rad" if KINDS[kind][0] == "rad" else "1")
+
+
+def units(names: UnitNames) -> dict[str, str]:
+    """Units of all kinds of quantities as they are printed, by kind; see `printed`."""
+    return {kind: printed(unit_of(kind, names)) for kind in KINDS}
+
+
+def printed(unit: str) -> str:
+    """A unit of a specification as it is printed: with a root sign, and empty for a pure number."""
+    return "" if unit == "1" else unit.replace("sqrt(", "√(")
+
+
+def latex_unit(unit: str, names: UnitNames) -> str:
+    """A unit of a specification in LaTeX: quantities that serve as units in italics, names of units upright.
+
+    Parameters
+    ----------
+    unit : str
+    names : UnitNames
+        Of the model.
+    """
+    if unit == "1":
+        return "–"
+    italic = {names.mass, names.length, "g"} if names.time == _SCALED else set()
+    words = re.sub(r"\bsqrt\(([^)]*)\)", r"\\sqrt{\1}", unit)
+    words = re.sub(r"\s*/\s*", "/", words)
+    words = re.sub(r"\s*\*\s*|\s+", r"\\,", words)
+    words = re.sub(r"\^(-?\d{2,}|-\d)", r"^{\1}", words)
+    words = re.sub(
+        r"(?<![\\A-Za-z])[A-Za-z]+", lambda m: m[0] if m[0] in italic else rf"\mathrm{{{m[0]}}}", words
+    )
+    return f"${words}$"
+
+
+def latex_axis(label: str, unit: str, names: UnitNames) -> str:
+    """Text of an axis: a label and its unit in brackets."""
+    return f"{label}  [{latex_unit(unit, names)}]"
+
+
+# -- symbols -------------------------------------------------------------------------------------------------
+
+
+def symbol(name: str) -> str:
+    """A name as it is written in formulas: ``theta1`` as the Greek letter with a subscript.
+
+    Parameters
+    ----------
+    name : str
+        Of a parameter or a coordinate.
+    """
+    match = re.fullmatch(r"([A-Za-z]+?)(\d*)", name)
+    if match is None:
+        return name
+    word, digits = match.groups()
+    if word in _GREEK:
+        return _GREEK[word] + digits.translate(_SUBSCRIPTS)
+    if len(word) == 1:
+        return word + digits.translate(_SUBSCRIPTS)
+    return name
+
+
+def rate_symbol(name: str) -> str:
+    """The symbol of a coordinate's rate."""
+    shown = symbol(name)
+    return shown[0] + _DOT + shown[1:] if shown != name or len(name) == 1 else f"d{name}"
+
+
+def latex_symbol(name: str, rate: bool = False) -> str:
+    r"""A name in LaTeX: ``theta1`` is ``\theta_{1}``, and its rate ``\dot{\theta}_{1}``.
+
+    Parameters
+    ----------
+    name : str
+        Of a parameter or a coordinate.
+    rate : bool
+        Whether its time derivative is meant.
+    """
+    match = re.fullmatch(r"([A-Za-z]+?)(\d*)", name)
+    word, digits = match.groups() if match else (name, "")
+    if word in _GREEK:
+        word = rf"\{word}"
+    elif len(word) > 1:
+        word = rf"\mathrm{{{word}}}".replace("_", r"\_")
+    return (rf"\dot{{{word}}}" if rate else word) + (f"_{{{digits}}}" if digits else "")
+
+
+def state_labels(spec: ModelSpec) -> dict[str, tuple[str, str]]:
+    """Symbol, and unit in brackets, of each coordinate and then of each rate, by name, in LaTeX."""
+    out = {}
+    for coordinate in spec.coordinates:
+        unit = latex_unit(coordinate.unit, spec.units)
+        out[coordinate.name] = (f"${latex_symbol(coordinate.name)}$", f"[{unit}]")
+    for coordinate in spec.coordinates:
+        unit = latex_unit(coordinate.rate_unit, spec.units)
+        out[f"d{coordinate.name}"] = (f"${latex_symbol(coordinate.name, rate=True)}$", f"[{unit}]")
+    return out
+
+
+def time_label(spec: ModelSpec) -> str:
+    """Text of an axis of time."""
+    return latex_axis("time  $t$", spec.units.time, spec.units)

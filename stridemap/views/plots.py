@@ -1,0 +1,116 @@
+"""Plots of a limit cycle: its profiles over one step, and its phase portraits."""
+
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from stridemap.errors import InputError
+from stridemap.solver.cycles.orbit import Orbit
+from stridemap.solver.observables.motion import Motion, motion
+from stridemap.views.optional import require_pictures
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+PANEL = (2.6, 1.9)
+"""Width and height of a panel in inches."""
+
+
+def plot(orbit: Orbit, kind: str = "profiles", *, samples: int = 201) -> "Figure":
+    """Plot a limit cycle.
+
+    Parameters
+    ----------
+    orbit : Orbit
+    kind : {"profiles", "phase"}
+        ``profiles``: coordinates, rates, ground force and the distance `d` from the zero moment point to the
+        stance foot, against time over one step. ``phase``: the rate of each coordinate against the
+        coordinate; a dot marks the state just after touchdown, and a dotted line the jump at the impact.
+    samples : int
+        Number of times, both ends of the step included.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        It belongs to no window; ``figure.savefig(path)`` writes it.
+
+    Raises
+    ------
+    InputError
+        For an unknown kind, an orbit that was not found, fewer than two samples, or a missing package.
+    """
+    if not isinstance(kind, str) or kind not in KINDS:
+        raise InputError(f"kind = {kind!r} is not a kind of plot; kinds are {', '.join(KINDS)}")
+    require_pictures()
+    from stridemap.views import style
+
+    seen = motion(orbit, samples)
+    with style.styled():
+        return KINDS[kind](seen, _title(orbit))
+
+
+def _profiles(seen: Motion, title: str) -> "Figure":
+    """One column for coordinates, force and d; one for the rates."""
+    from stridemap.views import style
+    from stridemap.views.notation import latex_axis, state_labels, time_label, unit_of
+
+    spec = seen.model.spec
+    labels, n = state_labels(spec), len(spec.coordinates)
+    figure, panels = _grid(n + 1, 2, title)
+    for i, (name, (symbol, unit)) in enumerate(labels.items()):
+        axes = panels[i % n, i // n]
+        axes.plot(seen.t, seen.coordinate(name), color=style.BLUE)
+        axes.set_ylabel(f"{symbol}  {unit}")
+    force, distance = panels[n]
+    for component, symbol, look in ((1, "$F_y$", "-"), (0, "$F_x$", "--")):
+        force.plot(seen.t, seen.force[:, component], look, color=style.GREEN, label=symbol)
+    force.set_ylabel(latex_axis("ground force", unit_of("force", spec.units), spec.units))
+    force.legend()
+    distance.plot(seen.t, seen.d, color=style.VERMILION)
+    distance.set_ylabel(latex_axis("$d$", spec.units.length, spec.units))
+    for axes in panels.ravel():
+        shown = axes.get_ylim()
+        axes.axhline(0, color=style.GREY, linewidth=0.5, zorder=0)
+        axes.set(xlim=(0, seen.t[-1]), ylim=shown)
+    for axes in panels[-1]:
+        axes.set_xlabel(time_label(spec))
+    return figure
+
+
+def _phase(seen: Motion, title: str) -> "Figure":
+    """One panel per coordinate."""
+    from stridemap.views import style
+    from stridemap.views.notation import state_labels
+
+    spec = seen.model.spec
+    labels = state_labels(spec)
+    figure, panels = _grid(1, len(spec.coordinates), title)
+    for axes, coordinate in zip(panels[0], spec.coordinates, strict=True):
+        q, v = seen.coordinate(coordinate.name), seen.coordinate(f"d{coordinate.name}")
+        axes.plot(q, v, color=style.BLUE)
+        axes.plot([q[-1], q[0]], [v[-1], v[0]], ":", color=style.DARK)  # the impact, and the exchange of legs
+        axes.plot(q[0], v[0], "o", color=style.BLUE, markersize=4)
+        axes.set_xlabel("  ".join(labels[coordinate.name]))
+        axes.set_ylabel("  ".join(labels[f"d{coordinate.name}"]))
+    return figure
+
+
+KINDS: Mapping[str, Callable[[Motion, str], "Figure"]] = {"profiles": _profiles, "phase": _phase}
+"""Kinds of plots, and what draws each."""
+
+
+def _grid(rows: int, columns: int, title: str) -> "tuple[Figure, np.ndarray[Any, np.dtype[Any]]]":
+    """An empty figure with panels that share their axes of time."""
+    from stridemap.views import style
+
+    figure = style.new_figure(PANEL[0] * columns, PANEL[1] * rows + 0.3)
+    panels: np.ndarray[Any, np.dtype[Any]] = figure.subplots(rows, columns, sharex=rows > 1, squeeze=False)
+    figure.suptitle(title)
+    return figure, panels
+
+
+def _title(orbit: Orbit) -> str:
+    """Model, group and stability."""
+    group = f", group {orbit.group}" if orbit.group else ""
+    return f"{orbit.model}{group}, {'stable' if orbit.stable else 'unstable'}"

@@ -1,0 +1,46 @@
+"""Words that tables and options have taken, so that no parameter or coordinate of a model may bear them.
+
+A leaf, like `stridemap.spec`: tables take their columns from here, and a declaration is checked against it.
+"""
+
+import re
+
+from stridemap.quantities import QUANTITIES
+
+CELL_COLUMNS = {
+    "cell": "number of the grid cell",
+    "model": "name of the model",
+    "params": "parameters of the cell",
+    "state": "point on the section",
+    "status": "how it ended",
+    "reason": "why a cell failed",
+    "orbits": "limit cycles found in the cell",
+    "stable_orbits": "stable limit cycles found in the cell",
+    "branch": "branch of limit cycles",
+    "period_n": "walking steps until the gait repeats",
+    "multipliers": "Floquet multipliers",
+}
+"""Columns of tables and keys of JSON that are not measured quantities, each with what it holds."""
+
+MULTIPLIER_COLUMN = "multiplier_{index}_{part}"
+"""Name of a multiplier's column; its part is ``re`` or ``im``."""
+
+_MULTIPLIER = re.compile(r"multiplier_\d+(_(re|im))?")
+
+OPTION_WORDS = frozenset(
+    # options of the command line
+    "check claims config cycle folder fps group help json keep magnify model only out resume set size starts "
+    "state steps thin workers "
+    # arguments of public functions
+    "executor options orbit orbits params path progress samples titles".split()
+)
+"""Options of commands and arguments of public functions, which also take parameters by name."""
+
+
+def column(name: str) -> str | None:
+    """What the column of that name holds, or None where no table has such a column."""
+    if name in QUANTITIES:
+        return QUANTITIES[name].label
+    if _MULTIPLIER.fullmatch(name):
+        return "a Floquet multiplier"
+    return CELL_COLUMNS.get(name)
