@@ -17,6 +17,9 @@ import pytest
 import typer
 
 import stridemap
+import stridemap.derive
+import stridemap.paper
+import stridemap.views
 from stridemap.cli.app import app
 from stridemap.quantities import QUANTITIES
 from stridemap.solver.model.loading import available
@@ -46,8 +49,9 @@ def blocks(path, *languages):
 
 
 every_page = pytest.mark.parametrize("page", PAGES, ids=name_of)
-# The tutorial builds up one file as it goes; test_tutorial.py reads along.
-ALONE = [page for page in PAGES if page.name != "declare.md"]
+# The tutorial builds up one file as it goes, and recipes change the source: test_tutorial.py and
+# test_recipes.py read along.
+ALONE = [page for page in PAGES if page.name != "declare.md" and not page.name.startswith("add-")]
 every_page_alone = pytest.mark.parametrize("page", ALONE, ids=name_of)
 
 
@@ -175,13 +179,51 @@ def words_of(*names):
     return {word for code in re.findall(r"`([^`\n]+)`", text) for word in re.findall(r"\w+", code)}, text
 
 
-def test_every_public_name_is_documented():
+def test_the_page_of_python_names_is_the_list_of_public_names():
     _, text = words_of("api")
-    names = set(stridemap.__all__) - {"__version__"}
-    assert {name for name in names if not re.search(rf"\.\. auto\w+:: stridemap\.{name}\b", text)} == set()
-    for target in re.findall(r"\.\. auto\w+:: ([\w.]+)", text):
+    documented = re.findall(r"\.\. auto\w+:: ([\w.]+)", text)
+    assert len(documented) == len(set(documented))
+    top = {f"stridemap.{name}" for name in stridemap.__all__ if name != "__version__"}
+    # What a room offers stands at the top level, or under the room's own name.
+    rooms = {
+        f"stridemap.{room.__name__.removeprefix('stridemap.')}.{name}"
+        for room in (stridemap.paper, stridemap.views)
+        for name in room.__all__
+        if f"stridemap.{name}" not in top
+    }
+    assert set(documented) == top | rooms
+    for target in documented:
         home, _, name = target.rpartition(".")
         assert getattr(importlib.import_module(home), name).__doc__, target
+
+
+def test_pages_show_public_names_only():
+    """Except for those that are about changing stridemap itself."""
+    inside = {"architecture.md", "CONTRIBUTING.md", "glossary.md", "recipes.md", "changelog.md"}
+    for page in PAGES:
+        if page.name in inside or page.name.startswith("add-"):
+            continue
+        text = page.read_text("utf-8")
+        for room, name in re.findall(r"\bstridemap\.([a-z_]+)[.](\w+)", text):
+            assert room in ("derive", "paper", "views"), f"{page.name}: stridemap.{room}.{name}"
+        for name in re.findall(r"(?<![\w/.])stridemap\.([A-Za-z_]\w+)", text):
+            assert name in (*stridemap.__all__, "derive", "paper", "views"), f"{page.name}: {name}"
+
+
+def test_every_name_for_model_files_is_explained():
+    words, text = words_of("declare")
+    assert set(stridemap.derive.__all__) - words - set(re.findall(r"\w+", text)) == set()
+
+
+def test_tables_of_options_have_every_word():
+    """They are made from the docstrings of the records."""
+    _, text = words_of("sweeps")
+    shown = re.findall(r"```\{stridemap-options\} stridemap\.(\w+)", text)
+    assert shown == ["AcceptanceOptions", "ContinuationOptions"]
+    for name in (*shown, "SearchOptions"):
+        record = getattr(stridemap, name)
+        entries = re.findall(r"^ {4}([\w, ]+) : ", record.__doc__, re.MULTILINE)
+        assert [word for entry in entries for word in entry.split(", ")] == [f.name for f in fields(record)]
 
 
 def test_every_measure_is_defined():
@@ -200,7 +242,8 @@ def test_every_column_is_listed(schema):
         name for name in schema(stridemap.load("wobbling")).names if not name.startswith("multiplier_")
     }
     state = {"theta1", "dtheta1", "dtheta2", "x", "dx"}
-    assert columns - set(stridemap.load("wobbling").preset) - state - words == set()
+    assert "QUANTITIES" in words  # stands for all that is measured
+    assert columns - set(stridemap.load("wobbling").preset) - state - set(QUANTITIES) - words == set()
 
 
 def test_every_setting_of_the_search_is_listed_with_its_default():

@@ -120,7 +120,7 @@ class Copy:
             for line in text.splitlines() if language == "sh" else ():
                 pieces += [f"stridemap_command({line!r})"] if line.startswith("stridemap ") else []
         pieces += [further] if further else []
-        out = self.python("-c", PAGE + f"print({END!r})\n".join(pieces))
+        out = self.python("-c", PAGE + f"\nprint({END!r})\n".join(pieces))
         return out.split(f"{END}\n")
 
 
