@@ -34,7 +34,8 @@ import numpy as np
 from scipy.integrate import solve_ivp
 from scipy.optimize import fsolve
 
-from stridemap.solver.cycles.search import find_orbits, section_point
+from stridemap.solver.cycles.orbits import Orbits
+from stridemap.solver.cycles.search import find_all
 from stridemap.solver.cycles.solver import Solver
 from stridemap.solver.model.loading import load
 from stridemap.solver.model.model import Model
@@ -54,7 +55,7 @@ NEXT_CELL = {"k": 0.5}
 METHODS = ("RK45", "DOP853")
 OFF = 0.01
 RESOLUTION = 24
-"""Runge-Kutta steps of the step map in the first two rows."""
+"""RK steps of the step map in the first two rows."""
 
 
 @dataclass(frozen=True)
@@ -71,30 +72,25 @@ class Cycles:
 def cycles_to_find(model: Model) -> Cycles:
     """Every cycle of the groups A, B and C at `POINTS`, with a guess `OFF` from it."""
     points = np.array([model.point(p) for p in POINTS])
-    rows = [
-        (point, orbit)
-        for point, orbits in zip(points, find_orbits(model, points), strict=True)
-        for orbit in orbits
-        if orbit.group in ("A", "B", "C")
-    ]
-    cycles = np.array([section_point(orbit) for _, orbit in rows])
-    noise = np.random.default_rng(0).uniform(-OFF, OFF, cycles.shape)
+    _, orbits = find_all(Solver.for_model(model), points)
+    orbits = orbits[np.isin(orbits.group, ("A", "B", "C"))]
+    noise = np.random.default_rng(0).uniform(-OFF, OFF, orbits.u.shape)
     return Cycles(
-        np.array([point for point, _ in rows]),
-        cycles * (1 + noise),
-        cycles,
-        tuple(str(orbit.group) for _, orbit in rows),
-        tuple(orbit.stable for _, orbit in rows),
+        orbits.params,
+        orbits.u * (1 + noise),
+        orbits.u,
+        tuple(orbits.group.tolist()),
+        tuple(orbits.stable.tolist()),
     )
 
 
 # -- stridemap -------------------------------------------------------------------------------------------
 
 
-def complete_cycles(solver: Solver, guesses: np.ndarray, params: np.ndarray) -> list[Any]:
+def converged_cycles(solver: Solver, guesses: np.ndarray, params: np.ndarray) -> Orbits:
     """Orbits from guesses, as a sweep computes them."""
     u, _ = solver.search(guesses, params)
-    return solver.complete(u, params, (0.3, 3.0))
+    return solver.converge(u, params, (0.3, 3.0))
 
 
 # -- the paper's practice --------------------------------------------------------------------------------
@@ -172,9 +168,9 @@ def timed(work: Callable[[], Any]) -> tuple[float, Any]:
 
 
 def measure(batch: int, repeat: int, practice_repeat: int) -> dict[str, Any]:
-    """Run everything; rates are per second, one entry a repetition."""
+    """Run everything; rates are per second, one entry per repetition."""
     model = load("wobbling")
-    solver = Solver.of(model)
+    solver = Solver.for_model(model)
     todo = cycles_to_find(model)
     n = len(todo.cycles)
     copies = -(-batch // n)
@@ -193,15 +189,15 @@ def measure(batch: int, repeat: int, practice_repeat: int) -> dict[str, Any]:
     found = {"cycle": 0.0, "neighbour": 0.0}
     practice: dict[str, dict[str, float]] = {}
     for turn in range(repeat):
-        seconds, _ = timed(lambda: solver.kernels(f"residual_{RESOLUTION}", cycles, params))
+        seconds, _ = timed(lambda: solver.kernels.residual(RESOLUTION, cycles, params))
         rates["step"].append(len(cycles) / seconds)
-        seconds, _ = timed(lambda: solver.kernels(f"jacobian_{RESOLUTION}", cycles, params))
+        seconds, _ = timed(lambda: solver.kernels.jacobian(RESOLUTION, cycles, params))
         rates["variational"].append(len(cycles) / seconds)
         for key, starts, points in (("cycle", guesses, params), ("neighbour", cycles, shifted)):
             seconds, orbits = timed(
-                lambda starts=starts, points=points: complete_cycles(solver, starts, points)
+                lambda starts=starts, points=points: converged_cycles(solver, starts, points)
             )
-            good = sum(orbit.status.found for orbit in orbits)
+            good = int(orbits.found.sum())
             found[key] = good / len(orbits)
             rates[key].append(good / seconds)  # only what was found counts
         for method in METHODS:
@@ -230,7 +226,7 @@ def measure(batch: int, repeat: int, practice_repeat: int) -> dict[str, Any]:
 
 
 def practice_cycles(model: Model, todo: Cycles, method: str) -> dict[str, float]:
-    """All cycles by the paper's practice: largest distance from ours, and step maps a cycle."""
+    """All cycles by the paper's practice: largest distance from ours, and step maps per cycle."""
     distance, evaluations = 0.0, 0
     for point, guess, cycle in zip(todo.params, todo.guesses, todo.cycles, strict=True):
         practice = Practice(model, point, method)
@@ -277,7 +273,7 @@ def table(result: dict[str, Any]) -> str:
         f"found, and only these count: {result['found']['cycle']:.1%} from {OFF:.0%} off, "
         f"{result['found']['neighbour']:.1%} in the neighbouring cell;",
         *(
-            f"fsolve and {m}: at most {p['distance']:.0e} away, by {p['step_maps']:.0f} step maps a cycle"
+            f"fsolve and {m}: at most {p['distance']:.0e} away, by {p['step_maps']:.0f} step maps per cycle"
             for m, p in result["practice"].items()
         ),
     ]

@@ -1,6 +1,6 @@
 """What share of all limit cycles a sweep finds: ``python -m benchmarks.recall``.
 
-Random cells of a finished sweep are searched by brute force: many independent random starts a cell
+Random cells of a finished sweep are searched by brute force: many independent random starts per cell
 (pseudo-random, from a larger box than the sweep's), with no help from neighbours. All cycles of a cell are
 those that either found. Counted are cycles that are forward and physical: 0.3 < T <= 3, positive speed,
 positive vertical force.
@@ -14,8 +14,8 @@ import numpy as np
 import pandas as pd
 
 import stridemap
-from stridemap.solver.cycles.orbit import Orbit
-from stridemap.solver.cycles.search import DUPLICATE, distinct, merge, section_point
+from stridemap.solver.cycles.orbits import Orbits
+from stridemap.solver.cycles.search import DUPLICATE, distinct, merged
 from stridemap.solver.cycles.solver import Solver
 from stridemap.solver.model.loading import load
 from stridemap.solver.model.model import Model
@@ -36,13 +36,13 @@ def random_starts(model: Model, config: SweepConfig, n: int, rng: np.random.Gene
 
 def brute_force(
     solver: Solver, point: np.ndarray, guesses: np.ndarray, period_range: tuple[float, float]
-) -> list[Orbit]:
+) -> Orbits:
     """All cycles that Newton's method reaches at one point from the guesses."""
     points = np.broadcast_to(point, (len(guesses), len(point)))
     u, closed = solver.search(guesses, points)
     _, u = distinct(np.zeros(closed.sum(), dtype=np.int64), u[closed])
-    orbits = solver.complete(u, points[: len(u)], period_range)
-    return merge(1, np.zeros(len(orbits), dtype=np.int64), orbits)[0]
+    orbits = solver.converge(u, points[: len(u)], period_range)
+    return merged(np.zeros(len(orbits), dtype=np.int64), orbits)[1]
 
 
 def _match(one: np.ndarray, others: Iterable[np.ndarray]) -> bool:
@@ -57,10 +57,10 @@ def measure(
     Returns
     -------
     pandas.DataFrame
-        A row a cell: parameters, `sweep`, `brute`, `all` (numbers of cycles) and `missed` (periods).
+        One row per cell: parameters, `sweep`, `brute`, `all` (numbers of cycles) and `missed` (periods).
     """
     model = load(config.model)
-    solver = Solver.of(model)
+    solver = Solver.for_model(model)
     rng = np.random.default_rng(seed)
     columns = [*model.section, "period"]
     physical = orbits[(orbits["min_vertical_force"] > 0) & (orbits["speed"] > 0)]
@@ -69,11 +69,9 @@ def measure(
     for cell in rng.choice(len(cells), size=min(n, len(cells)), replace=False):
         point = cells.loc[cell, list(model.preset)].to_numpy(dtype=float)
         found = list(physical.loc[physical["cell"] == cell, columns].to_numpy())
-        brute = [
-            np.array(section_point(o))
-            for o in brute_force(solver, point, random_starts(model, config, starts, rng), period_range)
-            if o.min_vertical_force > 0 and o.speed > 0
-        ]
+        guesses = random_starts(model, config, starts, rng)
+        orbits_here = brute_force(solver, point, guesses, period_range)
+        brute = list(orbits_here.u[(orbits_here.min_vertical_force > 0) & (orbits_here.speed > 0)])
         missed = [u for u in brute if not _match(u, found)]
         rows.append(
             {

@@ -18,6 +18,7 @@ from stridemap.derive.parts import (
     Coordinate,
     Line,
     Massless,
+    Measured,
     Parameter,
     Touchdown,
 )
@@ -51,6 +52,7 @@ class Declaration:
     spring_mode: sp.Expr | None = None
     wobbling: Coordinate | None = None
     drawing: tuple[Line, ...] = ()
+    quantities: tuple[Measured, ...] = ()
     period_range: tuple[float, float] = (0.3, 3.0)
     units: UnitNames = DIMENSIONLESS
     sources: Mapping[str, str] = field(default_factory=dict)

@@ -10,7 +10,7 @@ import sympy as sp
 from stridemap import spec
 from stridemap.derive.declaration import Declaration
 from stridemap.derive.functions import Functions
-from stridemap.derive.parts import STANCE_FOOT, Body, Line
+from stridemap.derive.parts import STANCE_FOOT, Body, Line, Measured
 from stridemap.derive.printers.c import C
 from stridemap.derive.printers.docs import example, readme
 from stridemap.derive.printers.javascript import JavaScript
@@ -20,7 +20,7 @@ from stridemap.derive.program import Program
 from stridemap.derive.validate.section import validate_section_rates
 from stridemap.derive.walker import Walker
 from stridemap.errors import InputError
-from stridemap.spec import Coordinate, Function, Input, Mass, ModelSpec, Output, Parameter
+from stridemap.spec import Coordinate, Function, Input, Mass, ModelSpec, Output, Parameter, Quantity
 
 PRINTERS: Mapping[str, Callable[[Equations], str]] = {
     "{model}.py": Python().text,
@@ -120,6 +120,7 @@ def specification(written: Equations) -> ModelSpec:
         wobbling=walker.wobbling.name if walker.wobbling else None,
         phase=walker.phase.name if walker.phase else None,
         functions={p.name: _function(p) for p in written.programs},
+        quantities=tuple(_quantity(one) for one in walker.quantities),
     )
 
 
@@ -136,6 +137,10 @@ def _mass(walker: Declaration, body: Body) -> Mass:
         return Mass(body.name, "swing_foot")
     wobbles = walker.wobbling is not None and walker.wobbling.symbol in body.position.free_symbols
     return Mass(body.name, "wobbling" if wobbles else "body")
+
+
+def _quantity(one: Measured) -> Quantity:
+    return Quantity(one.name, one.kind, one.label, one.definition, reduction=one.reduction)
 
 
 def _line(line: Line) -> spec.Line:

@@ -71,6 +71,8 @@ class Functions:
         yield self.zmp()
         yield self.swing_foot()
         yield self.drawing()
+        if self.walker.quantities:
+            yield self.quantities()
         if self.walker.spring_mode is not None:
             yield self.spring_mode()
         yield self.section_state()
@@ -358,6 +360,12 @@ class Functions:
         ]
         source = f"geometry; bodies: {', '.join(body.name for body in bodies)}"
         return self._builder().close("drawing", "What the walker is drawn by", source, outputs)
+
+    def quantities(self) -> Program:
+        """What the walker declares to be measured, along a step."""
+        outputs = [Output(one.name, simplified(one.expression), one.label) for one in self.walker.quantities]
+        summary = "Expressions of the quantities that the model declares"
+        return self._builder().close("quantities", summary, "the model's declaration", outputs)
 
     # -- the section -------------------------------------------------------------------------------------
 

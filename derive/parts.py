@@ -163,6 +163,33 @@ class Massless:
 
 
 @dataclass(frozen=True)
+class Measured:
+    """A quantity of one's own that is measured on every limit cycle: it becomes a column like the others.
+
+    Parameters
+    ----------
+    name : str
+        Of the attribute and of the column.
+    expression : sympy.Expr
+        In terms of coordinates, rates, parameters and `TIME`; smooth along the step.
+    reduction : {"maximum", "minimum", "amplitude", "final"}
+        Which number of a step it is: the largest, the smallest, the largest absolute value (each in
+        continuous time, ends included), or the value just before touchdown.
+    label, definition : str
+        A few words for axes, and one sentence.
+    kind : str
+        What it is a quantity of, for its unit: ``"length"``, ``"torque"``, ``"number"``, ...
+    """
+
+    name: str
+    expression: sp.Expr
+    reduction: str
+    label: str
+    definition: str
+    kind: str = "number"
+
+
+@dataclass(frozen=True)
 class Line:
     """A line through points of the walker, by which it is drawn.
 
@@ -212,7 +239,7 @@ def exact(value: Any) -> Any:
         return sp.ImmutableMatrix(value.applyfunc(exact))
     if isinstance(value, sp.Basic):
         return sp.nsimplify(value, rational=True) if value.has(sp.Float) else value
-    if isinstance(value, Body | Touchdown | Clock | Line):
+    if isinstance(value, Body | Touchdown | Clock | Line | Measured):
         return replace(value, **{name: _exact_number(name, v) for name, v in vars(value).items()})
     if isinstance(value, tuple):
         return tuple(exact(v) for v in value)

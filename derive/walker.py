@@ -69,6 +69,8 @@ class Walker(Declaration):
         The coordinate whose zero crossings are counted.
     drawing : tuple of Line
         The lines by which the walker is drawn; the bodies are drawn as discs.
+    quantities : tuple of Measured
+        What is measured on every limit cycle beside the quantities of all models.
     period_range : (float, float)
         Shortest and longest period that is searched for by default.
     units : UnitNames

@@ -43,6 +43,7 @@ class Options:
         value = getattr(self, name)
         number = isinstance(value, int | float) and not isinstance(value, bool)
         self._check(name, number and low < value < high, f"a number between {low:g} and {high:g} is needed")
+        object.__setattr__(self, name, float(value))  # 2 and 2.0 are one value, and have one hash
 
 
 @dataclass(frozen=True)
@@ -80,8 +81,12 @@ class SearchOptions(Options):
                 f"starts = {self.starts:,} is not allowed: at most {STARTS_MAX:,} (so many would take about "
                 f"{hours:.2g} hours per point); a few hundred find nearly every cycle"
             )
+        self._check("seed", 0 <= self.seed < 2**32, "a whole number from 0 to 4,294,967,295 is needed")
+        for name in ("period_min", "period_max"):
+            if getattr(self, name) is not None:
+                self._check_number(name, 0.0, np.inf)
         low, high = self.period_range
-        if not (0 < low < np.inf and low < high <= np.inf) or self.period_max == np.inf:
+        if low >= high:
             raise InputError(
                 f"the period range {low:g} to {high:g} is not allowed: 0 < period_min < period_max"
             )
@@ -197,6 +202,6 @@ class ContinuationOptions(Options):
         for name in ("ds_min", "ds_max", "tolerance"):
             self._check_number(name, 0.0, np.inf)
         self._check("ds_min", self.ds_min <= self.ds_max, f"it must not be above ds_max = {self.ds_max:g}")
-        self._check("step_growth", 1 <= self.step_growth < np.inf, "a number of at least 1 is needed")
+        self._check_number("step_growth", float(np.nextafter(1, 0)), np.inf)  # 1 itself is allowed
         for name in ("step_shrink", "max_contraction", "max_correction_ratio", "min_tangent_cosine"):
             self._check_number(name, 0.0, 1.0)

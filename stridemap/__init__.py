@@ -61,7 +61,7 @@ _HOMES = _public()
 __all__ = ["__version__", *sorted(_HOMES)]
 
 provide(
-    animate="stridemap.views.animate:animate",
+    animate="stridemap.views.animation:animate",
     derive_file="stridemap.codegen:derive_file",
     plot="stridemap.views.plots:plot",
     simulate="stridemap.solver.api:simulate",

@@ -10,6 +10,28 @@ from collections.abc import Mapping
 
 from stridemap.spec import ModelSpec, Quantity
 
+KINDS: Mapping[str, tuple[str, str]] = {
+    "number": ("1", "1"),
+    "angle": ("rad", "rad"),
+    "mass": ("M", "kg"),
+    "length": ("L", "m"),
+    "time": ("sqrt(L/g)", "s"),
+    "angular frequency": ("sqrt(g/L)", "rad/s"),
+    "speed": ("sqrt(g L)", "m/s"),
+    "acceleration": ("g", "m/s^2"),
+    "force": ("M g", "N"),
+    "impulse": ("M sqrt(g L)", "N s"),
+    "stiffness": ("M g / L", "N/m"),
+    "damping": ("M sqrt(g/L)", "N s/m"),
+    "torque": ("M g L", "N m"),
+    "rotational stiffness": ("M g L", "N m/rad"),
+    "rotational damping": ("M g L sqrt(L/g)", "N m s/rad"),
+    "moment of inertia": ("M L^2", "kg m^2"),
+    "energy": ("M g L", "J"),
+    "power": ("M g sqrt(g L)", "W"),
+}
+"""Kinds of quantities: for each its unit in the models, and its SI unit."""
+
 _ENTRIES = (
     Quantity("status", "number", "status", "How the search for the cycle ended.", type="str"),
     Quantity("period", "time", "period", "Time from one touchdown to the next.", "T", differentiable=True),

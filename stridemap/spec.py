@@ -210,6 +210,11 @@ class UnitNames:
         return f"{unit} sqrt(g/L)" if self.time == "sqrt(L/g)" else f"{unit}/{self.time}"
 
 
+REDUCTIONS = ("maximum", "minimum", "amplitude", "final")
+"""How an expression along a step becomes one number: its largest, smallest or largest absolute value, or its
+value just before touchdown."""
+
+
 @dataclass(frozen=True)
 class Quantity:
     """A measured quantity of a limit cycle: one entry of the registry (see `stridemap.quantities`).
@@ -231,10 +236,9 @@ class Quantity:
         Whether a model can lack it; it is None there.
     differentiable : bool
         Whether it varies smoothly with state and parameters (between events that change the gait's kind).
-    reduction : {"", "maximum", "minimum", "amplitude", "final"}
-        Of a quantity that a model declares: how its expression over a step becomes one number, the largest,
-        the smallest, the largest absolute value, or the value just before touchdown. Empty for those of the
-        registry, which have functions of their own.
+    reduction : str
+        One of `REDUCTIONS`, for a quantity that a model file declares. Empty for those of the registry, which
+        have functions of their own.
     """
 
     name: str
@@ -245,7 +249,7 @@ class Quantity:
     type: Literal["float", "int", "bool", "str"] = "float"
     optional: bool = False
     differentiable: bool = False
-    reduction: Literal["", "maximum", "minimum", "amplitude", "final"] = ""
+    reduction: str = ""
 
 
 @dataclass(frozen=True)

@@ -23,34 +23,13 @@ import numpy as np
 
 from stridemap import quantities
 from stridemap.errors import InputError
+from stridemap.quantities import KINDS as KINDS
 
 if TYPE_CHECKING:
     from stridemap.solver.cycles.orbit import Orbit
 
 STANDARD_GRAVITY = 9.80665
 """In m/s^2, exactly, by definition: 3rd General Conference on Weights and Measures, 1901."""
-
-KINDS: Mapping[str, tuple[str, str]] = {
-    "number": ("1", "1"),
-    "angle": ("rad", "rad"),
-    "mass": ("M", "kg"),
-    "length": ("L", "m"),
-    "time": ("sqrt(L/g)", "s"),
-    "angular frequency": ("sqrt(g/L)", "rad/s"),
-    "speed": ("sqrt(g L)", "m/s"),
-    "acceleration": ("g", "m/s^2"),
-    "force": ("M g", "N"),
-    "impulse": ("M sqrt(g L)", "N s"),
-    "stiffness": ("M g / L", "N/m"),
-    "damping": ("M sqrt(g/L)", "N s/m"),
-    "torque": ("M g L", "N m"),
-    "rotational stiffness": ("M g L", "N m/rad"),
-    "rotational damping": ("M g L sqrt(L/g)", "N m s/rad"),
-    "moment of inertia": ("M L^2", "kg m^2"),
-    "energy": ("M g L", "J"),
-    "power": ("M g sqrt(g L)", "W"),
-}
-"""Kinds of quantities: for each its unit in the models, and its SI unit."""
 
 MEASURE_KINDS: Mapping[str, str] = {
     name: quantity.kind for name, quantity in quantities.QUANTITIES.items() if quantity.type == "float"
@@ -217,23 +196,30 @@ class Units:
         """
         return _finite(value, quantity) / self.unit(quantity)
 
-    def parameters(self, model: str, **si: float) -> dict[str, float]:
+    def parameters(
+        self, model: Any, params: Mapping[str, float] | None = None, **keywords: float
+    ) -> dict[str, float]:
         """Parameters of a model from SI units, ready for `find_orbits` and its fellows.
 
         Parameters
         ----------
-        model : str
-            Name of the model.
-        **si : float
+        model : str, path or Model
+            As for `find_orbits`.
+        params : mapping of str to float, optional
             Parameters by name, in the SI units that belong to the model's own: for ``wobbling`` a spring
             ``k`` in N/m, ``omega`` in rad/s, a foot ``beta`` in kg, ``Kp`` in N m/rad, ``Kd`` in N m s/rad,
             angles in rad, ``alpha`` as it is.
+        **keywords : float
+            Parameters too.
 
         Raises
         ------
         InputError
             For an unknown model or parameter, or a value that the model does not allow.
         """
+        from stridemap.solver.api import joined
+
+        si = joined(params, keywords)
         units = {p.name: p.unit for p in _load(model).parameters}
         converted = {
             name: _number(value, name) / self.unit(units[name]) for name, value in si.items() if name in units
@@ -241,8 +227,8 @@ class Units:
         _load(model).point({**si, **converted})  # refuses what it does not know or allow
         return converted
 
-    def parameters_si(self, model: str, params: Mapping[str, float]) -> dict[str, float]:
-        """Parameters of a model, or an orbit's ``params``, in SI units: the way back from `parameters`.
+    def parameters_si(self, model: Any, params: Mapping[str, float]) -> dict[str, float]:
+        """Parameters of a model, or an orbit's ``params``, in SI units: the inverse of `parameters`.
 
         Raises
         ------
@@ -256,12 +242,14 @@ class Units:
     def measures(self, orbit: "Orbit") -> dict[str, float]:
         """What was measured on a limit cycle, in SI units: m, s, m/s, J, N; pure numbers as they are.
 
-        The keys are those of `MEASURE_KINDS`; what is NaN in the orbit stays NaN.
+        The keys are those of `MEASURE_KINDS` and the quantities that the model's file declares; what is NaN in
+        the orbit stays NaN.
         """
+        kinds = {**MEASURE_KINDS, **{one.name: one.kind for one in orbit.model.spec.quantities}}
         return {
             name: getattr(orbit, name) * self.unit(kind)
-            for name, kind in MEASURE_KINDS.items()
-            if getattr(orbit, name, None) is not None
+            for name, kind in kinds.items()
+            if getattr(orbit, name) is not None
         }
 
 
@@ -274,7 +262,7 @@ def __getattr__(name: str) -> Any:
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 
 
-def _load(model: str) -> Any:
+def _load(model: Any) -> Any:
     # Here and not at the top, so that converting a number does not load CasADi.
     from stridemap.solver.model.loading import load
 

@@ -22,8 +22,11 @@ CELL_COLUMNS = {
 }
 """Columns of tables and keys of JSON that are not measured quantities, each with what it holds."""
 
-MULTIPLIER_COLUMN = "multiplier_{index}_{part}"
-"""Name of a multiplier's column; its part is ``re`` or ``im``."""
+
+def multiplier_columns(index: int) -> tuple[str, str]:
+    """Columns of a multiplier's real and imaginary part; multipliers count from 0 by falling modulus."""
+    return f"multiplier_{index}_re", f"multiplier_{index}_im"
+
 
 _MULTIPLIER = re.compile(r"multiplier_\d+(_(re|im))?")
 

@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from stridemap.solver.cycles.orbits import Orbits
 from stridemap.solver.model.model import Model
+from stridemap.words import multiplier_columns
 
 FORMAT = 2
 """Of the tables: it rises when columns change."""
@@ -27,11 +28,7 @@ def orbit_schema(model: Model) -> pa.Schema:
         ("status", pa.string()),
         *((name, pa.float64()) for name in model.section),
         ("period", pa.float64()),
-        *(
-            (f"multiplier_{i}_{part}", pa.float64())
-            for i in range(len(model.section))
-            for part in ("re", "im")
-        ),
+        *((name, pa.float64()) for i in range(len(model.section)) for name in multiplier_columns(i)),
         *((name, _TYPES[quantity.type]) for name, quantity in model.measured.items()),
     ]
     return _schema(columns, {name for name, quantity in model.measured.items() if quantity.optional})

@@ -1,5 +1,11 @@
-"""Fixtures: the command line in this process, and a finished sweep."""
+"""Fixtures: the command line in this process, and what is computed once for a whole run.
 
+Compiled kernels and derived models are kept in ``.pytest_cache/stridemap`` from run to run, and all worker
+processes share them; their names are hashes of all that they depend on. The environment variable
+STRIDEMAP_CACHE names another folder.
+"""
+
+import os
 import shutil
 import sys
 import warnings
@@ -8,7 +14,12 @@ import pytest
 
 from stridemap.cli.app import main
 from stridemap.sweeps.run import sweep
-from tests.oracles.sweeping import SMALL, Inline
+from tests.oracles.shared import once
+from tests.oracles.sweeping import LARGER, SMALL, Inline, tables, uninterrupted
+
+
+def pytest_configure(config):
+    os.environ.setdefault("STRIDEMAP_CACHE", str(config.rootpath / ".pytest_cache" / "stridemap"))
 
 
 @pytest.fixture
@@ -43,16 +54,46 @@ def refused(run):
 
 
 @pytest.fixture(scope="session")
-def finished(tmp_path_factory):
+def common(tmp_path_factory):
+    """A temporary folder that all processes of this run have in common."""
+    base = tmp_path_factory.getbasetemp()
+    return base.parent if "PYTEST_XDIST_WORKER" in os.environ else base
+
+
+@pytest.fixture(scope="session")
+def finished(common):
     """A configuration and a finished sweep of it, to be copied."""
-    folder = tmp_path_factory.mktemp("finished")
-    (folder / "small.toml").write_text(SMALL)
-    sweep(folder / "small.toml", folder / "out", executor=Inline())
-    return folder
+
+    def make(folder):
+        (folder / "small.toml").write_text(SMALL)
+        sweep(folder / "small.toml", folder / "out", executor=Inline())
+
+    once(common / "finished", make)
+    return common / "finished"
 
 
 @pytest.fixture
 def done(finished, tmp_path):
     """A folder of our own with `small.toml` and its sweep in `out`."""
-    shutil.copytree(finished, tmp_path, dirs_exist_ok=True)
+    shutil.copy(finished / "small.toml", tmp_path)
+    shutil.copytree(finished / "out", tmp_path / "out")
     return tmp_path
+
+
+@pytest.fixture(scope="session")
+def reference(common):
+    """The sweep of CONFIG in tiles of 2: its folder, summary, progress, and the pieces that were computed."""
+    return once(common / "reference", lambda folder: uninterrupted(folder / "out"))
+
+
+@pytest.fixture(scope="session")
+def larger(common):
+    """A configuration file and the tables of its sweep in tiles of 2 without interruption."""
+
+    def make(folder):
+        config = folder / "larger.toml"
+        config.write_text(LARGER)
+        sweep(config, folder / "out", executor=Inline(), tile_cells=2)
+        return config, tables(folder / "out")
+
+    return once(common / "larger", make)

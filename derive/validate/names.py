@@ -18,11 +18,14 @@ from stridemap.derive.parts import (
     Coordinate,
     Line,
     Massless,
+    Measured,
     Parameter,
     Touchdown,
 )
 from stridemap.derive.validate.refusal import refuse
 from stridemap.derive.validate.reserved import FILES, better, in_code, meaning
+from stridemap.quantities import KINDS
+from stridemap.spec import REDUCTIONS
 
 BREAKING = ("*/", "/*", '"""', "\\")
 """What ends or bends comments."""
@@ -57,6 +60,7 @@ def validate_names(walker: Declaration) -> None:
 def _kinds(walker: Declaration) -> None:
     """Fields hold what they are for; a lone entry in brackets without a comma is not a tuple."""
     lists = {"coordinates": Coordinate, "parameters": Parameter, "bodies": Body, "drawing": Line}
+    lists["quantities"] = Measured
     for field, kind in lists.items():
         entries = getattr(walker, field)
         if not isinstance(entries, tuple):
@@ -78,6 +82,14 @@ def _kinds(walker: Declaration) -> None:
     for coordinate in walker.torques:
         if not isinstance(coordinate, Coordinate):
             refuse(walker, f"torques names {coordinate!r}, which is not a Coordinate")
+    for one in walker.quantities:
+        for field, value, allowed in (("reduction", one.reduction, REDUCTIONS), ("kind", one.kind, KINDS)):
+            if value not in allowed:
+                refuse(
+                    walker,
+                    f"the {field} of the quantity {one.name} is {value!r}; "
+                    f"it must be one of {', '.join(allowed)}",
+                )
 
 
 def _texts(walker: Declaration) -> None:
@@ -86,6 +98,7 @@ def _texts(walker: Declaration) -> None:
     described: list[Coordinate | Parameter] = [*walker.coordinates, *walker.parameters]
     texts += [text for x in described for text in (x.unit, x.meaning)]
     texts += [body.name for body in walker.bodies]
+    texts += [text for one in walker.quantities for text in (one.label, one.definition)]
     for text in texts:
         if not isinstance(text, str) or not text.isprintable() or any(x in text for x in BREAKING):
             refuse(
@@ -99,6 +112,7 @@ def _names(walker: Declaration) -> None:
     kinds += [("rate of a coordinate", c.rate.name) for c in walker.coordinates]
     kinds += [("parameter", a.name) for a in walker.parameters]
     kinds += [("line", line.name) for line in walker.drawing]
+    kinds += [("quantity", one.name) for one in walker.quantities]
     kinds += [("potential", f"v_{name}") for name in walker.potentials]
     if "gravity" in walker.potentials:
         refuse(walker, "the potential gravity is there already, from the bodies' masses; leave it out")
@@ -237,6 +251,8 @@ def _scalars(walker: Declaration) -> Iterator[tuple[str, Any]]:
         yield "the rate of the clock", walker.clock.rate
     if walker.spring_mode is not None:
         yield "spring_mode", walker.spring_mode
+    for one in walker.quantities:
+        yield f"the expression of the quantity {one.name}", one.expression
 
 
 def _symbols(walker: Declaration) -> None:
@@ -259,6 +275,7 @@ def _symbols(walker: Declaration) -> None:
         "lock": parameters | q,
         "rate": parameters,
         "spring_mode": parameters,
+        "expression": parameters | q | v | {TIME},
     }
     checked = []
     for what, value in _scalars(walker):

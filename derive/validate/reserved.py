@@ -62,9 +62,7 @@ FILES = frozenset({"example", "manifest", "README"})
 
 _BETTER = {
     "friction": "friction_coefficient",
-    "length": "leg_length",
     "speed": "belt_speed",
-    "range": "spring_range",
     "lambda": "lambda1",
     "I": "inertia",
     "work": "work_limit",

@@ -31,7 +31,7 @@ def named_backend(backend: str | Backend | None) -> Backend | None:
 
 
 @cache
-def load_kernels(model: Model, backend: Backend | None = None) -> Kernels:
+def load_kernels(model: Model, backend: Backend | None) -> Kernels:
     """The kernels of a model, on a backend or on the fastest that the machine has.
 
     The environment variable CC names the compiler; without it, the first of cc, gcc and clang on the path.
@@ -39,7 +39,7 @@ def load_kernels(model: Model, backend: Backend | None = None) -> Kernels:
     Parameters
     ----------
     model : Model
-    backend : Backend, optional
+    backend : Backend or None
 
     Raises
     ------

@@ -10,6 +10,7 @@ from stridemap.solver.cycles.gait import is_physical_gait
 from stridemap.solver.cycles.orbits import Orbits
 from stridemap.solver.cycles.search import continued
 from stridemap.solver.cycles.solver import Solver
+from stridemap.solver.options import SearchOptions
 
 Array = NDArray[np.float64]
 Index = NDArray[np.int64]
@@ -37,7 +38,9 @@ class Edges:
     value: Array
 
 
-def bisected(solver: Solver, orbits: Orbits, parameter: str, values: Array) -> Edges:
+def bisected(
+    solver: Solver, orbits: Orbits, parameter: str, values: Array, options: SearchOptions | None = None
+) -> Edges:
     """Every edge of stable cycles between two points of a grid of one parameter, by bisection.
 
     From the cycle at the edge's grid point, one is sought half way to the next grid point: if it is there,
@@ -54,6 +57,8 @@ def bisected(solver: Solver, orbits: Orbits, parameter: str, values: Array) -> E
         The parameter that varies along a line.
     values : ndarray, shape (m,)
         Every value of it that was searched, ascending.
+    options : SearchOptions, optional
+        Their period range holds.
 
     Returns
     -------
@@ -62,7 +67,7 @@ def bisected(solver: Solver, orbits: Orbits, parameter: str, values: Array) -> E
     """
     group, position = group_numbers(orbits, parameter), np.searchsorted(values, values_of(orbits, parameter))
     rows, sides = _at_edges(group, position, orbits.stable, len(values))
-    inside = _bisect(solver, orbits.take(rows), parameter, values[position[rows] + sides])
+    inside = _bisect(solver, orbits.take(rows), parameter, values[position[rows] + sides], options)
     reach = (inside - values[position[rows]]) * sides
     order = np.lexsort((-reach, sides, position[rows], group[rows]))
     keys = np.stack([sides, position[rows], group[rows]])[:, order]
@@ -84,7 +89,9 @@ def _at_edges(group: Index, position: Index, stable: NDArray[np.bool_], n: int) 
     return np.concatenate(rows), np.concatenate(sides)
 
 
-def _bisect(solver: Solver, orbits: Orbits, parameter: str, outside: Array) -> Array:
+def _bisect(
+    solver: Solver, orbits: Orbits, parameter: str, outside: Array, options: SearchOptions | None
+) -> Array:
     """The last value towards `outside` at which each cycle was found stable, shape (n,)."""
     points, guesses = orbits.params.copy(), orbits.u.copy()
     column = solver.model.spec.names.index(parameter)
@@ -92,7 +99,7 @@ def _bisect(solver: Solver, orbits: Orbits, parameter: str, outside: Array) -> A
     for _ in range(BISECTIONS):
         middle = (inside + outside) / 2
         points[:, column] = middle
-        found = continued(solver, points, guesses)
+        found = continued(solver, points, guesses, options)
         good = is_physical_gait(found) & found.stable & (found.group == orbits.group)
         inside, outside = np.where(good, middle, inside), np.where(good, outside, middle)
         guesses[good] = found.u[good]

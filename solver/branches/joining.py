@@ -17,6 +17,7 @@ from stridemap.solver.branches.lines import values_of
 from stridemap.solver.branches.main_branch import fixed_point_index
 from stridemap.solver.cycles.orbits import Orbits
 from stridemap.solver.cycles.solver import Solver
+from stridemap.solver.options import SearchOptions
 
 Array = NDArray[np.float64]
 Index = NDArray[np.int64]
@@ -55,7 +56,13 @@ class Branch:
         return Branch(self.orbits[::-1], self.row[::-1])
 
 
-def branches(solver: Solver, orbits: Orbits, parameter: str, values: Sequence[float] | Array) -> list[Branch]:
+def branches(
+    solver: Solver,
+    orbits: Orbits,
+    parameter: str,
+    values: Sequence[float] | Array,
+    options: SearchOptions | None = None,
+) -> list[Branch]:
     """Join cycles that differ in one parameter to branches.
 
     Parameters
@@ -66,6 +73,8 @@ def branches(solver: Solver, orbits: Orbits, parameter: str, values: Sequence[fl
     parameter : str
     values : sequence of float
         All values of the parameter in the sweep, ascending, those without a cycle too.
+    options : SearchOptions, optional
+        Their period range holds.
 
     Returns
     -------
@@ -83,7 +92,8 @@ def branches(solver: Solver, orbits: Orbits, parameter: str, values: Sequence[fl
     if not len(orbits):
         return []
     pieces = _linked(orbits, np.searchsorted(grid, values_of(orbits, parameter)))
-    joined = _joined_at_folds(solver, _followed(solver, orbits, pieces, parameter, grid), parameter)
+    followed = _followed(solver, orbits, pieces, parameter, grid, options)
+    joined = _joined_at_folds(solver, followed, parameter)
     at = [(values_of(branch.orbits, parameter)[0], branch.orbits.period[0]) for branch in joined]
     return [joined[i] for i in np.lexsort(np.transpose(at)[::-1])]
 
@@ -123,14 +133,18 @@ def _nearest_pairs(distance: Array) -> tuple[list[int], list[int]]:
 
 
 def _followed(
-    solver: Solver, orbits: Orbits, pieces: list[Index], parameter: str, grid: Array
+    solver: Solver,
+    orbits: Orbits,
+    pieces: list[Index],
+    parameter: str,
+    grid: Array,
+    options: SearchOptions | None,
 ) -> list[Branch]:
     """Pieces joined where continuation leads from one to the next, with their other ends followed."""
     first, last = (np.array([piece[side] for piece in pieces]) for side in (0, -1))
-    ahead = _from_ends(solver, orbits, last, parameter, grid, 1)
-    next_ = np.full(len(pieces), -1)
+    ahead = _from_ends(solver, orbits.take(last), parameter, grid, 1, options)
+    starts, next_ = orbits.take(first), np.full(len(pieces), -1)
     for i, path in ahead.items():
-        starts = orbits.take(first)
         if path.reached:
             near = np.abs(starts.u - path.orbits.u[-1]).max(axis=1) < SAME_CYCLE
             near &= values_of(starts, parameter) == values_of(path.orbits, parameter)[-1]
@@ -138,7 +152,7 @@ def _followed(
                 next_[i] = near.argmax()
                 ahead[i] = BranchPath(path.orbits[:-1], True)
     begins = np.setdiff1d(np.arange(len(pieces)), next_)
-    back = _from_ends(solver, orbits, first[begins], parameter, grid, -1)
+    back = _from_ends(solver, starts.take(begins), parameter, grid, -1, options)
     out = []
     for i, begin in enumerate(begins.tolist()):
         parts = [_between(back[i]).reversed()] if i in back else []
@@ -151,12 +165,12 @@ def _followed(
 
 
 def _from_ends(
-    solver: Solver, orbits: Orbits, ends: Index, parameter: str, grid: Array, direction: int
+    solver: Solver, ends: Orbits, parameter: str, grid: Array, direction: int, options: SearchOptions | None
 ) -> dict[int, BranchPath]:
-    """Each end followed to the next value in a direction, save those at the grid's own end, by number."""
-    position = np.searchsorted(grid, values_of(orbits, parameter)[ends]) + direction
+    """Each end followed to the next value in a direction, by number, save those at the grid's own end."""
+    position = np.searchsorted(grid, values_of(ends, parameter)) + direction
     inside = np.flatnonzero((position >= 0) & (position < len(grid)))
-    paths = follow_parameter(solver, orbits.take(ends[inside]), parameter, grid[position[inside]])
+    paths = follow_parameter(solver, ends.take(inside), parameter, grid[position[inside]], options)
     return dict(zip(inside.tolist(), paths, strict=True))
 
 

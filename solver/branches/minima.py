@@ -17,6 +17,7 @@ from stridemap.solver.cycles.gait import is_physical_gait
 from stridemap.solver.cycles.orbits import Orbits
 from stridemap.solver.cycles.search import continued
 from stridemap.solver.cycles.solver import Solver
+from stridemap.solver.options import SearchOptions
 
 Array = NDArray[np.float64]
 Index = NDArray[np.int64]
@@ -53,6 +54,7 @@ def minima(
     parameter: str,
     values: Array,
     measures: Sequence[str],
+    options: SearchOptions | None = None,
 ) -> Minima:
     """Cycles around the smallest value of each measure, for stable cycles and the main branch of each group.
 
@@ -69,6 +71,8 @@ def minima(
         Every value of it that was searched, ascending.
     measures : sequence of str
         Names of measured quantities.
+    options : SearchOptions, optional
+        Their period range holds.
     """
     row, measure, only_stable = _starts(orbits, on_main_branch, group_numbers(orbits, parameter), measures)
     if not len(row) or len(values) < 2:
@@ -84,7 +88,7 @@ def minima(
         owner, _ = np.nonzero(inside)
         points = best.params[owner]
         points[:, column] = around[inside]
-        trial = continued(solver, points, best.u[owner])
+        trial = continued(solver, points, best.u[owner], options)
         good = _of_the_same_kind(trial, best.take(owner), only_stable[owner])
         found.append(trial.take(good))
         owners.append(owner[good])
@@ -111,8 +115,8 @@ def _starts(
             for measure, amount in enumerate(amounts[:, rows]):
                 if np.isfinite(amount).any():
                     starts.append((rows[amount.argmin()], measure, only_stable))
-    row, measure, only_stable = np.array(starts, dtype=np.int64).reshape(-1, 3).T
-    return row, measure, only_stable.astype(bool)
+    columns = np.array(starts, dtype=np.int64).reshape(-1, 3).T
+    return columns[0], columns[1], columns[2].astype(bool)
 
 
 def _amounts(orbits: Orbits, measures: Sequence[str]) -> Array:

@@ -12,11 +12,13 @@ from stridemap.solver.cycles.orbit import Orbit, missing
 from stridemap.solver.cycles.status import CODES, STATUSES, Status
 from stridemap.solver.model.model import Model
 from stridemap.spec import Quantity
+from stridemap.words import multiplier_columns
 
 Array = NDArray[np.float64]
 Index = NDArray[np.int64]
 
 _DTYPES = {"float": np.float64, "int": np.int64, "bool": np.bool_, "str": object}
+_PLAIN = {"float": float, "int": int, "bool": bool, "str": str}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -96,8 +98,9 @@ class Orbits(Sequence[Orbit]):
         n, nz = len(codes), len(model.section)
         multipliers = np.full((n, nz), np.nan + 0j)
         for i in range(nz):
-            if f"multiplier_{i}_re" in columns:
-                multipliers[:, i] = array(f"multiplier_{i}_re") + 1j * array(f"multiplier_{i}_im")
+            real, imaginary = multiplier_columns(i)
+            if real in columns:
+                multipliers[:, i] = array(real) + 1j * array(imaginary)
         return cls(
             model,
             np.column_stack([array(name) for name in model.spec.names]),
@@ -110,6 +113,9 @@ class Orbits(Sequence[Orbit]):
 
     def take(self, index: Any) -> "Orbits":
         """Some of them: by number, by a mask, or by a slice."""
+        if not isinstance(index, slice):
+            index = np.asarray(index)
+            index = index if index.size else index.astype(np.intp)  # an empty list is one of floats
         arrays = {name: getattr(self, name)[index] for name in _ARRAYS}
         return Orbits(
             model=self.model, measures={name: m[index] for name, m in self.measures.items()}, **arrays
@@ -127,7 +133,7 @@ class Orbits(Sequence[Orbit]):
     def __getitem__(self, index: Any) -> "Orbit | Orbits":
         """One cycle for a number; several for a slice, a mask or a list of numbers."""
         if not isinstance(index, int | np.integer):
-            return self.take(index if isinstance(index, slice) else np.asarray(index))
+            return self.take(index)
         if not -len(self) <= index < len(self):
             raise IndexError(f"there is no cycle {index}: there are {len(self)}")
         return self._orbit(int(index))
@@ -182,7 +188,8 @@ class Orbits(Sequence[Orbit]):
         out["status"] = np.array([status.value for status in self.status], dtype=object)
         out |= dict(zip((*self.model.section, "period"), self.u.T, strict=True))
         for i, multiplier in enumerate(self.multipliers.T):
-            out[f"multiplier_{i}_re"], out[f"multiplier_{i}_im"] = multiplier.real, multiplier.imag
+            real, imaginary = multiplier_columns(i)
+            out[real], out[imaginary] = multiplier.real, multiplier.imag
         return out | dict(self.measures)
 
     def to_frame(self) -> Any:
@@ -229,9 +236,10 @@ def column(quantity: Quantity, values: Any, n: int) -> NDArray[Any]:
         return unmeasured(quantity, n)
     if not quantity.optional:
         return np.asarray(values, dtype=_DTYPES[quantity.type])
-    return np.array(
-        [value if (value == value) is True else None for value in np.asarray(values).tolist()], dtype=object
-    )
+    plain = _PLAIN[quantity.type]  # whole numbers with gaps may come as floats
+    given = np.asarray(values).tolist()
+    known = [None if value is None or (value == value) is not True else plain(value) for value in given]
+    return np.array(known, dtype=object)
 
 
 def _scalar(value: Any) -> Any:

@@ -8,6 +8,7 @@ import errno
 import os
 import sys
 import warnings
+from collections.abc import Callable
 from typing import Any, NoReturn
 
 import typer
@@ -34,9 +35,11 @@ app = typer.Typer(
     rich_markup_mode=None,
 )
 
-for command in (orbit, simulate, animate):
+_WITH_PARAMETERS: tuple[Callable[..., int], ...] = (orbit, simulate, animate)
+_PLAIN: tuple[Callable[..., int], ...] = (sweep, report, claims, figures, derive, version)
+for command in _WITH_PARAMETERS:
     app.command(cls=WithParameters, context_settings=PARAMETERS)(command)
-for command in (sweep, report, claims, figures, derive, version):
+for command in _PLAIN:
     app.command()(command)
 
 

@@ -19,7 +19,7 @@ SweepsOption = Annotated[
     typer.Option(
         "--sweeps",
         metavar="FOLDER",
-        help="Folder of the paper's sweeps; by default results/paper-sweeps, with what is set in its name.",
+        help="Folder of the paper's sweeps; by default results/paper-sweeps, with --set and --thin appended.",
     ),
 ]
 WorkersOption = Annotated[

@@ -19,7 +19,7 @@ from stridemap.errors import InputError
 def report(
     folder: Annotated[
         Path | None,
-        typer.Argument(metavar="[SWEEP_DIR]", help="Output folder of a sweep; by default the paper's map."),
+        typer.Argument(metavar="SWEEP_DIR", help="Output folder of a sweep; by default the paper's map."),
     ] = None,
     *,
     out: Annotated[Path, typer.Option(metavar="FILE.html", help="The file to write.")],

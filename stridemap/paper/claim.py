@@ -16,7 +16,7 @@ class Verdict(StrEnum):
     """How a statement of the paper fares."""
 
     HOLDS = "holds"
-    """All of its parts are so."""
+    """All of its parts are true."""
     IN_PART = "in part"
     """Some of them are."""
     DIFFERS = "differs"
@@ -67,20 +67,20 @@ class Parts:
     _entries: dict[str, dict[str, Any]] = field(default_factory=dict)
 
     def add(self, name: str, holds: Any, **numbers: Any) -> None:
-        """Enter a part: whether it is so, and by which numbers."""
+        """Enter a part: whether it is true, and by which numbers."""
         if name in self._entries:
             raise ValueError(f"part {name!r} is entered twice")
         self._entries[name] = {"holds": bool(holds), **plain(numbers)}
 
     def verdict(self) -> Verdict:
-        """All, some or none; a statement about nothing that was found differs."""
-        held = [entry["holds"] for entry in self._entries.values()]
-        if not any(held):
+        """Whether all, some or none of them are true; a statement about nothing that was found differs."""
+        answers = [entry["holds"] for entry in self._entries.values()]
+        if not any(answers):
             return Verdict.DIFFERS
-        return Verdict.HOLDS if all(held) else Verdict.IN_PART
+        return Verdict.HOLDS if all(answers) else Verdict.IN_PART
 
     def failing(self) -> list[str]:
-        """Names of the parts that are not so."""
+        """Names of the parts that are not true."""
         return [name for name, entry in self._entries.items() if not entry["holds"]]
 
     def __len__(self) -> int:
@@ -119,12 +119,12 @@ def statement(id_: str, text: str) -> Callable[[Callable[[CycleTables], Decided]
 
 
 def shown(value: float, form: str) -> str:
-    """A number in a given form; a dash where there is none."""
+    """A number in a given form; a dash for NaN."""
     return "-" if math.isnan(value) else format(value, form)
 
 
 def plain(value: Any) -> Any:
-    """A value as JSON has it: numbers of NumPy as Python's, what is not a number as None.
+    """A value as JSON has it: numbers of NumPy as Python's, what is not a finite number as None.
 
     Floats are rounded to 9 digits, which is less than an orbit is good for and more than a verdict needs.
     """

@@ -50,7 +50,7 @@ def claims(
     Parameters
     ----------
     sweeps : path, optional
-        Folder of the sweeps; by default ``results/paper-sweeps``, with what is set in its name.
+        Folder of the sweeps; by default ``results/paper-sweeps``, with `params` and `thin` appended.
     params : mapping of str to float, optional
         Other values than the preset's for ``beta``, ``Kp``, ``Kd``, ``S`` and ``gamma``, which the paper
         does not print.

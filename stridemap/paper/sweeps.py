@@ -1,7 +1,7 @@
 """The sweeps of the paper: one set, from which its statements, its figures and its report are made.
 
-The configurations lie beside this file. A sweep is run when its cycles are first asked for, and read again
-from its folder ever after.
+The configurations are the TOML files next to this module. A sweep is run when its cycles are first asked
+for, and read again from its folder afterwards.
 """
 
 import math
@@ -134,7 +134,7 @@ def configurations(params: Mapping[str, Any] | None = None, thin: int = 1) -> di
     Parameters
     ----------
     params : mapping, optional
-        Values of parameters in `FREE` in place of the preset's.
+        Values of parameters in `FREE` that replace the preset's.
     thin : int
         Only every `thin`-th value of the ranges is searched, which is faster and decides less.
 

@@ -112,7 +112,7 @@ def _titles(orbits: Sequence[Orbit]) -> list[str]:
     differing = [n for n in names if len({orbit.params.get(n) for orbit in orbits}) > 1]
     out = []
     for orbit in orbits:
-        kind = f"group {orbit.group}" if orbit.group else orbit.model
+        kind = f"group {orbit.group}" if orbit.group else orbit.model.name
         words = [f"{kind}, {'stable' if orbit.stable else 'unstable'}"]
         shown = differing or [n for n in orbit.params if n in ("k", "alpha", "omega")]
         words += [", ".join(f"{n} = {orbit.params[n]:g}" for n in shown if n in orbit.params)]

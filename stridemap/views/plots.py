@@ -7,7 +7,7 @@ import numpy as np
 
 from stridemap.errors import InputError
 from stridemap.solver.cycles.orbit import Orbit
-from stridemap.solver.observables.motion import Motion, motion
+from stridemap.solver.observables.motion import Motion
 from stridemap.views.optional import require_pictures
 
 if TYPE_CHECKING:
@@ -45,7 +45,7 @@ def plot(orbit: Orbit, kind: str = "profiles", *, samples: int = 201) -> "Figure
     require_pictures()
     from stridemap.views import style
 
-    seen = motion(orbit, samples)
+    seen = orbit.motion(samples)
     with style.styled():
         return KINDS[kind](seen, _title(orbit))
 
@@ -113,4 +113,4 @@ def _grid(rows: int, columns: int, title: str) -> "tuple[Figure, np.ndarray[Any,
 def _title(orbit: Orbit) -> str:
     """Model, group and stability."""
     group = f", group {orbit.group}" if orbit.group else ""
-    return f"{orbit.model}{group}, {'stable' if orbit.stable else 'unstable'}"
+    return f"{orbit.model.name}{group}, {'stable' if orbit.stable else 'unstable'}"

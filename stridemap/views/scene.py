@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from stridemap.errors import InputError
 from stridemap.solver.cycles.orbit import Orbit
-from stridemap.solver.observables.motion import Motion, motion
+from stridemap.solver.observables.motion import Motion
 from stridemap.spec import Line, Mass
 
 Array = NDArray[np.float64]
@@ -75,7 +75,7 @@ def scene(orbit: Orbit, frames: int, magnify: float = 1.0) -> Scene:
     InputError
         When the orbit was not found, or has no wobbling mass whose displacement could be magnified.
     """
-    seen = motion(orbit, frames + 1)
+    seen = orbit.motion(frames + 1)
     positions, lines = seen.positions, seen.lines
     if magnify != 1:
         positions, lines = _magnified(seen, orbit, magnify)
@@ -102,7 +102,7 @@ def _magnified(seen: Motion, orbit: Orbit, magnify: float) -> tuple[Array, dict[
     name = seen.model.spec.wobbling
     if name is None:
         raise InputError(
-            f"magnify = {magnify:g} is not possible: {orbit.model} has no wobbling mass; leave it out"
+            f"magnify = {magnify:g} is not possible: {orbit.model.name} has no wobbling mass; leave it out"
         )
     q = seen.q.copy()
     q[..., seen.model.coordinates.index(name)] *= magnify

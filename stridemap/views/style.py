@@ -1,7 +1,7 @@
 """How all figures look: colours, sizes, line styles, and how they are written.
 
-Colours are from the set of Okabe and Ito (jfly.uni-koeln.de/color), which people with any colour vision tell
-apart. Nothing depends on colour alone: classes of the map differ in luminance, curves in width or dashes.
+Colours are from the set of Okabe and Ito (jfly.uni-koeln.de/color), which people with any colour vision can
+tell apart. Nothing depends on colour alone: classes of the map differ in luminance, lines in width or dashes.
 """
 
 import io

@@ -6,8 +6,9 @@ import sys
 
 import pytest
 
-from stridemap.solver.backends import library
+from stridemap.solver.backends.selection import load_kernels
 from stridemap.solver.model.files import GENERATED
+from stridemap.spec import ModelSpec
 from tests.oracles.sweeping import STRIDEMAP, content, ended, start
 
 # -- generated files -----------------------------------------------------------------------------------------
@@ -47,9 +48,9 @@ def test_a_damaged_manifest(refused, copy, text):
 def emitted(walker, by):
     """What a derivation gives, without deriving."""
     folder = GENERATED / walker.name
-    manifest = json.loads((folder / "manifest.json").read_text("utf-8"))
-    names = [name for name in manifest.pop("files") if not name.endswith("_kernels.c")]
-    return {name: (folder / name).read_text("utf-8") for name in names}, manifest
+    spec = ModelSpec.from_manifest(json.loads((folder / "manifest.json").read_text("utf-8")))
+    names = [name for name in spec.files if not name.endswith("_kernels.c")]
+    return {name: (folder / name).read_text("utf-8") for name in names}, spec
 
 
 def test_derive_cannot_write(refused, tmp_path, monkeypatch):
@@ -75,9 +76,9 @@ SCRIPTS = {
 def no_kernels(tmp_path, monkeypatch):
     """An empty cache of compiled kernels, on disk and in memory."""
     monkeypatch.setenv("STRIDEMAP_CACHE", str(tmp_path / "cache"))
-    library.load_kernels.cache_clear()
+    load_kernels.cache_clear()
     yield tmp_path / "cache"
-    library.load_kernels.cache_clear()
+    load_kernels.cache_clear()
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="shell scripts")

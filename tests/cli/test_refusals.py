@@ -92,7 +92,7 @@ def test_options_and_commands(refused, line, words):
 def test_a_state_is_finite_numbers(refused, value, shown):
     entries = [f"theta1={value}", "dtheta1=-0.1", "dtheta2=0", "x=0", "dx=0"]
     line = ["simulate", *(word for entry in entries for word in ("--state", entry))]
-    refused(line, "theta1", shown, "no finite number")
+    refused(line, "theta1", shown, "not a finite number")
 
 
 @pytest.mark.parametrize("name", ["k", "omega", "Kp", "Kd", "beta", "gamma", "S"])

@@ -35,7 +35,7 @@ def assert_close(result, expected, tolerance=1e-11):
 
 
 def test_swing_phase(model, at):
-    hand = ByHand(str(model.folder), at)
+    hand = ByHand(model.source, at)
     acceleration, force = hand.motion()
     flow = model.evaluate("state_derivative", **at)
     assert_close(flow["dv"][:, :3], acceleration[:, 2:])
@@ -49,7 +49,7 @@ def test_swing_phase(model, at):
 
 
 def test_impact(model, at):
-    after, impulse = ByHand(str(model.folder), at).impact()
+    after, impulse = ByHand(model.source, at).impact()
     result = model.evaluate("impact_map", **at)
     assert_close(result["v_plus"][:, :3], after)
     assert np.abs(result["v_plus"][:, 2] + result["v_plus"][:, 0]).max() < 1e-13  # locked
@@ -74,7 +74,7 @@ def test_the_impact_takes_energy_and_the_walker_stays_where_it_is(model, at):
 
 
 def test_what_is_measured(model, at):
-    hand = ByHand(str(model.folder), at)
+    hand = ByHand(model.source, at)
     mass = sum(body.mass for body in hand.bodies)
     com = sum(body.mass[:, None] * hand.on_stance(body.point) for body in hand.bodies) / mass[:, None]
     assert_close(model.evaluate("centre_of_mass", **at)["com"], com, 1e-14)

@@ -7,8 +7,9 @@ from pathlib import Path
 import numpy as np
 from scipy.stats import qmc
 
-from stridemap.solver.cycles.search import find_all
+from stridemap.solver.cycles.search import continued, find_all
 from stridemap.solver.cycles.solver import Solver
+from stridemap.solver.cycles.status import Status
 from stridemap.solver.model.loading import load
 
 REFERENCE = json.loads((Path(__file__).parent / "reference_orbits.json").read_text(encoding="utf-8"))
@@ -74,3 +75,24 @@ def orbits_at(index):
     name, params = POINTS[index]
     model = load(name)
     return tuple(find_all(Solver.for_model(model), model.point(params)[None])[1])
+
+
+GUESSES = {
+    # Status: (k, alpha, omega), guess of section point and period; found by search, digits cut
+    Status.CONVERGED: ((6, 0.25, 3), (0.0942, -0.1455, -0.0026, 0.0029, 0.152, 1.1837)),
+    Status.INACCURATE: ((510, 0.05, 1.5), (0.08998, -0.120851, -0.001952, 6.9e-05, 0.007439, 2.247503)),
+    Status.NOT_CONVERGED: ((6, 0.25, 3), (0.05, -0.62, 0.6, 0.05, -0.76, 1.69)),
+    Status.NOT_A_STEP: ((6, 0.25, 3), (-0.077183, 0.325498, 0.00387, 0.000193, 0.007035, 0.484398)),
+    Status.LATER_TOUCHDOWN: ((1, 0.75, 3.9), (0.08265, -0.22725, -0.0031, 0.00041, -0.19312, 2.62522)),
+    Status.OUT_OF_RANGE: ((40, 0.25, 3), (0.095144, -0.106336, -0.001919, -4.6e-05, -0.003157, 3.276972)),
+}
+"""Each leads to its status."""
+
+
+def continue_one(point, guess, acceptance=None):
+    """Model, parameter vector and the orbit that Newton's method gives from a guess."""
+    model = load("wobbling")
+    params = model.point(dict(zip(("k", "alpha", "omega"), point, strict=True)))
+    solver = Solver.for_model(model, acceptance=acceptance)
+    (orbit,) = continued(solver, params[None], np.array([guess]))
+    return model, params, orbit

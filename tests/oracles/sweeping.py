@@ -6,10 +6,8 @@ import sys
 import time
 from concurrent.futures import Executor, Future
 
-import pytest
-
-from stridemap.sweeps import run
 from stridemap.sweeps.config import parse_config
+from stridemap.sweeps.run import sweep
 
 K, ALPHA = (0.5, 2.0, 6.0, 22.5), (0.2, 0.25)
 CONFIG = parse_config(
@@ -19,14 +17,24 @@ CONFIG = parse_config(
 
 SMALL = 'model = "compass"\n[grid]\nomega = [2.5, 3.0]\n[search]\nstarts = 16\n'
 
+LARGER = """model = "compass"
+[grid]
+omega = { start = 2.4, stop = 3.6, num = 12 }
+gamma = [0.18, 0.2]
+[search]
+starts = 16
+subgrid = 1
+"""
+"""Enough pieces that a sweep of it can be stopped between two of them."""
+
 STRIDEMAP = [sys.executable, "-m", "stridemap"]
 
 IN_PIECES = """
-import os, signal, time
+import functools, os, signal, time
 signal.signal(signal.SIGINT, signal.default_int_handler)  # not so where the tests run in the background
 import stridemap.sweeps.run as run
 from stridemap.cli.app import main
-run.TILE_CELLS = 2
+run.sweep = functools.partial(run.sweep, tile_cells=2)
 write = run.Store.write_part
 def write_and_rest(*args):
     write(*args)
@@ -61,9 +69,7 @@ class Inline(Executor):
 def uninterrupted(folder):
     """The sweep of CONFIG in tiles of 2: its folder, summary, progress, and the pieces that were computed."""
     seen, executor = [], Inline()
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(run, "TILE_CELLS", 2)
-        summary = run.sweep(CONFIG, folder, executor=executor, progress=seen.append)
+    summary = sweep(CONFIG, folder, executor=executor, tile_cells=2, progress=seen.append)
     return folder, summary, seen, executor.pieces
 
 

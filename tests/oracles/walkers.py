@@ -1,20 +1,19 @@
-"""Walkers that are declared for the tests alone, derived and compiled once a run."""
+"""Walkers that are declared for the tests alone, derived and compiled once for all runs."""
 
-import os
-import tempfile
 from functools import cache
-from pathlib import Path
 
 import numpy as np
 import sympy as sp
 
-from stridemap.codegen import fingerprint, write_model
+from stridemap.codegen import derive_model
 from stridemap.derive import STANCE_FOOT, Body, Clock, Parameter, Walker, rolling_arc
 from stridemap.derive.models import compass, simplest_walker, wobbling
 from stridemap.derive.models.controller import OMEGA, hip_torque
-from stridemap.solver.cycles.search import find_orbits, offer
-from stridemap.solver.model.loading import load
+from stridemap.solver.backends.compiler import cache_folder
+from stridemap.solver.cycles.search import continued, find_all
+from stridemap.solver.cycles.solver import Solver
 from stridemap.solver.model.model import Model
+from tests.oracles.shared import alone
 
 # -- the walkers -----------------------------------------------------------------------------------------
 
@@ -104,28 +103,19 @@ def walker(name: str) -> Walker:
 
 @cache
 def derived(name: str) -> Model:
-    """The model of a walker of this file."""
-    folder = _scratch() / f"{name}-{fingerprint(walker(name))[:16]}"
-    if not (folder / "manifest.json").exists():
-        write_model(walker(name), folder)
-    return load(folder)
-
-
-@cache
-def _scratch() -> Path:
-    # Workers of one test run have one folder in common.
-    run = os.environ.get("PYTEST_XDIST_TESTRUNUID")
-    return Path(tempfile.gettempdir()) / f"stridemap-{run}" if run else Path(tempfile.mkdtemp())
+    """The model of a walker of this file; where it is in the cache it is not derived again."""
+    with alone(cache_folder() / f"{name}.lock"):
+        return derive_model(walker(name))
 
 
 def cycles(model: Model, **params: float):
     """All limit cycles at one point, ordered by period."""
-    return find_orbits(model, model.point(params)[None, :])[0]
+    return list(find_all(Solver.for_model(model), model.point(params)[None, :])[1])
 
 
 def cycle_near(model: Model, state: dict, period: float, **params: float):
     """The limit cycle that Newton's method finds from a state; entries that are not named begin at zero."""
     guess = np.array([[*(state.get(name, 0.0) for name in model.section), period]])
-    (orbit,) = offer(model, model.point(params)[None, :], guess)
+    (orbit,) = continued(Solver.for_model(model), model.point(params)[None, :], guess)
     assert orbit.status.found, orbit.status
     return orbit

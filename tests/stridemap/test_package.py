@@ -26,7 +26,7 @@ import stridemap, stridemap.codegen, stridemap.solver.model.model, stridemap.swe
 from importlib.resources import files
 from stridemap.sweeps.config import load_config
 from stridemap.sweeps.provenance import provenance
-from stridemap.solver.backends.library import load_kernels
+from stridemap.solver.backends.selection import load_kernels
 model = stridemap.load("compass")
 print(json.dumps({
     "modules": {name: m.__file__ for name, m in sys.modules.items() if name.split(".")[0] == "stridemap"},
@@ -35,7 +35,7 @@ print(json.dumps({
     "generated": str(stridemap.codegen.generated_folder()),
     "cells": load_config(str(files("stridemap.sweeps") / "paper.toml")).n_cells,
     "typed": (files("stridemap") / "py.typed").is_file(),
-    "commit": provenance(model, load_kernels(model))["commit"],
+    "commit": provenance(load_kernels(model, None))["commit"],
 }))
 """
 

@@ -47,14 +47,14 @@ def test_find_orbits(entry):
     orbit = min(orbits, key=lambda orbit: abs(orbit.period - entry["period"]))
     assert orbit.period == pytest.approx(entry["period"], abs=1e-10)
     assert dict(orbit.state) == pytest.approx(entry["state"], abs=1e-10)
-    assert (orbit.model, dict(orbit.params)) == (entry["model"], entry["params"])
+    assert (orbit.model.name, dict(orbit.params)) == (entry["model"], entry["params"])
     assert orbit.status is stridemap.Status.CONVERGED
 
 
 def test_find_orbits_takes_numbers_of_any_kind_and_fills_from_the_preset():
-    wanted = stridemap.find_orbits("wobbling", **TWO_CYCLES)
-    assert stridemap.find_orbits("wobbling", k=6) == wanted
-    assert stridemap.find_orbits("wobbling", k=np.int64(6), alpha=np.float64(0.25)) == wanted
+    wanted = list(stridemap.find_orbits("wobbling", **TWO_CYCLES))
+    assert list(stridemap.find_orbits("wobbling", k=6)) == wanted
+    assert list(stridemap.find_orbits("wobbling", k=np.int64(6), alpha=np.float64(0.25))) == wanted
     few = stridemap.find_orbits("wobbling", k=6, options=stridemap.SearchOptions(starts=4, seed=3))
     assert len(few) <= len(wanted)
 
@@ -112,9 +112,9 @@ STATE = {"theta1": 0.09, "dtheta1": -0.1, "dtheta2": 0.0}
         (STATE, 0, "steps = 0 is not allowed"),
         ({**STATE, "x": 0.0}, 1, "unknown: x"),
         ({"theta1": 0.09}, 1, "missing: dtheta1, dtheta2"),
-        ({**STATE, "theta1": float("nan")}, 1, "theta1 = nan of the state is no finite number"),
-        ({**STATE, "theta1": "0.1"}, 1, "theta1 = '0.1' of the state is no finite number"),
-        ({**STATE, "theta1": True}, 1, "theta1 = True of the state is no finite number"),
+        ({**STATE, "theta1": float("nan")}, 1, "theta1 = nan of the state is not a finite number"),
+        ({**STATE, "theta1": "0.1"}, 1, "theta1 = '0.1' of the state is not a finite number"),
+        ({**STATE, "theta1": True}, 1, "theta1 = True of the state is not a finite number"),
     ],
 )
 def test_bad_states(state, steps, sentence):
@@ -130,7 +130,7 @@ def test_every_function_of_a_model_is_a_casadi_function_with_names(name):
     model = stridemap.load(name)
     assert isinstance(model, stridemap.Model)
     assert model is stridemap.load(name)
-    functions = model.manifest["functions"]
+    functions = model.spec.functions
     wanted = {
         "mass_matrix", "bias_forces", "state_derivative", "touchdown_condition", "impact_map",
         "kinetic_energy", "potential_energy", "centre_of_mass", "ground_force", "swing_foot",
@@ -140,8 +140,8 @@ def test_every_function_of_a_model_is_a_casadi_function_with_names(name):
     for key, entry in functions.items():
         function = getattr(model, key)
         assert isinstance(function, ca.Function)
-        assert function.name_in() == [a["name"] for a in entry["inputs"]]
-        assert function.name_out() == [o["name"] for o in entry["outputs"]]
+        assert function.name_in() == list(entry.arguments)
+        assert function.name_out() == [output.name for output in entry.outputs]
         assert getattr(model, key) is function
         assert not any(word.startswith(("i0", "o0")) for word in function.name_in() + function.name_out())
 
@@ -177,14 +177,17 @@ def test_a_model_says_what_it_is():
 
 def test_public_names():
     assert dir(stridemap) == sorted(stridemap.__all__)
-    assert set(stridemap.__all__) == {
-        "Claim", "InputError", "Model", "Motion", "Orbit", "SearchOptions", "Status", "Units",
-        "Verdict", "__version__", "animate", "claims", "derive_model", "find_orbits", "load",
-        "motion", "read_cells", "read_orbits", "simulate", "sweep",
-    }  # fmt: skip
+    assert {
+        "AcceptanceOptions", "Backend", "Claim", "CompilerError", "ContinuationOptions", "InputError",
+        "Interpreter", "Lanes", "Model", "ModelSpec", "Motion", "Orbit", "Orbits", "Parameter", "Progress",
+        "QUANTITIES", "Quantity", "ScalarC", "SearchOptions", "Status", "StorageError", "StridemapError",
+        "Summary", "SweepConfig", "Units", "Verdict", "Walk", "WorkerError", "__version__", "animate",
+        "available", "claims", "derive_model", "find_orbits", "is_physical_gait", "load", "load_config",
+        "motion", "parse_config", "read_cells", "read_orbits", "read_provenance", "simulate", "sweep",
+    } <= set(stridemap.__all__)  # fmt: skip
     for name in stridemap.__all__:
         value = getattr(stridemap, name)
-        assert name == "__version__" or value.__module__.startswith("stridemap.")
+        assert name in ("__version__", "QUANTITIES") or value.__module__.startswith("stridemap.")
     with pytest.raises(AttributeError, match="module 'stridemap' has no attribute 'find_orbit'"):
         stridemap.find_orbit  # noqa: B018
     with pytest.raises(ImportError, match="cannot import name 'find_orbit'"):
@@ -212,6 +215,21 @@ assert not {"sympy", "stridemap.derive"} & set(sys.modules)
 def test_importing_is_cheap_and_running_needs_no_sympy():
     done = subprocess.run([sys.executable, "-c", IMPORTED], capture_output=True, text=True, check=False)
     assert (done.returncode, done.stderr) == (0, "")
+
+
+def test_every_error_is_of_one_family():
+    for name in ("InputError", "CompilerError", "WorkerError", "StorageError"):
+        assert issubclass(getattr(stridemap, name), stridemap.StridemapError)
+    assert issubclass(stridemap.InputError, ValueError)
+    assert not issubclass(stridemap.CompilerError, stridemap.InputError)
+
+
+def test_is_physical_gait_takes_one_many_or_a_table():
+    orbits = stridemap.find_orbits("wobbling", **TWO_CYCLES)
+    one_by_one = [bool(stridemap.is_physical_gait(orbit)) for orbit in orbits]
+    assert stridemap.is_physical_gait(orbits).tolist() == one_by_one
+    assert stridemap.is_physical_gait(orbits.to_frame()).tolist() == one_by_one
+    assert any(one_by_one)
 
 
 def test_orbits_are_values():
@@ -247,6 +265,6 @@ def test_public_names_are_documented(name):
 
 
 def test_every_module_was_looked_at():
-    names = ["cli", "errors", "solver.search", "sweeps.run", "derive.models.compass"]
+    names = ["cli.app", "errors", "solver.cycles.search", "sweeps.run", "derive.models.compass"]
     names += [f"generated.{model}.{model}" for model in available()]
     assert {f"stridemap.{name}" for name in names} <= set(MODULES)

@@ -3,6 +3,7 @@
 import hashlib
 import json
 import math
+from dataclasses import asdict
 from pathlib import Path
 
 import numpy as np
@@ -13,6 +14,7 @@ from hypothesis import strategies as st
 import stridemap.sweeps
 from stridemap.errors import InputError
 from stridemap.solver.model.loading import load
+from stridemap.solver.options import AcceptanceOptions, ContinuationOptions
 from stridemap.sweeps.config import Range, canonical_json, load_config, parse_config
 
 PAPER = Path(stridemap.sweeps.__file__).parent / "paper.toml"
@@ -105,6 +107,8 @@ def test_hash_is_sha256_of_canonical_json():
         "params": {name: value for name, value in DEFAULTS.items() if name != "k"},
         "grid": {"k": [1.0, 2.0]},
         "search": {"starts": 7, "seed": 0, "subgrid": {"k": 1}, "period_min": 0.3, "period_max": 3.0},
+        "acceptance": asdict(AcceptanceOptions()),
+        "continuation": asdict(ContinuationOptions()),
     }
     assert resolved.canonical() == canonical_json(json.loads(resolved.canonical()))
     assert resolved.config_hash == hashlib.sha256(resolved.canonical().encode()).hexdigest()

@@ -1,6 +1,7 @@
 """A sweep that is stopped: what is finished stays, nobody shouts, and --resume gives the same bytes."""
 
 import contextlib
+import functools
 import os
 import shutil
 import signal
@@ -14,7 +15,6 @@ import pytest
 
 import stridemap
 from stridemap.sweeps import run
-from stridemap.sweeps.run import sweep
 from stridemap.sweeps.store import ORBITS
 from tests.oracles.sweeping import (
     CONFIG,
@@ -26,22 +26,13 @@ from tests.oracles.sweeping import (
     piece,
     start,
     tables,
-    uninterrupted,
     wait_for,
 )
 
+sweep = functools.partial(run.sweep, tile_cells=2)
+
 PROC = Path("/proc/self/task").exists()
 posix = pytest.mark.skipif(os.name != "posix", reason="signals are POSIX")
-
-
-@pytest.fixture(autouse=True)
-def small_tiles(monkeypatch):
-    monkeypatch.setattr(run, "TILE_CELLS", 2)
-
-
-@pytest.fixture(scope="module")
-def reference(tmp_path_factory):
-    return uninterrupted(tmp_path_factory.mktemp("reference"))
 
 
 # -- stopped within this process -----------------------------------------------------------------------------
@@ -74,7 +65,7 @@ def test_what_is_finished_stays_and_resume_does_the_rest(reference, tmp_path, mo
     in_order = lambda futures: iter(list(futures))  # noqa: E731
     monkeypatch.setattr(run, "as_completed", in_order)
     if isinstance(error, BrokenExecutor):
-        with pytest.raises(stridemap.InputError, match="a worker process died.*--resume") as caught:
+        with pytest.raises(stridemap.WorkerError, match="a worker process died.*--resume") as caught:
             sweep(CONFIG, tmp_path, executor=Breaks(error, taking))
         assert "\n" not in str(caught.value)
     else:
@@ -150,26 +141,6 @@ def test_once_more_without_resume_computes_again(reference, tmp_path):
 
 
 # -- stopped from outside ------------------------------------------------------------------------------------
-
-LARGER = """model = "wobbling"
-[grid]
-k = { start = 0.5, stop = 30, num = 12 }
-alpha = [0.2, 0.3]
-[search]
-starts = 16
-subgrid = 1
-"""
-
-
-@pytest.fixture(scope="module")
-def larger(tmp_path_factory):
-    """A configuration file and the tables of its sweep without interruption."""
-    folder = tmp_path_factory.mktemp("larger")
-    (folder / "larger.toml").write_text(LARGER)
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(run, "TILE_CELLS", 2)
-        sweep(folder / "larger.toml", folder / "out", executor=Inline())
-    return folder / "larger.toml", tables(folder / "out")
 
 
 def started(config, out, *more, rest=0.1):

@@ -9,7 +9,7 @@ import time
 import numpy as np
 import pytest
 
-from stridemap.errors import InputError
+from stridemap.errors import InputError, StorageError
 from stridemap.sweeps.config import parse_config
 from stridemap.sweeps.store import Store
 
@@ -58,7 +58,7 @@ def test_a_failure_while_writing_keeps_the_old_file(tmp_path, monkeypatch, step)
 
     with monkeypatch.context() as patch:
         patch.setattr(step, full)
-        with pytest.raises(InputError, match=r"cannot write .*round-000000.*No space left.*--resume"):
+        with pytest.raises(StorageError, match=r"cannot write .*round-000000.*No space left.*--resume"):
             store.write_part(0, 0, {"cell": [2]})
     assert content(tmp_path) == before
 

@@ -1,8 +1,11 @@
 """Running a sweep: the same bytes whoever computes it, the cycles that one point gives, failures as rows."""
 
+import functools
+import pickle
 import socket
 import subprocess
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
 from importlib.metadata import version
 
 import numpy as np
@@ -11,26 +14,23 @@ import pyarrow.parquet as pq
 import pytest
 
 import stridemap
-from stridemap.solver.backends.library import InterpretedKernels, load_kernels
-from stridemap.solver.cycles import solver as limit_cycle
+from stridemap.errors import CompilerError, InputError
+from stridemap.solver.backends.interpreter import Interpreter
+from stridemap.solver.backends.lanes import Lanes
+from stridemap.solver.backends.scalar import ScalarC
+from stridemap.solver.backends.selection import load_kernels
 from stridemap.solver.cycles.solver import Solver
+from stridemap.solver.model.files import GENERATED
 from stridemap.solver.model.loading import load
 from stridemap.sweeps import run
 from stridemap.sweeps.config import canonical_json, parse_config
-from stridemap.sweeps.run import sweep
 from stridemap.sweeps.store import read_cells, read_orbits, read_provenance
 from tests.oracles.reference import REFERENCE
-from tests.oracles.sweeping import ALPHA, CONFIG, Inline, K, tables, uninterrupted
+from tests.oracles.shared import once
+from tests.oracles.sweeping import ALPHA, CONFIG, Inline, K, content, tables
 
-
-@pytest.fixture(autouse=True)
-def small_tiles(monkeypatch):
-    monkeypatch.setattr(run, "TILE_CELLS", 2)
-
-
-@pytest.fixture(scope="module")
-def reference(tmp_path_factory):
-    return uninterrupted(tmp_path_factory.mktemp("reference"))
+sweep = functools.partial(run.sweep, tile_cells=2)
+BASE = {"model": "wobbling", "grid": {"k": K, "alpha": ALPHA}}
 
 
 # -- the same bytes ------------------------------------------------------------------------------------------
@@ -97,13 +97,12 @@ def matches(rows, orbit):
     return rows[near]
 
 
-@pytest.fixture(scope="module")
-def thorough(tmp_path_factory):
+@pytest.fixture(scope="session")
+def thorough(common):
     """A sweep with many starts in every cell."""
-    folder = tmp_path_factory.mktemp("thorough")
-    search = {"starts": 512, "subgrid": 1}
-    sweep(parse_config({**CONFIG.model_dump(), "search": search}), folder, executor=Inline())
-    return folder
+    config = parse_config({**BASE, "search": {"starts": 512, "subgrid": 1}})
+    once(common / "thorough", lambda folder: sweep(config, folder / "out", executor=Inline()))
+    return common / "thorough" / "out"
 
 
 def test_every_orbit_of_a_point_is_a_row_of_its_cell(thorough):
@@ -146,13 +145,13 @@ def test_few_starts_and_neighbours_find_the_same(reference, thorough):
     assert len(few) >= 0.8 * len(many)
 
 
-def test_neighbours_hand_cycles_on_across_tiles(tmp_path, monkeypatch):
-    """Starts at both ends only, and a tile a cell."""
-    monkeypatch.setattr(run, "TILE_CELLS", 1)
+def test_neighbours_hand_cycles_on_across_tiles(tmp_path):
+    """Starts at both ends only, and a tile per cell."""
     grid = {"k": [22.0, 22.2, 22.4, 22.6, 22.8, 23.0]}
     search = {"starts": 32, "subgrid": 5}
     executor = Inline()
-    sweep(parse_config({"model": "wobbling", "grid": grid, "search": search}), tmp_path, executor=executor)
+    config = parse_config({"model": "wobbling", "grid": grid, "search": search})
+    sweep(config, tmp_path, executor=executor, tile_cells=1)
     assert {task.tile for task in executor.tasks if len(task.seeds)} == {0, 5}
     assert (read_cells(tmp_path)["orbits"] >= 1).all()
 
@@ -212,7 +211,9 @@ def test_two_axes_far_apart_and_one_axis(tmp_path):
     # The same points as a part of a grid with another axis, which comes after omega.
     grid = {"gamma": [0.18, 0.2], **grid}
     sweep(
-        parse_config({**config.model_dump(), "params": {}, "grid": grid}), tmp_path / "two", executor=Inline()
+        parse_config({"model": "compass", "grid": grid, "search": search}),
+        tmp_path / "two",
+        executor=Inline(),
     )
     both = read_orbits(tmp_path / "two")
     assert sorted(set(both["gamma"])) == [0.18, 0.2]
@@ -238,9 +239,11 @@ def test_both_tables_say_how_they_were_made(reference):
     for name in ("stridemap", "numpy", "scipy", "casadi", "pyarrow"):
         assert found["versions"][name] == version(name)
     assert "python" in found["versions"]
-    assert found["compiler"] == load_kernels(model).compiler
+    assert found["compiler"] == load_kernels(model, None).compiler
+    assert found["arithmetic"] == Lanes().arithmetic
+    assert found["tile_cells"] == 2
     commit = subprocess.run(
-        ["git", "-C", model.folder, "rev-parse", "HEAD"], capture_output=True, text=True, check=False
+        ["git", "-C", GENERATED, "rev-parse", "HEAD"], capture_output=True, text=True, check=False
     )
     if commit.returncode:
         assert found["commit"] is None
@@ -275,7 +278,7 @@ def test_progress_only_goes_on(reference):
 # -- cells that fail -----------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("stage", ["search", "complete"])
+@pytest.mark.parametrize("stage", ["search", "converge"])
 @pytest.mark.parametrize(
     "error",
     [FloatingPointError("boom"), np.linalg.LinAlgError("boom"), MemoryError("boom"), IndexError("boom")],
@@ -283,8 +286,7 @@ def test_progress_only_goes_on(reference):
 def test_a_cell_that_raises_is_a_row_with_a_reason(tmp_path, monkeypatch, stage, error):
     grid, search = {"k": [0.5, 6.0, 8.0]}, {"starts": 64, "subgrid": 1}
     config = parse_config({"model": "wobbling", "grid": grid, "search": search})
-    monkeypatch.setattr(run, "TILE_CELLS", 3)
-    sweep(config, tmp_path / "sound", executor=Inline())
+    sweep(config, tmp_path / "sound", executor=Inline(), tile_cells=3)
     whole = getattr(Solver, stage)
 
     def part(self, guesses, params, *rest):
@@ -293,7 +295,7 @@ def test_a_cell_that_raises_is_a_row_with_a_reason(tmp_path, monkeypatch, stage,
         return whole(self, guesses, params, *rest)
 
     monkeypatch.setattr(Solver, stage, part)
-    assert sweep(config, tmp_path / "out", executor=Inline()).failed_cells == 1
+    assert sweep(config, tmp_path / "out", executor=Inline(), tile_cells=3).failed_cells == 1
     cells = read_cells(tmp_path / "out")
     assert cells["status"].tolist() == ["found", "failed", "found"]
     assert cells["orbits"][1] == 0
@@ -304,10 +306,109 @@ def test_a_cell_that_raises_is_a_row_with_a_reason(tmp_path, monkeypatch, stage,
     np.testing.assert_allclose(rows["period"], sound["period"], atol=1e-9, rtol=0)
 
 
-def test_a_worker_with_other_kernels_is_refused(tmp_path, monkeypatch):
-    """They differ in the last digits: the bytes of the tables would depend on who computes what."""
-    config = parse_config({"model": "compass", "grid": {"omega": [3.0]}, "search": {"starts": 8}})
-    monkeypatch.setattr(limit_cycle, "load_kernels", lambda model: InterpretedKernels(model))
-    with pytest.raises(stridemap.InputError, match=r"other kernels \(CasADi .* virtual machine\)") as caught:
-        sweep(config, tmp_path, executor=Inline())
-    assert "\n" not in str(caught.value)
+# -- tasks, backends and tiles -------------------------------------------------------------------------------
+
+COMPASS = parse_config({"model": "compass", "grid": {"omega": [2.5, 3.0]}, "search": {"starts": 8}})
+
+
+class Posted(Inline):
+    """Computes what arrives of a task after it was sent as bytes, which it keeps."""
+
+    def __init__(self):
+        super().__init__()
+        self.sent = []
+
+    def submit(self, fn, /, task):
+        self.sent.append(pickle.dumps(task))
+        return super().submit(fn, pickle.loads(self.sent[-1]))
+
+
+def test_a_task_carries_all_that_it_needs_and_no_path_of_the_sender(tmp_path):
+    executor = Posted()
+    sweep(COMPASS, tmp_path / "out", executor=executor)
+    sweep(COMPASS, tmp_path / "plain", executor=Inline())
+    assert tables(tmp_path / "out") == tables(tmp_path / "plain")
+    (task, *_) = executor.tasks
+    assert task.backend == Lanes()
+    assert (task.acceptance, task.continuation) == (COMPASS.acceptance, COMPASS.continuation)
+    for sent in executor.sent:
+        for path in (GENERATED, GENERATED.parent, tmp_path):
+            assert str(path).encode() not in sent
+
+
+def test_the_backend_is_an_argument_and_equal_arithmetic_gives_equal_numbers(tmp_path):
+    backends = {"scalar": "scalar", "virtual": Interpreter(), "narrow": Lanes(instructions=()), "lanes": None}
+    seen = {}
+    for name, backend in backends.items():
+        executor = Inline()
+        sweep(COMPASS, tmp_path / name, executor=executor, backend=backend)
+        seen[name] = executor.tasks[0].backend
+    assert seen == {
+        "scalar": ScalarC(), "virtual": Interpreter(), "narrow": Lanes(instructions=()), "lanes": Lanes(),
+    }  # fmt: skip
+    for one, other in (("scalar", "virtual"), ("narrow", "lanes")):
+        pd.testing.assert_frame_equal(
+            read_orbits(tmp_path / one), read_orbits(tmp_path / other), check_exact=True
+        )
+        assert (
+            read_provenance(tmp_path / one)["arithmetic"] == read_provenance(tmp_path / other)["arithmetic"]
+        )
+    assert tables(tmp_path / "narrow") == tables(tmp_path / "lanes")
+    assert (
+        read_provenance(tmp_path / "scalar")["arithmetic"]
+        != read_provenance(tmp_path / "lanes")["arithmetic"]
+    )
+
+
+def test_to_resume_with_another_arithmetic_is_refused(tmp_path):
+    sweep(COMPASS, tmp_path, executor=Inline(), backend="scalar")
+    before = content(tmp_path)
+    with pytest.raises(InputError, match="different software .*arithmetic is .*one point at a time"):
+        sweep(COMPASS, tmp_path, executor=Inline(), resume=True, backend="lanes")
+    with pytest.raises(InputError, match="different software .*tile_cells is 2 there, 1 here"):
+        sweep(COMPASS, tmp_path, executor=Inline(), resume=True, backend="scalar", tile_cells=1)
+    # The virtual machine computes the same bits.
+    assert sweep(COMPASS, tmp_path, executor=Inline(), resume=True, backend="interpreter").already_finished
+    assert content(tmp_path) == before
+
+
+def test_a_backend_that_cannot_be_had_there_is_an_error_and_no_failed_cell(tmp_path):
+    """Else every cell would be a failure, in tables that look finished."""
+    with pytest.raises(CompilerError, match="failed|cannot|no C compiler"):
+        sweep(COMPASS, tmp_path / "out", executor=Elsewhere("false"))
+    assert not (tmp_path / "out" / "orbits.parquet").exists()
+
+
+class Elsewhere(Inline):
+    """Computes with a compiler that does not work there."""
+
+    def __init__(self, compiler):
+        super().__init__()
+        self.compiler = compiler
+
+    def submit(self, fn, /, task):
+        return super().submit(fn, replace(task, backend=ScalarC(self.compiler)))
+
+
+@pytest.mark.parametrize(
+    ("arguments", "sentence"),
+    [
+        ({"workers": 0}, "workers = 0 is not allowed"),
+        ({"tile_cells": 0}, "tile_cells = 0 is not allowed"),
+        ({"backend": "gpu"}, "no backend 'gpu'"),
+    ],
+)
+def test_arguments_are_checked(tmp_path, arguments, sentence):
+    with pytest.raises(InputError, match=sentence):
+        sweep(COMPASS, tmp_path / "out", **arguments)
+    assert not (tmp_path / "out").exists()
+
+
+def test_the_tables_orbits_come_back_as_orbits(reference):
+    rows = read_orbits(reference[0])
+    orbits = stridemap.Orbits.from_columns(load("wobbling"), rows)
+    pd.testing.assert_frame_equal(
+        orbits.to_frame(), rows.drop(columns="cell"), check_dtype=False, check_exact=True
+    )
+    again = stridemap.find_orbits("wobbling", orbits[0].params)
+    assert min(abs(orbit.period - orbits[0].period) for orbit in again) < 1e-9

@@ -1,11 +1,9 @@
 """The output folder of a sweep: tables, provenance, atomic files, and every folder that is refused."""
 
 import itertools
+import json
 import os
-import random
-from dataclasses import fields
-from enum import StrEnum
-from types import SimpleNamespace
+from dataclasses import replace
 
 import numpy as np
 import pandas as pd
@@ -14,61 +12,53 @@ import pyarrow.parquet as pq
 import pytest
 
 from stridemap.errors import InputError
-from stridemap.solver.cycles.orbit import Orbit
+from stridemap.quantities import MEASURED, QUANTITIES
+from stridemap.solver.cycles.orbits import Orbits
 from stridemap.solver.model.loading import load
 from stridemap.sweeps.config import canonical_json, parse_config
 from stridemap.sweeps.grid import Grid
+from stridemap.sweeps.provenance import DECIDING
 from stridemap.sweeps.store import Store, read_cells, read_orbits, read_provenance
-from stridemap.sweeps.tables import cell_schema, cell_table, orbit_row, orbit_schema, orbit_table
+from stridemap.sweeps.tables import cell_schema, cell_table, orbit_schema, orbit_table
 
 MODEL = load("wobbling")
 CONFIG = parse_config({"model": "wobbling", "grid": {"k": [1.0, 2.0, 3.0], "omega": [2.0, 3.0]}})
 OTHER = parse_config({"model": "wobbling", "grid": {"k": [1.0, 2.5, 3.0], "omega": [2.0, 3.0]}})
 GRID = Grid.from_mapping(CONFIG.grid)
 POINTS = GRID.points(MODEL, CONFIG.params)
-PROVENANCE = {"model_hash": "ab12", "versions": {"numpy": "2.4.6"}, "flags": ["-O3"], "commit": None}
+PROVENANCE = {
+    "format": 2, "model_hash": "ab12", "versions": {"numpy": "2.4.6"}, "arithmetic": "exact",
+    "tile_cells": 160, "compiler": "cc 1.0", "commit": None,
+}  # fmt: skip
 
 
-class Status(StrEnum):
-    OK = "ok"
-    FALLS = "falls"
+CELL = np.array([0, 0, 2, 5])
 
 
-def make_orbit(cell, period, group="A", crossings=2, stable=True):
-    """Return something that looks like an Orbit, each entry a number that tells where it came from."""
-    return SimpleNamespace(
-        model="wobbling",
-        params=dict(zip((p.name for p in MODEL.parameters), POINTS[cell].tolist(), strict=True)),
-        status=Status.OK,
-        state=dict(zip(MODEL.section, (0.1, 0.2, 0.3, 0.4, 0.5), strict=True)),
-        period=period,
-        multipliers=(-0.5 + 0.8j, -0.5 - 0.8j, 0.6 + 0j, 0.2 + 0j, 0j),
-        spectral_radius=0.94,
-        stable=stable,
-        group=group,
-        step_length=1.0,
-        speed=2.0,
-        d_max=3.0,
-        work=4.0,
-        work_positive=5.0,
-        work_net=6.0,
-        cot=7.0,
-        cot_per_speed=8.0,
-        min_vertical_force=9.0,
-        friction=10.0,
-        clearance=11.0,
-        peaks=3,
-        x_zero_crossings=crossings,
-        residual=1e-13,
-        integration_error=1e-12,
-    )
+def make_orbits(cells=CELL, periods=(1.2, 0.9, 1.1, 1.3)):
+    """Orbits each of whose entries is a number that tells where it came from; the third lacks two."""
+    n = len(cells)
+    columns = dict(zip(MODEL.spec.names, POINTS[cells].T, strict=True))
+    columns |= {"status": ["converged"] * n, "period": periods}
+    columns |= {name: np.full(n, 0.1 * (i + 1)) for i, name in enumerate(MODEL.section)}
+    for i, multiplier in enumerate((-0.5 + 0.8j, -0.5 - 0.8j, 0.6 + 0j, 0.2 + 0j, 0j)):
+        columns[f"multiplier_{i}_re"] = np.full(n, multiplier.real)
+        columns[f"multiplier_{i}_im"] = np.full(n, multiplier.imag)
+    for i, name in enumerate(name for name in MEASURED if QUANTITIES[name].type == "float"):
+        columns[name] = np.full(n, float(i))
+    third = np.arange(n) == 2
+    columns["stable"] = ~third
+    columns["peaks"] = np.full(n, 3)
+    columns["group"] = np.where(third, None, "A")
+    columns["x_zero_crossings"] = np.where(third, None, 2)
+    return Orbits.from_columns(MODEL, columns)
 
 
-def make_rows():
-    orbits = [(0, 1.2), (0, 0.9), (2, 1.1), (5, 1.3)]
-    rows = [orbit_row(cell, make_orbit(cell, period)) for cell, period in orbits]
-    rows[2] = orbit_row(2, make_orbit(2, 1.1, group=None, crossings=None, stable=False))
-    return rows
+def make_table():
+    return orbit_table(CELL, make_orbits())
+
+
+NONE = orbit_table(CELL[:0], Orbits.empty(MODEL))
 
 
 def make_cells(orbits):
@@ -79,7 +69,7 @@ def make_cells(orbits):
 
 def finished(folder, config=CONFIG, provenance=PROVENANCE):
     store = Store.create(folder, config, provenance)
-    orbits = orbit_table(MODEL, make_rows())
+    orbits = make_table()
     store.finish(orbits, make_cells(orbits))
     return folder
 
@@ -98,8 +88,9 @@ def test_columns_bear_the_agreed_names():
     assert names[10:16] == ["theta1", "dtheta1", "dtheta2", "x", "dx", "period"]
     assert names[16:26] == [f"multiplier_{i}_{part}" for i in range(5) for part in ("re", "im")]
     measures = "spectral_radius stable group step_length speed d_max work work_positive work_net cot"
-    measures += " cot_per_speed min_vertical_force friction clearance peaks x_zero_crossings residual"
-    assert names[26:] == [*measures.split(), "integration_error"]
+    measures += " cot_per_speed min_vertical_force friction clearance peaks x_zero_crossings"
+    measures += " wobble_amplitude touchdown_speed residual integration_error"
+    assert names[26:] == measures.split() == list(MEASURED)
     assert cell_schema(MODEL).names == ["cell", *parameters, "orbits", "stable_orbits", "status", "reason"]
     compass = orbit_schema(load("compass")).names
     assert not {"x", "dx", "k", "alpha"} & set(compass)
@@ -107,41 +98,35 @@ def test_columns_bear_the_agreed_names():
 
 
 def test_a_row_holds_the_orbit():
-    row = orbit_row(5, make_orbit(5, 1.3))
-    assert list(row) == orbit_schema(MODEL).names
-    assert (row["cell"], row["k"], row["omega"], row["status"]) == (5, 3.0, 3.0, "ok")
-    assert type(row["status"]) is str
+    orbits = make_orbits()
+    table = make_table()
+    assert table.column_names == orbit_schema(MODEL).names
+    row = table.to_pylist()[3]
+    assert (row["cell"], row["k"], row["omega"], row["status"]) == (5, 3.0, 3.0, "converged")
     assert (row["multiplier_0_re"], row["multiplier_1_im"], row["dx"]) == (-0.5, -0.8, 0.5)
-    assert (row["work"], row["work_net"], row["cot_per_speed"]) == (4.0, 6.0, 8.0)
+    orbit = orbits[3]
+    for name in MEASURED:
+        assert row[name] == getattr(orbit, name), name
+        assert type(row[name]) is type(getattr(orbit, name)), name
+    assert row["period"] == orbit.period == 1.3
 
 
-def test_columns_and_orbit_have_the_same_measures():
-    spread = {"model", "params", "status", "state", "multipliers"}  # columns of their own, or in the metadata
-    measures = [field.name for field in fields(Orbit) if field.name not in spread]
-    columns = orbit_schema(MODEL).names
-    assert [name for name in columns if name in measures] == measures
-    assert make_orbit(0, 1.0).__dict__.keys() == {field.name for field in fields(Orbit)}
-
-
-def test_orbit_table_refuses_rows_that_do_not_fit():
-    row = make_rows()[0]
-    with pytest.raises(ValueError, match="columns: extra"):
-        orbit_table(MODEL, [row, {**row, "extra": 1}])
-    with pytest.raises(ValueError, match="columns: period"):
-        orbit_table(MODEL, [{name: value for name, value in row.items() if name != "period"}])
-    with pytest.raises(ValueError, match="period has missing"):
-        orbit_table(MODEL, [{**row, "period": None}])
+def test_a_missing_value_is_refused_where_columns_must_be_full():
+    orbits = make_orbits()
+    peaks = np.array([3, 3, None, 3], dtype=object)
+    with pytest.raises(ValueError, match="peaks has missing"):
+        orbit_table(CELL, replace(orbits, measures={**orbits.measures, "peaks": peaks}))
 
 
 def test_cell_table_counts_orbits():
-    cells = make_cells(orbit_table(MODEL, make_rows())).to_pydict()
+    cells = make_cells(make_table()).to_pydict()
     assert cells["cell"] == [0, 1, 2, 3, 4, 5]
     assert cells["orbits"] == [2, 0, 1, 0, 0, 1]
     assert cells["stable_orbits"] == [2, 0, 0, 0, 0, 1]
     assert cells["k"] == [1.0, 1.0, 2.0, 2.0, 3.0, 3.0]
     assert cells["reason"][1] == "no start converged"
     with pytest.raises(ValueError, match="status has missing"):
-        cell_table(MODEL, POINTS, orbit_table(MODEL, []), [None] * 6, [None] * 6)
+        cell_table(MODEL, POINTS, NONE, [None] * 6, [None] * 6)
 
 
 # Writing and reading
@@ -160,16 +145,16 @@ def test_tables_come_back_as_written(tmp_path):
     cells = read_cells(tmp_path / "out")
     assert cells["orbits"].tolist() == [2, 0, 1, 0, 0, 1]
     assert cells["status"][1] == "failed"
-    # Other readers see the same, and that only three columns can be empty.
+    # Other readers see the same, and which columns can be empty.
     schema = pq.read_schema(tmp_path / "out" / "orbits.parquet")
     assert schema.remove_metadata() == orbit_schema(MODEL)
-    assert [field.name for field in schema if field.nullable] == ["group", "x_zero_crossings"]
+    assert [f.name for f in schema if f.nullable] == ["group", "x_zero_crossings", "wobble_amplitude"]
     assert len(pd.read_parquet(tmp_path / "out" / "cells.parquet")) == 6
 
 
 def test_a_sweep_without_any_orbit(tmp_path):
     store = Store.create(tmp_path, CONFIG, PROVENANCE)
-    none = orbit_table(MODEL, [])
+    none = NONE
     store.finish(none, make_cells(none))
     assert len(read_orbits(tmp_path)) == 0
     assert read_orbits(tmp_path)["period"].dtype == float
@@ -187,21 +172,20 @@ def test_provenance_comes_back(tmp_path):
 
 def test_bytes_do_not_depend_on_how_the_rows_came(tmp_path):
     finished(tmp_path / "a")
-    rows = make_rows()
-    random.Random(1).shuffle(rows)
+    order = np.random.default_rng(1).permutation(len(CELL))
     store = Store.create(tmp_path / "b", CONFIG, dict(reversed(PROVENANCE.items())))
-    for number, row in enumerate(rows):
-        store.write_part(0, number, orbit_table(MODEL, [row]))
-    orbits = pa.concat_tables([store.read_part(0, number) for number in range(len(rows))])
+    for number, row in enumerate(order):
+        store.write_part(0, number, orbit_table(CELL[[row]], make_orbits()[[row]]))
+    orbits = pa.concat_tables([store.read_part(0, number) for number in range(len(order))])
     store.finish(orbits, make_cells(orbits))
     assert content(tmp_path / "a") == content(tmp_path / "b")
 
 
 def test_equal_periods_are_ordered_by_the_other_columns(tmp_path):
-    rows = [orbit_row(0, make_orbit(0, 1.0)), orbit_row(0, make_orbit(0, 1.0))]
-    rows[1]["theta1"] = 0.05
-    for name, order in (("a", rows), ("b", rows[::-1])):
-        orbits = orbit_table(MODEL, order)
+    two = make_orbits(np.array([0, 0]), (1.0, 1.0))
+    two.u[1, 0] = 0.05
+    for name, order in (("a", [0, 1]), ("b", [1, 0])):
+        orbits = orbit_table(np.array([0, 0]), two[order])
         Store.create(tmp_path / name, CONFIG, PROVENANCE).finish(orbits, make_cells(orbits))
         assert read_orbits(tmp_path / name)["theta1"].tolist() == [0.05, 0.1]
     assert content(tmp_path / "a") == content(tmp_path / "b")
@@ -226,7 +210,7 @@ def test_resume_continues_and_knows_when_all_is_done(tmp_path):
     store = Store.resume(tmp_path / "out", CONFIG, PROVENANCE)
     assert not store.finished
     assert store.read_part(0, 0).to_pydict() == {"cell": [1]}
-    orbits = orbit_table(MODEL, make_rows())
+    orbits = make_table()
     store.finish(orbits, make_cells(orbits))
     before = content(tmp_path / "out")
     assert Store.resume(tmp_path / "out", CONFIG, PROVENANCE).finished
@@ -246,7 +230,7 @@ def test_finish_keeps_what_is_not_ours_and_clears_what_is(tmp_path):
     (tmp_path / "parts" / "left-by-a-kill.tmp").write_bytes(b"x")
     (tmp_path / "parts" / "notes.txt").write_text("mine")
     (tmp_path / "readme.txt").write_text("mine")
-    orbits = orbit_table(MODEL, [])
+    orbits = NONE
     store.finish(orbits, make_cells(orbits))
     names = sorted(path.name for path in tmp_path.rglob("*"))
     assert names == ["cells.parquet", "notes.txt", "orbits.parquet", "parts", "readme.txt"]
@@ -259,11 +243,11 @@ def test_create_over_a_finished_sweep_keeps_it_until_the_new_one_is_done(tmp_pat
     store.write_part(0, 0, {"cell": [1]})
     assert read_provenance(tmp_path)["commit"] is None
     # Killed between the two tables: parts remain, so this is no finished sweep, and can be continued.
-    store._write(tmp_path / "orbits.parquet", orbit_table(MODEL, []))
+    store._write(tmp_path / "orbits.parquet", NONE)
     with pytest.raises(InputError, match=r'not of one sweep .*commit is "newer" there, null here'):
         read_provenance(tmp_path)
     assert not Store.resume(tmp_path, CONFIG, {**PROVENANCE, "commit": "newer"}).finished
-    store.finish(orbit_table(MODEL, []), make_cells(orbit_table(MODEL, [])))
+    store.finish(NONE, make_cells(NONE))
     assert read_provenance(tmp_path)["commit"] == "newer"
 
 
@@ -312,16 +296,36 @@ def test_create_refuses_an_unfinished_sweep(tmp_path):
     )
 
 
-def test_resume_refuses_other_software(tmp_path):
-    newer = {**PROVENANCE, "versions": {"numpy": "2.5.0"}}
-    told = ['versions.numpy is "2.4.6" there, "2.5.0" here', "other software"]
+@pytest.mark.parametrize("name", DECIDING)
+def test_resume_refuses_other_software(tmp_path, name):
+    newer = {**PROVENANCE, name: "newer"}
+    told = [f'{name} is {json.dumps(PROVENANCE[name])} there, "newer" here', "different software"]
     Store.create(tmp_path / "a", CONFIG, PROVENANCE).write_part(0, 0, {"cell": [1]})
     refused(lambda: Store.resume(tmp_path / "a", CONFIG, newer), tmp_path / "a", "round-000000", *told)
     finished(tmp_path / "b")
     refused(lambda: Store.resume(tmp_path / "b", CONFIG, newer), tmp_path / "b", "orbits.parquet", *told)
-    bare = {name: value for name, value in PROVENANCE.items() if name != "versions"}
-    told = 'versions is {"numpy": "2.4.6"} there, null here'
+    bare = {key: value for key, value in PROVENANCE.items() if key != name}
+    told = f"{name} is {json.dumps(PROVENANCE[name])} there, null here"
     refused(lambda: Store.resume(tmp_path / "b", CONFIG, bare), tmp_path / "b", told)
+
+
+def test_resume_says_which_version_differs(tmp_path):
+    newer = {**PROVENANCE, "versions": {"numpy": "2.5.0"}}
+    told = 'versions.numpy is "2.4.6" there, "2.5.0" here'
+    finished(tmp_path)
+    refused(lambda: Store.resume(tmp_path, CONFIG, newer), tmp_path, told)
+
+
+def test_resume_accepts_another_commit_and_another_compiler(tmp_path):
+    """They change no number: equations, versions, arithmetic, format and tiles decide."""
+    other = {**PROVENANCE, "commit": "another", "compiler": "another 1.0", "host_is_never_in_it": True}
+    Store.create(tmp_path / "a", CONFIG, PROVENANCE).write_part(0, 0, {"cell": [1]})
+    store = Store.resume(tmp_path / "a", CONFIG, other)
+    assert not store.finished
+    assert store.read_part(0, 0).to_pydict() == {"cell": [1]}
+    store.finish(NONE, make_cells(NONE))
+    assert read_provenance(tmp_path / "a")["commit"] == "another"
+    assert Store.resume(finished(tmp_path / "b"), CONFIG, other).finished
 
 
 def test_a_part_of_other_software_is_not_read(tmp_path):

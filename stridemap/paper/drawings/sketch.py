@@ -24,7 +24,9 @@ def draw(material: Material | None = None) -> Figure:
     model = load("wobbling")
     drawn = model.evaluate("drawing", q=np.array([THETA1, THETA2, X]), p=model.point({"alpha": 0.45}))
     (legs,) = (line.name for line in model.spec.lines if line.role == "legs")
-    positions = {mass.role: at for mass, at in zip(model.spec.masses, drawn["positions"], strict=True)}
+    positions: dict[str, Array] = {
+        mass.role: at for mass, at in zip(model.spec.masses, drawn["positions"], strict=True)
+    }
     figure = style.new_figure(style.COLUMN, 72 * style.MM)
     axes = figure.add_subplot()
     axes.set(xlim=(-1.05, 0.62), ylim=(-0.2, 1.3))

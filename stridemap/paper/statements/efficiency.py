@@ -69,9 +69,10 @@ def grows(data: CycleTables, column: str) -> tuple[Parts, str]:
     """Whether a measure grows with alpha and with omega, and falls as `k` falls within a group.
 
     Everything is asked twice: of the group's main branch, and of its stable cycles alone. With alpha and
-    with omega: the mean over a group, for groups that end before k = 60 at both values. With k: the value
-    at the group's small-k end is below that at the large-k end, and the smallest lies in the lower half of
-    the range. How quick the fall is, is evidence: the paper gives no scale for it.
+    with omega it is the mean over a group, for groups that end before k = 60 at both values. With k
+    it is that the value at the group's small-k end is below that at the large-k end, and that the smallest
+    lies in the lower half of the range. How quickly it falls is evidence only, because the paper does not
+    give a scale for it.
     """
     parts = Parts()
     cycles = {
@@ -104,7 +105,7 @@ def grows(data: CycleTables, column: str) -> tuple[Parts, str]:
 def _rise(rows: pd.DataFrame, column: str) -> tuple[bool, dict[str, Any]]:
     """Whether a measure rises over the range of `k` of a group, and by how much."""
     k, values = rows["k"].to_numpy(), rows[column].to_numpy()
-    place = (k[values.argmin()] - k[0]) / (k[-1] - k[0]) if k[-1] > k[0] else np.nan
+    location = (k[values.argmin()] - k[0]) / (k[-1] - k[0]) if k[-1] > k[0] else np.nan
     numbers = {
         "k": [k[0], k[-1]],
         "ends": [values[0], values[-1]],
@@ -114,24 +115,24 @@ def _rise(rows: pd.DataFrame, column: str) -> tuple[bool, dict[str, Any]]:
         "relative_fall": 1 - values[0] / values[-1],
         "relative_fall_of_k": 1 - k[0] / k[-1],
     }
-    return bool(values[0] < values[-1] and place < 0.5), numbers
+    return bool(values[0] < values[-1] and location < 0.5), numbers
 
 
 def _tally(parts: Parts) -> str:
-    """How many of the parts about each direction are so."""
+    """How many of the parts about each direction are true."""
     entries = parts.to_dict()
     texts = []
     for direction in ("alpha", "omega", "k"):
-        held = [e["holds"] for name, e in entries.items() if name.startswith(f"with {direction},")]
-        texts.append(f"with {direction} {sum(held)} of {len(held)}")
+        verdicts = [e["holds"] for name, e in entries.items() if name.startswith(f"with {direction},")]
+        texts.append(f"with {direction} {sum(verdicts)} of {len(verdicts)}")
     return "so " + ", ".join(texts)
 
 
 def of_cost(data: CycleTables, rule: Rule) -> Decided:
-    """Decide by the cost of transport, and tell how the paper's own formula decides.
+    """Decide by the cost of transport, and report how the paper's own formula decides.
 
-    The paper divides work by weight and mean speed, which is no dimensionless cost; the cost of transport
-    is work by weight and distance.
+    The paper divides work by weight and mean speed, which is not a dimensionless cost; the cost of transport
+    is work per weight and distance.
     """
     parts, text = rule(data, "cot")
     other, _ = rule(data, "cot_per_speed")

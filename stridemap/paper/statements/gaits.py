@@ -38,7 +38,7 @@ def c1(data: CycleTables) -> Decided:
 
 @statement("C2", "Groups A to E follow each other as k grows, with gaps without a cycle on the main branch")
 def c2(data: CycleTables) -> Decided:
-    """Whether the main branch (see `branch`) comes in pieces, lettered in order.
+    """Whether the main branch comes in pieces, lettered in order.
 
     At each alpha and omega: ``order``, the letters on the main branch, by their smallest k, are A, B, C ...
     without one left out, as far as k = 60 reaches; ``gaps``, between the largest k of each letter and the
@@ -73,9 +73,9 @@ def _gap(data: CycleTables, before: list[float], after: list[float]) -> dict[str
 
 @statement("C3", "In A the wobbling mass is behind the hip first and ahead of it later; in B the reverse")
 def c3(data: CycleTables) -> Decided:
-    """A part for each group at each alpha and omega: so it is in every stable cycle.
+    """A part for each group at each alpha and omega: it is true of every stable cycle.
 
-    In a cycle it is so if, in either half of the step, x has the stated sign for more than half of the time
+    It is true of a cycle if, in either half of the step, x has the stated sign for more than half of the time
     and on average. `x` cannot keep its sign to the very ends of a step, because it is the same at both.
     """
     parts, least = Parts(), 1.0

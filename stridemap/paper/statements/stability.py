@@ -22,7 +22,7 @@ from stridemap.paper.stable_runs import Run, stable_runs
 
 @statement("C7", "The largest multiplier of every cycle is larger than the compass's")
 def c7(data: CycleTables) -> Decided:
-    """A part for each alpha and omega: so for every cycle that walks, stable or not."""
+    """A part for each alpha and omega: true for every physical gait, stable or not."""
     parts, texts = Parts(), []
     for name, _, omega, orbits in slices(with_minima(data)):
         reference, found = compass(data, omega, "spectral_radius"), extremes(orbits, "spectral_radius")
@@ -35,35 +35,41 @@ def c7(data: CycleTables) -> Decided:
 
 @statement("C8", "Within B, C and D the largest multiplier is smallest towards the group's small-k end")
 def c8(data: CycleTables) -> Decided:
-    """At the smallest `k` itself is the fold, where a multiplier is 1; so the minimum is somewhat inside.
+    """The fold, where a multiplier is 1, is at the smallest `k` itself; so the minimum lies somewhat inside.
 
     For each group that has stable cycles at an alpha and omega: the minimum lies in the lower half of the
     group's range of `k`, once among all cycles of the group on the main branch and once among its stable
     cycles.
     """
-    parts, places = Parts(), []
+    parts, locations = Parts(), []
     for name, _, _, orbits in slices(with_minima(data)):
         for group in "BCD":
             if stable(orbits, group).empty:
                 continue
             for what, rows in (("", main_branch(orbits, group)), (" among stable", stable(orbits, group))):
-                place, numbers = _place_of_least(rows, "spectral_radius")
-                parts.add(f"{group} at {name}{what}", place < 0.5, **numbers)
-                places.append(place)
+                location, numbers = _location_of_least(rows, "spectral_radius")
+                parts.add(f"{group} at {name}{what}", location < 0.5, **numbers)
+                locations.append(location)
     if not len(parts):
         return parts, "no stable cycles in B, C or D", {}
-    return parts, f"minimum at {min(places):.0%} to {max(places):.0%} of the range of k", {}
+    return parts, f"minimum at {min(locations):.0%} to {max(locations):.0%} of the range of k", {}
 
 
-def _place_of_least(rows: pd.DataFrame, column: str) -> tuple[float, dict[str, Any]]:
-    """Where in a range of `k` a column is smallest: 0 at its start, 1 at its end; NaN for no cycles."""
+def _location_of_least(rows: pd.DataFrame, column: str) -> tuple[float, dict[str, Any]]:
+    """Where in a range of `k` a column is smallest: 0 at its start, 1 at its end; NaN for an empty table."""
     if rows.empty:
         return np.nan, {}
     low, high = rows["k"].min(), rows["k"].max()
     where = rows["k"][rows[column].idxmin()]
-    place = 0.0 if high == low else (where - low) / (high - low)
-    numbers = {"k_low": low, "k_high": high, "least": rows[column].min(), "least_at_k": where, "place": place}
-    return float(place), numbers
+    location = 0.0 if high == low else (where - low) / (high - low)
+    numbers = {
+        "k_low": low,
+        "k_high": high,
+        "least": rows[column].min(),
+        "least_at_k": where,
+        "place": location,
+    }
+    return float(location), numbers
 
 
 @statement("C9", "The range of k with stable cycles is wider at omega = 3 than at omega = 2")

@@ -216,7 +216,7 @@ function strokeCross(pen, { x, y, width, height }) {
   segment(pen, x, y + height, x + width, y);
 }
 
-// Diagonal lines over a region: what is unstable, told without colour.
+// Diagonal lines over a region: what is unstable can be seen without colour.
 function hatchOver(pen, region, width, height) {
   pen.save();
   pen.clip(region);

@@ -11,7 +11,7 @@ const CHOICES = [
 const STABILITY = "stability";
 const COUNT = "count";
 
-// Measures that have a place on a scale; those that say how good the computation was are not for the map.
+// Measures with values on a scale; those that say how good the computation was are not for the map.
 const colours = report.measures.filter(({ name }) => orbits.words(name) === null && !["stable", "residual", "integration_error"].includes(name));
 
 const state = { across: 0, up: null, indices: [], colour: STABILITY, choice: "any", group: "", of: "radius", cell: 0, row: null };
@@ -23,16 +23,16 @@ const MOST = { spectral_radius: 2 };
 // choice, that of the map those which stand for their cells.
 const scales = new Map();
 
-function scaleOf(name, place) {
-  const key = [place, name, state.choice, state.group, state.of].join();
-  if (!scales.has(key)) scales.set(key, new ValueScale(valuesOf(name, place), MOST[name]));
+function scaleOf(name, chart) {
+  const key = [chart, name, state.choice, state.group, state.of].join();
+  if (!scales.has(key)) scales.set(key, new ValueScale(valuesOf(name, chart), MOST[name]));
   return scales.get(key);
 }
 
-function valuesOf(name, place) {
+function valuesOf(name, chart) {
   const chosen = Array.from({ length: cells.length }, (_, cell) => wanted(cell));
   if (name === COUNT) return chosen.map((rows) => rows.length);
-  const rows = place === "map" ? chosen.map(representative).filter((row) => row !== null) : chosen.flat();
+  const rows = chart === "map" ? chosen.map(representative).filter((row) => row !== null) : chosen.flat();
   return rows.map((row) => orbits.numbers(name)[row]);
 }
 
@@ -113,14 +113,14 @@ function showSlice() {
 }
 
 function readOut(cell, spoken) {
-  const place = [state.across, state.up].filter((i) => i !== null).map((i) => `${grid.axes[i].symbol} = ${brief(grid.axes[i].values[grid.indices(cell)[i]], 6)}`);
+  const position = [state.across, state.up].filter((i) => i !== null).map((i) => `${grid.axes[i].symbol} = ${brief(grid.axes[i].values[grid.indices(cell)[i]], 6)}`);
   const rows = wanted(cell);
   const row = representative(rows);
   const measure = colours.find(({ name }) => name === state.colour);
   const kind = row === null ? "" : `${orbits.has("group") && orbits.entry("group", row) !== null ? `group ${orbits.entry("group", row)}, ` : ""}${stableColumn[row] ? "stable" : "unstable"}`;
   const value = row === null || !measure ? "" : `, ${measure.label} ${brief(orbits.numbers(state.colour)[row], 6)} ${measure.unit}`;
   const words = rows.length ? `${rows.length} ${rows.length === 1 ? "cycle" : "cycles"}; ${kind}${value}` : "no cycle";
-  byId("readout").textContent = `${place.join(", ")}: ${words}`;
+  byId("readout").textContent = `${position.join(", ")}: ${words}`;
   if (spoken) byId("spoken").textContent = byId("readout").textContent;
 }
 

@@ -22,9 +22,6 @@ from stridemap.views.notation import printed, rate_symbol, symbol, units
 NEEDED = ("section_state", "state_derivative", "impact_map", "swing_foot", "drawing")
 """Generated functions without which no walker can be shown."""
 
-SHOWN = ("centre_of_mass", "controller_torque", "ground_force", "zmp")
-"""Generated functions whose results are shown where the model has them."""
-
 _STAGES = len(DOP853.B)
 
 
@@ -73,11 +70,6 @@ def axes(model: Model, configuration: Mapping[str, Any]) -> list[Parameter]:
     return [parameter for parameter in model.parameters if parameter.name in configuration["grid"]]
 
 
-def functions(model: Model) -> list[str]:
-    """Return the names of the model's functions that the page calls."""
-    return [*NEEDED, *(name for name in SHOWN if name in model.spec.functions)]
-
-
 def _model(model: Model) -> dict[str, Any]:
     spec = model.spec
     return {
@@ -101,7 +93,7 @@ def _model(model: Model) -> dict[str, Any]:
         "units": units(spec.units),
         "masses": [asdict(mass) for mass in spec.masses],
         "lines": [asdict(line) for line in spec.lines],
-        "inputs": {name: list(spec.functions[name].arguments) for name in functions(model)},
+        "inputs": {name: list(function.arguments) for name, function in spec.functions.items()},
     }
 
 
@@ -110,7 +102,7 @@ def _section_symbol(name: str, coordinates: tuple[str, ...]) -> str:
 
 
 def _measures(model: Model, orbits: pd.DataFrame, hidden: set[str]) -> list[dict[str, str]]:
-    """Columns that are shown as measured quantities, in the registry's order and then those it lacks."""
+    """Columns that are shown as measured quantities: the registry's, then those of the model's own."""
     shown = [
         name
         for name in orbits
@@ -120,14 +112,9 @@ def _measures(model: Model, orbits: pd.DataFrame, hidden: set[str]) -> list[dict
         and not orbits[name].isna().all()
     ]
     unit = units(model.spec.units)
-    known = [quantity for name, quantity in QUANTITIES.items() if name in shown]
-    return [
-        {"name": q.name, "label": q.label, "unit": unit[q.kind], "meaning": q.definition} for q in known
-    ] + [
-        {"name": name, "label": name.replace("_", " "), "unit": "", "meaning": ""}
-        for name in shown
-        if name not in QUANTITIES
-    ]
+    quantities = {**QUANTITIES, **model.measured}
+    known = [quantity for name, quantity in quantities.items() if name in shown]
+    return [{"name": q.name, "label": q.label, "unit": unit[q.kind], "meaning": q.definition} for q in known]
 
 
 def _table(frame: pd.DataFrame) -> dict[str, Any]:

@@ -34,41 +34,41 @@ class CellScale {
     const n = this.values.length;
     const isLog = n > 2 && this.values[0] > 0 && !even(this.values) && even(this.values.map(Math.log));
     this.kind = n > 1 && even(this.values) ? "linear" : isLog ? "log" : "list";
-    this.places = { linear: this.values, log: this.values.map(Math.log), list: this.values.map((_, i) => i) }[this.kind];
-    const inner = this.places.slice(1).map((place, i) => (place + this.places[i]) / 2);
-    const half = n > 1 ? [inner[0] - this.places[0], this.places[n - 1] - inner[n - 2]] : [0.5, 0.5];
-    this.edges = [this.places[0] - half[0], ...inner, this.places[n - 1] + half[1]];
+    this.positions = { linear: this.values, log: this.values.map(Math.log), list: this.values.map((_, i) => i) }[this.kind];
+    const inner = this.positions.slice(1).map((position, i) => (position + this.positions[i]) / 2);
+    const half = n > 1 ? [inner[0] - this.positions[0], this.positions[n - 1] - inner[n - 2]] : [0.5, 0.5];
+    this.edges = [this.positions[0] - half[0], ...inner, this.positions[n - 1] + half[1]];
   }
 
-  toUnit(place) {
-    return (place - this.edges[0]) / (this.edges.at(-1) - this.edges[0]);
+  toUnit(position) {
+    return (position - this.edges[0]) / (this.edges.at(-1) - this.edges[0]);
   }
 
-  // The ends of a value's cell, and the place of the value.
+  // The ends of a value's cell, and the position of the value.
   span(index) {
     return [this.toUnit(this.edges[index]), this.toUnit(this.edges[index + 1])];
   }
 
-  place(index) {
-    return this.toUnit(this.places[index]);
+  position(index) {
+    return this.toUnit(this.positions[index]);
   }
 
   index(unit) {
-    const place = this.edges[0] + unit * (this.edges.at(-1) - this.edges[0]);
-    const at = this.edges.findIndex((edge) => edge > place);
+    const position = this.edges[0] + unit * (this.edges.at(-1) - this.edges[0]);
+    const at = this.edges.findIndex((edge) => edge > position);
     return Math.max(0, Math.min((at < 0 ? this.edges.length : at) - 1, this.values.length - 1));
   }
 
-  // Pairs of place and text.
+  // Pairs of position and text.
   ticks(count) {
     const [low, high] = [this.values[0], this.values.at(-1)];
     if (this.kind === "list" || this.values.length <= count) {
       const every = Math.ceil(this.values.length / count);
-      return this.values.flatMap((value, i) => (i % every ? [] : [[this.place(i), brief(value)]]));
+      return this.values.flatMap((value, i) => (i % every ? [] : [[this.position(i), brief(value)]]));
     }
     const chosen = this.kind === "linear" ? ticks(low, high, count) : logTicks(low, high);
-    const place = this.kind === "linear" ? (v) => v : Math.log;
-    return chosen.map((value) => [this.toUnit(place(value)), brief(value)]);
+    const position = this.kind === "linear" ? (v) => v : Math.log;
+    return chosen.map((value) => [this.toUnit(position(value)), brief(value)]);
   }
 }
 
@@ -80,9 +80,9 @@ const STOPS = [
 ];
 
 function colourAt(unit) {
-  const place = Math.max(0, Math.min(1, unit)) * (STOPS.length - 1);
-  const i = Math.min(Math.floor(place), STOPS.length - 2);
-  const mixed = STOPS[i].map((channel, c) => Math.round(channel + (place - i) * (STOPS[i + 1][c] - channel)));
+  const position = Math.max(0, Math.min(1, unit)) * (STOPS.length - 1);
+  const i = Math.min(Math.floor(position), STOPS.length - 2);
+  const mixed = STOPS[i].map((channel, c) => Math.round(channel + (position - i) * (STOPS[i + 1][c] - channel)));
   return `rgb(${mixed.join(" ")})`;
 }
 
@@ -98,7 +98,9 @@ class ValueScale {
     if (this.low < most) this.high = Math.min(this.high, most);
     [this.below, this.above] = [sorted[0] < this.low, sorted.at(-1) > this.high];
     this.log = this.low > 0 && this.high / this.low > 30;
-    if (!(this.high > this.low)) [this.low, this.high] = [this.low - 0.5, this.low + 0.5];
+    // Values that differ by rounding alone are one value.
+    const rounding = Math.max(1e-14, 1e-9 * Math.max(Math.abs(this.low), Math.abs(this.high)));
+    if (!(this.high - this.low > rounding)) [this.low, this.high, this.log] = [this.low - 0.5, this.low + 0.5, false];
   }
 
   unit(value) {

@@ -25,10 +25,10 @@ class Slice {
     this.draw();
   }
 
-  place(column, row, width, height) {
+  locate(column, row, width, height) {
     const value = orbits.numbers(this.measure.name)[row];
     const unit = this.scale.unit(value);
-    const x = INSET.left + this.columns.place(column) * (width - INSET.left - INSET.right);
+    const x = INSET.left + this.columns.position(column) * (width - INSET.left - INSET.right);
     const y = height - SLICE.bottom - Math.max(0, Math.min(1, unit)) * (height - SLICE.top - SLICE.bottom);
     return { x, y, beyond: unit > 1 ? 1 : unit < 0 ? -1 : 0, missing: Number.isNaN(value) };
   }
@@ -36,7 +36,7 @@ class Slice {
   near(event) {
     const { width, height, left, top } = this.canvas.getBoundingClientRect();
     const away = ([column, row]) => {
-      const { x, y, missing } = this.place(column, row, width, height);
+      const { x, y, missing } = this.locate(column, row, width, height);
       return missing ? Infinity : Math.hypot(event.clientX - left - x, event.clientY - top - y);
     };
     const best = this.rows.reduce((found, pair) => (found === null || away(pair) < away(found) ? pair : found), null);
@@ -63,7 +63,7 @@ class Slice {
       segment(pen, INSET.left, y(this.level), right, y(this.level));
     }
     this.axis(pen, right, bottom);
-    for (const [column, row] of this.rows) this.dot(pen, this.place(column, row, width, height), row);
+    for (const [column, row] of this.rows) this.dot(pen, this.locate(column, row, width, height), row);
   }
 
   axis(pen, right, bottom) {

@@ -71,20 +71,20 @@ class Stage {
     // The camera follows at the mean speed; the origin of the world is the present stance foot.
     const share = this.time / this.path.period - 0.5;
     const centre = [share * this.stride[0], share * this.stride[1]];
-    const place = ([x, y]) => [width / 2 + (x - centre[0]) * scale, height - 0.2 * this.size * scale - (y - centre[1]) * scale];
-    this.place = place;
-    this.ground(pen, place, width, scale);
-    this.measures(pen, place, scale);
-    this.walker(pen, place, scale);
+    const toPixels = ([x, y]) => [width / 2 + (x - centre[0]) * scale, height - 0.2 * this.size * scale - (y - centre[1]) * scale];
+    this.toPixels = toPixels;
+    this.ground(pen, toPixels, width, scale);
+    this.measures(pen, toPixels, scale);
+    this.walker(pen, toPixels, scale);
     this.lenses(pen, width, height, scale);
   }
 
   // The ground with strokes that stand still in the world, so that walking shows, and the footprints.
-  ground(pen, place, width, scale) {
+  ground(pen, toPixels, width, scale) {
     const [sx, sy] = this.stride;
     const length = Math.hypot(sx, sy) || 1;
     const along = sx > 0 ? [sx / length, sy / length] : [1, 0];
-    const at = (s, below = 0) => place([s * along[0] + below * along[1], s * along[1] - below * along[0]]);
+    const at = (s, below = 0) => toPixels([s * along[0] + below * along[1], s * along[1] - below * along[0]]);
     const reach = width / scale;
     pen.strokeStyle = styled("ink-soft");
     pen.lineWidth = 1.5;
@@ -100,7 +100,7 @@ class Stage {
     for (let i = -Math.ceil(reach / length); i <= 0; i++) disc(pen, at(i * length), 2.5);
   }
 
-  walker(pen, place, scale) {
+  walker(pen, toPixels, scale) {
     const { lines, positions, masses } = this.seen;
     pen.lineCap = "round";
     pen.lineJoin = "round";
@@ -111,15 +111,15 @@ class Stage {
         const [colour, width] = role === "spring" ? ["spring", 2] : role === "legs" && i > hip ? ["swing", 4] : ["ink", 5];
         pen.strokeStyle = styled(colour);
         pen.lineWidth = width;
-        if (role === "spring") coil(pen, place(points[i - 1]), place(points[i]));
-        else segment(pen, ...place(points[i - 1]), ...place(points[i]));
+        if (role === "spring") coil(pen, toPixels(points[i - 1]), toPixels(points[i]));
+        else segment(pen, ...toPixels(points[i - 1]), ...toPixels(points[i]));
       }
     }
     const heaviest = Math.max(...masses.map(Math.abs));
     positions.forEach((position, i) => {
       const radius = Math.max(3, 0.045 * this.size * scale * Math.sqrt(Math.abs(masses[i] / heaviest)));
       pen.fillStyle = styled(MASS_COLOURS[model.masses[i].role] ?? "ink");
-      disc(pen, place(position), radius);
+      disc(pen, toPixels(position), radius);
       pen.strokeStyle = styled("card");
       pen.lineWidth = 1.5;
       pen.stroke();
@@ -161,11 +161,11 @@ class Stage {
   }
 
   // Centre of mass, zero moment point with its distance from the foot, and ground force.
-  measures(pen, place, scale) {
+  measures(pen, toPixels, scale) {
     const { com, zmp, force } = this.seen;
-    const footAt = place([0, 0]);
+    const footAt = toPixels([0, 0]);
     if (zmp !== null) {
-      const point = place([zmp, 0]);
+      const point = toPixels([zmp, 0]);
       pen.strokeStyle = pen.fillStyle = styled("zmp");
       pen.lineWidth = 2;
       segment(pen, footAt[0], footAt[1] + 16, point[0], footAt[1] + 16);
@@ -173,20 +173,20 @@ class Stage {
       pen.lineWidth = 1;
       if (com !== null) {
         pen.setLineDash([2, 4]);
-        segment(pen, ...point, ...place(com));
+        segment(pen, ...point, ...toPixels(com));
         pen.setLineDash([]);
       }
       triangle(pen, [point[0], point[1] + 4], 8);
     }
     if (force !== null) {
-      const tip = place(force.map((f) => (0.5 * this.size * f) / this.usualForce));
+      const tip = toPixels(force.map((f) => (0.5 * this.size * f) / this.usualForce));
       pen.strokeStyle = pen.fillStyle = styled("force");
       pen.lineWidth = 3;
       arrow(pen, footAt, tip, 9);
     }
     if (com !== null) {
       pen.fillStyle = styled("card");
-      disc(pen, place(com), 5.5);
+      disc(pen, toPixels(com), 5.5);
       pen.strokeStyle = styled("zmp");
       pen.lineWidth = 2;
       pen.stroke();

@@ -16,7 +16,6 @@ from stridemap.solver.model.loading import load
 from stridemap.solver.model.model import Model
 from stridemap.sweeps.store import read_cells, read_orbits, read_provenance
 from stridemap.views.report import sections
-from stridemap.views.report.equations import equations
 from stridemap.views.report.payload import NEEDED, payload
 
 SCRIPTS = (
@@ -97,7 +96,7 @@ def write_report(
         provenance=sections.provenance(loaded, provenance),
         # A `<` could end the element that holds the data.
         data=json.dumps(data, separators=(",", ":"), allow_nan=False).replace("<", "\\u003c"),
-        equations=equations(loaded),
+        equations=loaded.text(f"{loaded.name}.js"),
     ).encode()
     if len(page) > LARGEST:
         raise InputError(

@@ -8,6 +8,7 @@ import math
 import os
 import shutil
 import subprocess
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -165,7 +166,7 @@ def test_help_lists_the_parameters_of_the_model_file(run, home):
 def test_a_walker_made_in_python(home, cache):
     walker = declared(home / "models" / "wheel.py")
     model = stridemap.derive_model(walker)
-    assert model.folder.is_relative_to(cache)
+    assert Path(model.files.shown).is_relative_to(cache)
     (orbit,) = stridemap.find_orbits(model, slope=0.25)
     assert orbit.state["dtheta"] == pytest.approx(closed_form(0.25)[0], abs=1e-12)
     motion = stridemap.motion(orbit)

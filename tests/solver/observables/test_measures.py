@@ -7,8 +7,10 @@ import pytest
 from scipy.integrate import quad
 from scipy.optimize import brentq, minimize_scalar
 
-from stridemap.solver.cycles.orbit import group_letter
-from stridemap.solver.model.loading import load
+from stridemap import units
+from stridemap.quantities import MEASURED, QUANTITIES, SOLVED
+from stridemap.solver.observables import measures
+from stridemap.solver.observables.measures import MEASURES, group_letter
 from stridemap.solver.walks.simulator import swing
 from tests.oracles.reference import POINTS, orbits_at, parameters, point_name, section_point
 
@@ -19,7 +21,7 @@ class Motion:
     """One step of an orbit as the simulator sees it, and functions of time along it."""
 
     def __init__(self, orbit):
-        self.orbit, self.model, self.p = orbit, load(orbit.model), parameters(orbit)
+        self.orbit, self.model, self.p = orbit, orbit.model, parameters(orbit)
         self.n = len(self.model.coordinates)
         self.swing = swing(self.model, self.p, section_point(orbit))
         self.t = np.linspace(0, self.swing.duration, SAMPLES)
@@ -41,6 +43,9 @@ class Motion:
     def friction(self, t):
         force = self.evaluate("ground_force", "force", t)
         return np.abs(force[..., 0] / force[..., 1])
+
+    def excursion(self, t):
+        return np.abs(self.swing(t)[..., self.model.coordinates.index("x")])
 
     def foot_height(self, t):
         return self.evaluate("swing_foot", "foot", t)[..., 1]
@@ -100,6 +105,27 @@ def test_work_agrees_with_quadrature(motions):
         assert m.orbit.work_net == pytest.approx(sum(pieces), abs=1e-8)
 
 
+def test_wobble_amplitude_agrees_with_the_simulator(motions):
+    for m in motions:
+        if "x" in m.model.coordinates:
+            largest = m.largest(m.excursion)
+            assert m.orbit.wobble_amplitude == pytest.approx(largest, abs=1e-9)
+            assert m.orbit.wobble_amplitude >= max(abs(m.orbit.state["x"]), m.excursion(m.t).max() - 1e-10)
+        else:
+            assert m.orbit.wobble_amplitude is None
+
+
+def test_touchdown_speed_agrees_with_the_simulators_path_of_the_foot(motions):
+    """By one-sided differences of the foot's position, up to where the simulator found the touchdown."""
+    for m in motions:
+        end, size = m.swing.duration, 1e-4
+        feet = [m.evaluate("swing_foot", "foot", end - i * size) for i in range(5)]
+        weights = np.array([25, -48, 36, -16, 3]) / (12 * size)  # of fourth order
+        velocity = sum(w * foot for w, foot in zip(weights, feet, strict=True))
+        assert m.orbit.touchdown_speed == pytest.approx(np.hypot(*velocity), rel=1e-6, abs=1e-7)
+        assert m.orbit.touchdown_speed > 0
+
+
 def test_length_speed_and_cost_follow_from_their_definitions(motions):
     for m in motions:
         length = m.evaluate("swing_foot", "foot", m.swing.duration)[0]
@@ -129,7 +155,7 @@ def test_energy_balances(motions):
 
 def test_groups_count_the_oscillations_of_the_spring(motions):
     for m in motions:
-        if m.orbit.model == "compass":
+        if m.model.name == "compass":
             assert m.orbit.group is None
         else:
             k, alpha = m.orbit.params["k"], m.orbit.params["alpha"]
@@ -142,6 +168,21 @@ def test_letters_go_on_after_z():
     assert letters == ["A", "B", "Z", "AA", "AB", "AZ", "BA", "ZZ", "AAA"]
 
 
+def test_every_quantity_has_one_function_and_a_kind():
+    assert list(MEASURES) != []
+    assert set(MEASURES) == set(MEASURED) == set(QUANTITIES) - set(SOLVED)
+    for name, function in MEASURES.items():
+        assert function.__name__ == name
+        assert getattr(measures, name) is function
+        assert function.__doc__
+    assert len(set(MEASURES.values())) == len(MEASURES)
+    kinds = getattr(units, "KINDS", None) or units.QUANTITIES
+    for quantity in QUANTITIES.values():
+        assert quantity.kind in kinds, quantity.name
+        assert quantity.label and quantity.definition.endswith("."), quantity.name
+        assert quantity.type in ("float", "int", "bool", "str")
+
+
 def test_the_orbits_checked_are_many_and_differ():
     orbits = [orbit for i in range(len(POINTS)) for orbit in orbits_at(i)]
     assert len(orbits) >= 24
@@ -149,3 +190,4 @@ def test_the_orbits_checked_are_many_and_differ():
     assert {"A", "B", "C"} <= {o.group for o in orbits}
     assert len({o.peaks for o in orbits}) >= 4
     assert min(o.min_vertical_force for o in orbits) < 0
+    assert len({o.wobble_amplitude for o in orbits}) >= 20

@@ -5,7 +5,7 @@ import pytest
 
 import stridemap
 from stridemap.errors import InputError
-from stridemap.solver.cycles.search import section_point
+from stridemap.solver.cycles.orbits import Orbits
 from stridemap.solver.observables.motion import motions
 
 POINTS = {"wobbling": {"k": 6.0, "alpha": 0.25, "omega": 3.0}, "compass": {"omega": 3.0}}
@@ -20,7 +20,7 @@ def test_states_are_those_of_another_integrator(orbit):
     from scipy.integrate import solve_ivp
 
     seen = stridemap.motion(orbit, 57)
-    model = stridemap.load(orbit.model)
+    model = orbit.model
     n, p = len(model.coordinates), model.point(orbit.params)
 
     def rate(t, y):
@@ -60,11 +60,10 @@ def test_the_centre_of_mass_is_that_of_the_masses(orbit):
 
 
 def test_many_are_what_each_is_alone():
-    orbits = stridemap.find_orbits("wobbling", k=6, alpha=0.25, omega=3)
-    orbits += stridemap.find_orbits("wobbling", k=45, alpha=0.25, omega=3)
     model = stridemap.load("wobbling")
-    params = np.array([model.point(o.params) for o in orbits])
-    together = motions(model, [section_point(o) for o in orbits], params, 21)
+    some = [stridemap.find_orbits(model, k=k, alpha=0.25, omega=3) for k in (6, 45)]
+    orbits = Orbits.concatenate(model, some)
+    together = motions(model, orbits.u, orbits.params, 21)
     for i, orbit in enumerate(orbits):
         alone = stridemap.motion(orbit, 21)
         assert np.array_equal(together.q[i], alone.q)
@@ -76,6 +75,6 @@ def test_refusals(orbit):
         stridemap.motion(orbit, 1)
     with pytest.raises(InputError, match="has no coordinate 'y'; its coordinates are theta1"):
         stridemap.motion(orbit, 2).coordinate("y")
-    failure = stridemap.Orbit("wobbling", orbit.params, stridemap.Status.NOT_CONVERGED)
+    failure = stridemap.Orbit(orbit.model, orbit.params, stridemap.Status.NOT_CONVERGED)
     with pytest.raises(InputError, match="its status is not_converged"):
         stridemap.motion(failure)

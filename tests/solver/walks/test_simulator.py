@@ -25,7 +25,7 @@ def test_reference_orbit_closes(entry):
     model, p = load(entry["model"]), load(entry["model"]).point(entry["params"])
     walked = walk(model, p, section_point(entry), 2)
     assert walked.outcome is Outcome.WALKED
-    assert (walked.model, walked.params) == (entry["model"], entry["params"])
+    assert (walked.model, dict(walked.params)) == (entry["model"], entry["params"])
     for step in walked.steps:
         assert step.period == pytest.approx(entry["period"], abs=1e-12)
         np.testing.assert_allclose(section_point(step), section_point(entry), rtol=0, atol=1e-12)

@@ -160,6 +160,19 @@ def test_text_stays_text_and_bytes_stay_the_same(tmp_path):
     assert "theta" in svg or "θ" in svg
 
 
+def test_the_command_draws_from_finished_sweeps(data, run, refused, tmp_path):
+    data.sweeps.run("compass")
+    words = ("figures", "--only", "profiles-compass", "--sweeps", data.sweeps.folder)
+    status, out, err = run(*words, "--out", tmp_path)
+    assert (status, err) == (0, "")  # nothing is swept again
+    assert out.splitlines() == [f"{tmp_path}/profiles-compass.{kind}" for kind in ("svg", "png")]
+    assert sorted(path.name for path in tmp_path.iterdir()) == [
+        "profiles-compass.png",
+        "profiles-compass.svg",
+    ]
+    refused([*words, "--out", tmp_path, "--set", "beta=0.2"], "output of another configuration", "beta")
+
+
 def test_refusals(run, tmp_path, monkeypatch):
     status, out, err = run("figures", "--only", "mapp", "--out", tmp_path)
     assert (status, out) == (2, "")

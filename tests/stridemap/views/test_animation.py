@@ -105,8 +105,8 @@ def test_names_do_not_matter_but_roles_do(orbits, monkeypatch):
 
 
 def test_choices(orbits):
-    assert choose(orbits) is choose(orbits, group="B") is min(orbits, key=lambda o: o.spectral_radius)
-    assert choose(orbits, cycle=1) is orbits[0]
+    assert choose(orbits) == choose(orbits, group="B") == min(orbits, key=lambda o: o.spectral_radius)
+    assert choose(orbits, cycle=1) == orbits[0]
     with pytest.raises(InputError, match="no limit cycle of group 'C' at this point; groups there: B"):
         choose(orbits, group="C")
     with pytest.raises(InputError, match="cycle = 3 is not allowed: 1 to 2"):

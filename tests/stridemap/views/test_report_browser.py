@@ -157,7 +157,7 @@ def test_motions_are_those_of_the_solver(report, open_page):
         for name in ("t", "q", "v", "com", "positions"):
             got = np.array([s[name] for s in one["seen"]])
             assert np.abs(got - getattr(seen, name)[i]).max() < growth, (i, name)
-        for name in ("d", "force", "torque") if model.manifest["actuated"] else ("d", "force"):
+        for name in ("d", "force", "torque") if model.actuated else ("d", "force"):
             got, wanted = np.array([s[name] for s in one["seen"]]), getattr(seen, name)[i]
             assert np.abs(got - wanted).max() < 100 * growth * max(1, np.abs(wanted).max()), (i, name)
         for name, line in seen.lines.items():
@@ -283,7 +283,7 @@ def test_the_walker_stands_where_the_solver_has_it(report, open_page):
     assert seen["t"] == pytest.approx(moved.t[0, 3], rel=1e-12)
     assert np.abs(np.array(seen["positions"]) - moved.positions[0, 3]).max() < 1e-10
     # The drawing: pixels lie as the positions do, at one scale.
-    placed = np.array(page.evaluate("stridemap.stage.seen.positions.map(stridemap.stage.place)"))
+    placed = np.array(page.evaluate("stridemap.stage.seen.positions.map(stridemap.stage.toPixels)"))
     span, drawn = moved.positions[0, 3] - moved.positions[0, 3, 0], placed - placed[0]
     scale = -drawn[2, 1] / span[2, 1]
     assert scale > 50

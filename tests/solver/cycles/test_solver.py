@@ -1,0 +1,120 @@
+"""Limit cycles from guesses: how each failure is reported, and when a touchdown is the first."""
+
+import math
+
+import numpy as np
+import pytest
+
+from stridemap.solver.api import find_orbits
+from stridemap.solver.cycles.search import continued
+from stridemap.solver.cycles.solver import Solver
+from stridemap.solver.cycles.status import Status
+from stridemap.solver.kernels.step_map import StepMap
+from stridemap.solver.model.loading import load
+from stridemap.solver.options import AcceptanceOptions
+from stridemap.solver.walks.simulator import Outcome, swing, walk
+from tests.oracles.reference import GUESSES, continue_one, parameters, section_point
+
+
+def test_every_status_has_a_guess_that_leads_to_it():
+    assert set(GUESSES) == set(Status)
+
+
+@pytest.mark.parametrize("status", Status)
+def test_guess_leads_to_its_status(status):
+    _, params, orbit = continue_one(*GUESSES[status])
+    assert orbit.status is status
+    assert list(orbit.params.values()) == params.tolist()
+    if status.found:
+        assert orbit.residual < 1e-11
+        assert (orbit.integration_error < 1e-9) == (status is Status.CONVERGED)
+    else:
+        assert math.isnan(orbit.period)
+        assert not orbit.stable
+        assert orbit.state == {}
+
+
+def test_solution_with_a_negative_period_is_not_taken():
+    solution = (-0.097164, -0.371414, -0.006991, -0.009462, 0.01325, -0.536338)
+    model, params, orbit = continue_one((6, 0.25, 3), solution)
+    closing = np.array(StepMap(model).residual(24)(solution, params))
+    assert np.abs(closing).max() < 1e-5  # it closes, backwards in time
+    assert orbit.status is Status.NOT_CONVERGED
+
+
+def test_simulator_confirms_that_the_touchdown_is_a_later_one():
+    point, guess = GUESSES[Status.LATER_TOUCHDOWN]
+    model = load("wobbling")
+    params = model.point(dict(zip(("k", "alpha", "omega"), point, strict=True)))
+    phase = swing(model, params, np.array(guess[:-1]))
+    assert phase.outcome is Outcome.WALKED
+    assert phase.duration < guess[-1] - 0.5
+
+
+@pytest.mark.parametrize(
+    ("point", "guess", "status"),
+    [
+        # The feet meet at mid-stance with the stance leg a hair before the vertical: no touchdown.
+        ((5.7, 0.89, 3.2), (0.10458, -0.01347, -0.00029, 0.00025, 0.12988, 2.97201), Status.CONVERGED),
+        # And a hair beyond it, rocking back: the first touchdown.
+        (
+            (4.799112957962385, 0.782076682068945, 3.330902093314011),
+            (0.105769, -0.027448, -0.000612, 0.000547, 0.133838, 2.862442),
+            Status.LATER_TOUCHDOWN,
+        ),
+    ],
+)
+def test_side_of_the_vertical_is_judged_where_the_feet_meet(point, guess, status):
+    model, params, orbit = continue_one(point, guess)
+    phase = swing(model, params, np.array(guess[:-1]))
+    assert (abs(phase.duration - guess[-1]) < 1e-2) == (status is Status.CONVERGED)
+    assert orbit.status is status
+
+
+@pytest.mark.filterwarnings("error")
+def test_wild_guesses_neither_warn_nor_fail():
+    model = load("wobbling")
+    rng = np.random.default_rng(3)
+    guesses = rng.uniform(-3, 3, (300, 6)) * 10.0 ** rng.integers(-2, 4, (300, 6))
+    guesses[:4] = [[np.nan] * 6, [np.inf] * 6, [0.0] * 6, [1e300] * 6]
+    orbits = continued(Solver.for_model(model), np.tile(model.point({}), (len(guesses), 1)), guesses)
+    assert len(orbits) == len(guesses)
+    assert set(orbits[:4].status) <= {Status.NOT_CONVERGED, Status.NOT_A_STEP}
+
+
+@pytest.mark.parametrize("omega", [1.5, 2.0])
+def test_stiff_spring_is_integrated_finely_enough(omega):
+    """k = 60 at alpha = 0.05: a dozen oscillations of the spring in a step."""
+    orbits = find_orbits("wobbling", {"k": 60.0, "alpha": 0.05, "omega": omega})
+    assert (orbits.period > 2).any()
+    for orbit in orbits:
+        assert orbit.status is Status.CONVERGED
+        assert orbit.integration_error < 1e-9
+        z = section_point(orbit)
+        (step,) = walk(load("wobbling"), parameters(orbit), z, 1).steps
+        # The closing error of the simulator is no larger than the error that the orbit admits.
+        assert np.abs(section_point(step) - z).max() < 2 * orbit.integration_error + 1e-10
+        assert step.period == pytest.approx(orbit.period, abs=1e-9)
+
+
+# -- what is accepted ------------------------------------------------------------------------------------
+
+
+def test_acceptance_decides_what_is_accurate():
+    """The cycle that stays above 1e-9 at the finest resolution is accurate where more is allowed."""
+    point, guess = GUESSES[Status.INACCURATE]
+    strict = continue_one(point, guess)[2]
+    assert strict.status is Status.INACCURATE
+    assert strict.integration_error > 1e-9
+    loose = AcceptanceOptions(max_integration_error=2 * strict.integration_error)
+    assert continue_one(point, guess, loose)[2].status is Status.CONVERGED
+
+
+def test_a_coarser_target_is_reached_with_fewer_rk_steps():
+    point, guess = GUESSES[Status.CONVERGED]
+    fine = continue_one(point, guess)[2]
+    coarse = continue_one(point, guess, AcceptanceOptions(target_integration_error=1e-9))[2]
+    assert coarse.status is fine.status is Status.CONVERGED
+    assert coarse.period == pytest.approx(fine.period, abs=1e-8)
+    tight = AcceptanceOptions(max_residual=1e-20)
+    assert continue_one(point, guess, tight)[2].status is Status.NOT_CONVERGED
