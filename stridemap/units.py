@@ -242,8 +242,8 @@ class Units:
     def measures(self, orbit: "Orbit") -> dict[str, float]:
         """What was measured on a limit cycle, in SI units: m, s, m/s, J, N; pure numbers as they are.
 
-        The keys are those of `MEASURE_KINDS` and the quantities that the model's file declares; what is NaN in
-        the orbit stays NaN.
+        The keys are those of `MEASURE_KINDS` and of what the model's file declares; what is NaN in the
+        orbit stays NaN.
         """
         kinds = {**MEASURE_KINDS, **{one.name: one.kind for one in orbit.model.spec.quantities}}
         return {

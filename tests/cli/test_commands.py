@@ -27,6 +27,7 @@ ORBIT_KEYS = (
 TWO = ["--k", "6", "--alpha", "0.25", "--omega", "3"]
 
 
+@pytest.mark.quick
 def test_the_keys_are_those_of_the_registry():
     assert ORBIT_KEYS == ["status", "state", "period", "multipliers", *MEASURED]
 
@@ -59,6 +60,7 @@ def test_the_command_and_the_module_are_the_same():
     assert len(orbits) == 2
 
 
+@pytest.mark.quick
 def test_json_of_a_point_with_two_cycles(run):
     found = printed(run("orbit", "--model", "wobbling", *TWO, "--json"))
     assert list(found) == ["model", "params", "orbits"]
@@ -81,6 +83,7 @@ def test_json_of_a_point_with_two_cycles(run):
     assert [first["stable"], second["stable"]] == [False, True]
 
 
+@pytest.mark.quick
 @pytest.mark.parametrize("entry", REFERENCE, ids=reference_name)
 def test_json_holds_the_reference_orbits(run, entry):
     words = [word for name, value in entry["params"].items() for word in ("--set", f"{name}={value!r}")]
@@ -120,6 +123,7 @@ def test_starts_is_the_number_of_starts(run):
     assert few == [orbit.to_dict() for orbit in wanted]
 
 
+@pytest.mark.quick
 def test_the_plain_table_tells_the_same(run):
     status, out, err = run("orbit", *TWO)
     assert (status, err) == (0, "")

@@ -16,6 +16,7 @@ KNOWN = "compass, goswami_compass, rimless_wheel, simplest_walker, wobbling"
 # -- parameters and options ----------------------------------------------------------------------------------
 
 
+@pytest.mark.quick
 @pytest.mark.parametrize(
     ("line", "words"),
     [
@@ -60,6 +61,7 @@ def test_parameters(refused, command, line, words):
     refused(f"{command} {line}", *words)
 
 
+@pytest.mark.quick
 @pytest.mark.parametrize(
     ("line", "words"),
     [
@@ -105,6 +107,7 @@ def test_an_enormous_value_is_no_crash(run, name):
 HEAD = 'model = "wobbling"\n'
 
 
+@pytest.mark.quick
 @pytest.mark.parametrize(
     ("text", "words"),
     [
@@ -177,6 +180,7 @@ def test_out_cannot_be_written(refused, done):
     assert content(done) == before
 
 
+@pytest.mark.quick
 @pytest.mark.parametrize("more", [[], ["--resume"]])
 def test_out_is_of_another_configuration(refused, done, more):
     (done / "other.toml").write_text(SMALL.replace("2.5", "2.6"))

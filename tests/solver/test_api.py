@@ -8,6 +8,8 @@ from stridemap.errors import InputError
 from stridemap.solver.options import AcceptanceOptions, SearchOptions
 from tests.oracles.reference import TWO_CYCLES
 
+pytestmark = pytest.mark.quick
+
 
 def test_parameters_as_a_mapping_as_keywords_or_both():
     wanted = list(stridemap.find_orbits("wobbling", TWO_CYCLES))

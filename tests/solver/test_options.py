@@ -14,6 +14,8 @@ from stridemap.solver.model.loading import load
 from stridemap.solver.options import AcceptanceOptions, ContinuationOptions, SearchOptions
 from stridemap.sweeps.config import parse_config
 
+pytestmark = pytest.mark.quick
+
 RECORDS = (SearchOptions, AcceptanceOptions, ContinuationOptions)
 
 

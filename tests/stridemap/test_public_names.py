@@ -78,6 +78,7 @@ def test_simulate_walks_the_stable_cycle():
     assert len(stridemap.simulate("wobbling", stable.state, **TWO_CYCLES).steps) == 10
 
 
+@pytest.mark.quick
 @pytest.mark.parametrize(
     ("arguments", "sentence"),
     [
@@ -106,6 +107,7 @@ def test_bad_arguments(function, arguments, sentence):
 STATE = {"theta1": 0.09, "dtheta1": -0.1, "dtheta2": 0.0}
 
 
+@pytest.mark.quick
 @pytest.mark.parametrize(
     ("state", "steps", "sentence"),
     [
@@ -175,6 +177,7 @@ def test_a_model_says_what_it_is():
 # -- the package ---------------------------------------------------------------------------------------------
 
 
+@pytest.mark.quick
 def test_public_names():
     assert dir(stridemap) == sorted(stridemap.__all__)
     assert {
@@ -224,6 +227,7 @@ def test_every_error_is_of_one_family():
     assert not issubclass(stridemap.CompilerError, stridemap.InputError)
 
 
+@pytest.mark.quick
 def test_is_physical_gait_takes_one_many_or_a_table():
     orbits = stridemap.find_orbits("wobbling", **TWO_CYCLES)
     one_by_one = [bool(stridemap.is_physical_gait(orbit)) for orbit in orbits]

@@ -17,6 +17,8 @@ from stridemap.solver.model.loading import load
 from stridemap.solver.options import AcceptanceOptions, ContinuationOptions
 from stridemap.sweeps.config import Range, canonical_json, load_config, parse_config
 
+pytestmark = pytest.mark.quick
+
 PAPER = Path(stridemap.sweeps.__file__).parent / "paper.toml"
 PRESET = {"beta": 0.15, "Kp": 10.0, "Kd": 0.6, "S": 0.18, "gamma": 0.18}
 DEFAULTS = {parameter.name: parameter.default for parameter in load("wobbling").parameters}

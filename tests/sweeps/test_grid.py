@@ -12,6 +12,8 @@ from stridemap.solver.model.loading import load
 from stridemap.sweeps.config import parse_config
 from stridemap.sweeps.grid import Grid, tiles
 
+pytestmark = pytest.mark.quick
+
 AXES = st.lists(
     st.lists(st.floats(-1e6, 1e6), min_size=1, max_size=5, unique=True).map(sorted), min_size=1, max_size=3
 )

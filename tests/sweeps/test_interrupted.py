@@ -90,6 +90,7 @@ def test_what_is_finished_stays_and_resume_does_the_rest(reference, tmp_path, mo
     assert summary.orbits == reference[1].orbits
 
 
+@pytest.mark.quick
 def test_resume_at_every_piece_gives_the_same_bytes(reference, tmp_path):
     """Stopped after one piece, again and again, from the first to the last."""
     turns = 0
@@ -112,6 +113,7 @@ def test_resume_at_every_piece_gives_the_same_bytes(reference, tmp_path):
     assert tables(tmp_path) == tables(reference[0])
 
 
+@pytest.mark.quick
 def test_resume_of_a_finished_sweep_computes_nothing(reference, tmp_path):
     shutil.copytree(reference[0], tmp_path, dirs_exist_ok=True)
     before, times = content(tmp_path), [path.stat().st_mtime_ns for path in tmp_path.iterdir()]

@@ -36,6 +36,7 @@ def test_damaged_parts_are_refused_and_kept(tmp_path):
         assert part.read_bytes() == whole[:size]
 
 
+@pytest.mark.quick
 def test_a_flipped_bit_in_the_data_is_noticed(tmp_path):
     store = Store.create(tmp_path, CONFIG, PROVENANCE)
     store.write_part(0, 0, {"cell": np.random.default_rng(0).integers(0, 2**60, 1000)})
@@ -47,6 +48,7 @@ def test_a_flipped_bit_in_the_data_is_noticed(tmp_path):
         store.read_part(0, 0)
 
 
+@pytest.mark.quick
 @pytest.mark.parametrize("step", ["os.fsync", "pathlib.Path.replace", "pyarrow.parquet.write_table"])
 def test_a_failure_while_writing_keeps_the_old_file(tmp_path, monkeypatch, step):
     store = Store.create(tmp_path, CONFIG, PROVENANCE)

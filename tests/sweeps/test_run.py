@@ -36,7 +36,7 @@ BASE = {"model": "wobbling", "grid": {"k": K, "alpha": ALPHA}}
 # -- the same bytes ------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("workers", [1, 2])
+@pytest.mark.parametrize("workers", [1, pytest.param(2, marks=pytest.mark.quick)])
 def test_any_number_of_processes_gives_the_same_bytes(reference, tmp_path, workers):
     summary = sweep(CONFIG, tmp_path / "out", workers=workers)
     assert tables(tmp_path / "out") == tables(reference[0])
@@ -50,6 +50,7 @@ def test_threads_give_the_same_bytes(reference, tmp_path):
     assert tables(tmp_path) == tables(reference[0])
 
 
+@pytest.mark.quick
 def test_any_order_of_completion_gives_the_same_bytes(reference, tmp_path, monkeypatch):
     monkeypatch.setattr(run, "as_completed", lambda futures: reversed(list(futures)))
     sweep(CONFIG, tmp_path, executor=Inline())
@@ -120,6 +121,7 @@ def test_every_orbit_of_a_point_is_a_row_of_its_cell(thorough):
     assert agreeing >= 6
 
 
+@pytest.mark.quick
 def test_the_reference_orbits_are_rows(thorough):
     rows = read_orbits(thorough)
     fixed = {**load("wobbling").preset, "alpha": 0.25}
@@ -135,6 +137,7 @@ def test_the_reference_orbits_are_rows(thorough):
             assert (differences < 1e-10).sum() == 1
 
 
+@pytest.mark.quick
 def test_few_starts_and_neighbours_find_the_same(reference, thorough):
     """Eight starts in half of the cells, and what neighbours hand on."""
     few, many = read_orbits(reference[0]), read_orbits(thorough)
@@ -145,6 +148,7 @@ def test_few_starts_and_neighbours_find_the_same(reference, thorough):
     assert len(few) >= 0.8 * len(many)
 
 
+@pytest.mark.quick
 def test_neighbours_hand_cycles_on_across_tiles(tmp_path):
     """Starts at both ends only, and a tile per cell."""
     grid = {"k": [22.0, 22.2, 22.4, 22.6, 22.8, 23.0]}
@@ -165,6 +169,7 @@ def test_rows_are_ordered_and_distinct(thorough):
         assert (apart > 1e-6).all()
 
 
+@pytest.mark.quick
 def test_cells_count_the_orbits_and_summary_adds_up(reference):
     folder, summary, _, _ = reference
     orbits, cells = read_orbits(folder), read_cells(folder)
@@ -183,6 +188,7 @@ def test_cells_count_the_orbits_and_summary_adds_up(reference):
     ) == wanted  # fmt: skip
 
 
+@pytest.mark.quick
 def test_cells_without_a_cycle_say_so(tmp_path):
     # The only cycles at k = 0.5 last 1.22, one at k = 6 lasts 1.18.
     search = {"starts": 64, "subgrid": 1, "period_min": 1.1, "period_max": 1.2}
@@ -229,6 +235,7 @@ def test_two_axes_far_apart_and_one_axis(tmp_path):
 # -- provenance ----------------------------------------------------------------------------------------------
 
 
+@pytest.mark.quick
 def test_both_tables_say_how_they_were_made(reference):
     folder = reference[0]
     found = read_provenance(folder)
@@ -259,6 +266,7 @@ def test_both_tables_say_how_they_were_made(reference):
 # -- progress ------------------------------------------------------------------------------------------------
 
 
+@pytest.mark.quick
 def test_progress_only_goes_on(reference):
     _, summary, seen, computed = reference
     order = [(p.round, p.done) for p in seen]
@@ -323,6 +331,7 @@ class Posted(Inline):
         return super().submit(fn, pickle.loads(self.sent[-1]))
 
 
+@pytest.mark.quick
 def test_a_task_carries_all_that_it_needs_and_no_path_of_the_sender(tmp_path):
     executor = Posted()
     sweep(COMPASS, tmp_path / "out", executor=executor)
@@ -360,6 +369,7 @@ def test_the_backend_is_an_argument_and_equal_arithmetic_gives_equal_numbers(tmp
     )
 
 
+@pytest.mark.quick
 def test_to_resume_with_another_arithmetic_is_refused(tmp_path):
     sweep(COMPASS, tmp_path, executor=Inline(), backend="scalar")
     before = content(tmp_path)
@@ -372,6 +382,7 @@ def test_to_resume_with_another_arithmetic_is_refused(tmp_path):
     assert content(tmp_path) == before
 
 
+@pytest.mark.quick
 def test_a_backend_that_cannot_be_had_there_is_an_error_and_no_failed_cell(tmp_path):
     """Else every cell would be a failure, in tables that look finished."""
     with pytest.raises(CompilerError, match="failed|cannot|no C compiler"):
@@ -390,6 +401,7 @@ class Elsewhere(Inline):
         return super().submit(fn, replace(task, backend=ScalarC(self.compiler)))
 
 
+@pytest.mark.quick
 @pytest.mark.parametrize(
     ("arguments", "sentence"),
     [

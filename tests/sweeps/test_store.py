@@ -81,6 +81,7 @@ def content(folder):
 # Tables
 
 
+@pytest.mark.quick
 def test_columns_bear_the_agreed_names():
     parameters = ["k", "alpha", "omega", "beta", "Kp", "Kd", "S", "gamma"]
     names = orbit_schema(MODEL).names
@@ -97,6 +98,7 @@ def test_columns_bear_the_agreed_names():
     assert [name for name in compass if name.startswith("multiplier_")][-1] == "multiplier_2_im"
 
 
+@pytest.mark.quick
 def test_a_row_holds_the_orbit():
     orbits = make_orbits()
     table = make_table()
@@ -111,6 +113,7 @@ def test_a_row_holds_the_orbit():
     assert row["period"] == orbit.period == 1.3
 
 
+@pytest.mark.quick
 def test_a_missing_value_is_refused_where_columns_must_be_full():
     orbits = make_orbits()
     peaks = np.array([3, 3, None, 3], dtype=object)
@@ -118,6 +121,7 @@ def test_a_missing_value_is_refused_where_columns_must_be_full():
         orbit_table(CELL, replace(orbits, measures={**orbits.measures, "peaks": peaks}))
 
 
+@pytest.mark.quick
 def test_cell_table_counts_orbits():
     cells = make_cells(make_table()).to_pydict()
     assert cells["cell"] == [0, 1, 2, 3, 4, 5]
@@ -132,6 +136,7 @@ def test_cell_table_counts_orbits():
 # Writing and reading
 
 
+@pytest.mark.quick
 def test_tables_come_back_as_written(tmp_path):
     finished(tmp_path / "out")
     assert sorted(os.listdir(tmp_path / "out")) == ["cells.parquet", "orbits.parquet"]
@@ -152,6 +157,7 @@ def test_tables_come_back_as_written(tmp_path):
     assert len(pd.read_parquet(tmp_path / "out" / "cells.parquet")) == 6
 
 
+@pytest.mark.quick
 def test_a_sweep_without_any_orbit(tmp_path):
     store = Store.create(tmp_path, CONFIG, PROVENANCE)
     none = NONE
@@ -161,6 +167,7 @@ def test_a_sweep_without_any_orbit(tmp_path):
     assert read_cells(tmp_path)["orbits"].sum() == 0
 
 
+@pytest.mark.quick
 def test_provenance_comes_back(tmp_path):
     found = read_provenance(finished(tmp_path))
     assert found["configuration_hash"] == CONFIG.config_hash
@@ -170,6 +177,7 @@ def test_provenance_comes_back(tmp_path):
     assert raw == canonical_json(found).encode()
 
 
+@pytest.mark.quick
 def test_bytes_do_not_depend_on_how_the_rows_came(tmp_path):
     finished(tmp_path / "a")
     order = np.random.default_rng(1).permutation(len(CELL))
@@ -181,6 +189,7 @@ def test_bytes_do_not_depend_on_how_the_rows_came(tmp_path):
     assert content(tmp_path / "a") == content(tmp_path / "b")
 
 
+@pytest.mark.quick
 def test_equal_periods_are_ordered_by_the_other_columns(tmp_path):
     two = make_orbits(np.array([0, 0]), (1.0, 1.0))
     two.u[1, 0] = 0.05
@@ -191,6 +200,7 @@ def test_equal_periods_are_ordered_by_the_other_columns(tmp_path):
     assert content(tmp_path / "a") == content(tmp_path / "b")
 
 
+@pytest.mark.quick
 def test_parts_are_tables_or_columns(tmp_path):
     store = Store.create(tmp_path, CONFIG, PROVENANCE)
     assert not store.has_part(0, 3)
@@ -204,6 +214,7 @@ def test_parts_are_tables_or_columns(tmp_path):
         store.read_part(1, 3)
 
 
+@pytest.mark.quick
 def test_resume_continues_and_knows_when_all_is_done(tmp_path):
     assert not Store.resume(tmp_path / "out", CONFIG, PROVENANCE).finished  # nothing there: the beginning
     Store.create(tmp_path / "out", CONFIG, PROVENANCE).write_part(0, 0, {"cell": [1]})
@@ -217,6 +228,7 @@ def test_resume_continues_and_knows_when_all_is_done(tmp_path):
     assert content(tmp_path / "out") == before
 
 
+@pytest.mark.quick
 def test_one_table_alone_is_not_finished(tmp_path):
     (finished(tmp_path) / "cells.parquet").unlink()
     assert not Store.resume(tmp_path, CONFIG, PROVENANCE).finished
@@ -224,6 +236,7 @@ def test_one_table_alone_is_not_finished(tmp_path):
         read_cells(tmp_path)
 
 
+@pytest.mark.quick
 def test_finish_keeps_what_is_not_ours_and_clears_what_is(tmp_path):
     store = Store.create(tmp_path, CONFIG, PROVENANCE)
     store.write_part(0, 0, {"cell": [1]})
@@ -237,6 +250,7 @@ def test_finish_keeps_what_is_not_ours_and_clears_what_is(tmp_path):
     assert Store.resume(tmp_path, CONFIG, PROVENANCE).finished
 
 
+@pytest.mark.quick
 def test_create_over_a_finished_sweep_keeps_it_until_the_new_one_is_done(tmp_path):
     finished(tmp_path)
     store = Store.create(tmp_path, CONFIG, {**PROVENANCE, "commit": "newer"})
@@ -266,6 +280,7 @@ def refused(action, folder, *names):
         assert content(folder) == before
 
 
+@pytest.mark.quick
 @pytest.mark.parametrize("begin", [Store.create, Store.resume])
 def test_output_of_another_configuration_is_refused(tmp_path, begin):
     out = finished(tmp_path / "out", OTHER)
@@ -279,6 +294,7 @@ def test_output_of_another_configuration_is_refused(tmp_path, begin):
     )
 
 
+@pytest.mark.quick
 def test_differences_in_shape_are_told(tmp_path):
     Store.create(tmp_path, CONFIG, PROVENANCE).write_part(0, 0, {"cell": [1]})
     fewer = parse_config({"model": "wobbling", "grid": {"k": [1.0], "omega": [2.0, 3.0]}})
@@ -289,6 +305,7 @@ def test_differences_in_shape_are_told(tmp_path):
     )
 
 
+@pytest.mark.quick
 def test_create_refuses_an_unfinished_sweep(tmp_path):
     Store.create(tmp_path, CONFIG, PROVENANCE).write_part(0, 0, {"cell": [1]})
     refused(
@@ -296,6 +313,7 @@ def test_create_refuses_an_unfinished_sweep(tmp_path):
     )
 
 
+@pytest.mark.quick
 @pytest.mark.parametrize("name", DECIDING)
 def test_resume_refuses_other_software(tmp_path, name):
     newer = {**PROVENANCE, name: "newer"}
@@ -309,6 +327,7 @@ def test_resume_refuses_other_software(tmp_path, name):
     refused(lambda: Store.resume(tmp_path / "b", CONFIG, bare), tmp_path / "b", told)
 
 
+@pytest.mark.quick
 def test_resume_says_which_version_differs(tmp_path):
     newer = {**PROVENANCE, "versions": {"numpy": "2.5.0"}}
     told = 'versions.numpy is "2.4.6" there, "2.5.0" here'
@@ -316,6 +335,7 @@ def test_resume_says_which_version_differs(tmp_path):
     refused(lambda: Store.resume(tmp_path, CONFIG, newer), tmp_path, told)
 
 
+@pytest.mark.quick
 def test_resume_accepts_another_commit_and_another_compiler(tmp_path):
     """They change no number: equations, versions, arithmetic, format and tiles decide."""
     other = {**PROVENANCE, "commit": "another", "compiler": "another 1.0", "host_is_never_in_it": True}
@@ -328,6 +348,7 @@ def test_resume_accepts_another_commit_and_another_compiler(tmp_path):
     assert Store.resume(finished(tmp_path / "b"), CONFIG, other).finished
 
 
+@pytest.mark.quick
 def test_a_part_of_other_software_is_not_read(tmp_path):
     older = Store.create(tmp_path, CONFIG, PROVENANCE)
     newer = Store.create(tmp_path, CONFIG, {**PROVENANCE, "model_hash": "cd34"})
@@ -335,6 +356,7 @@ def test_a_part_of_other_software_is_not_read(tmp_path):
     refused(lambda: newer.read_part(0, 0), tmp_path, 'model_hash is "ab12" there, "cd34" here')
 
 
+@pytest.mark.quick
 def test_a_file_where_the_folder_should_be(tmp_path):
     path = tmp_path / "file"
     path.write_text("mine")
@@ -343,6 +365,7 @@ def test_a_file_where_the_folder_should_be(tmp_path):
             refused(lambda f=folder, b=begin: b(f, CONFIG, PROVENANCE), tmp_path, str(folder), "cannot write")
 
 
+@pytest.mark.quick
 def test_a_folder_that_cannot_be_written(tmp_path, monkeypatch):
     monkeypatch.setattr(os, "access", lambda path, mode: False)  # root may write everything
     with pytest.raises(InputError, match=r"cannot write the sweep to .*no permission"):
@@ -386,6 +409,7 @@ def test_a_flipped_bit_is_refused_or_changes_nothing(tmp_path):
     assert refusals > (len(whole) - footer) / 6
 
 
+@pytest.mark.quick
 def test_foreign_parquet_files_are_refused(tmp_path):
     for name, metadata in itertools.product(
         ("orbits.parquet", "cells.parquet"),
@@ -399,12 +423,14 @@ def test_foreign_parquet_files_are_refused(tmp_path):
             refused(lambda o=out, b=begin: b(o, CONFIG, PROVENANCE), out, name, "not one that a sweep wrote")
 
 
+@pytest.mark.quick
 def test_a_renamed_file_is_refused(tmp_path):
     out = finished(tmp_path)
     (out / "orbits.parquet").rename(out / "cells.parquet")
     refused(lambda: read_cells(out), out, "cells.parquet", "under this name")
 
 
+@pytest.mark.quick
 def test_readers_say_what_is_missing(tmp_path):
     for reader in (read_orbits, read_cells, read_provenance):
         with pytest.raises(InputError, match=r"there is no \w+\.parquet in .*output folder of a sweep"):

@@ -26,6 +26,8 @@ from stridemap.derive.models import WALKERS
 from stridemap.derive.validate.section import validate_section_rates
 from stridemap.errors import InputError
 
+pytestmark = pytest.mark.quick
+
 COMPASS, WOBBLING = WALKERS["compass"], WALKERS["wobbling"]
 SIMPLEST, WHEEL = WALKERS["simplest_walker"], WALKERS["rimless_wheel"]
 THETA1, THETA2 = COMPASS.coordinates

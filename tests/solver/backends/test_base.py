@@ -10,6 +10,8 @@ from stridemap.solver.kernels import catalogue
 from stridemap.solver.kernels.step_map import StepMap
 from stridemap.solver.model.loading import load
 
+pytestmark = pytest.mark.quick
+
 
 def test_inputs_of_a_wrong_shape_are_refused():
     kernels = Interpreter().kernels(load("compass"))

@@ -21,6 +21,7 @@ BARE = load_kernels.__wrapped__  # without its cache: every call loads anew
 # -- what goes wrong -------------------------------------------------------------------------------------
 
 
+@pytest.mark.quick
 def test_cc_that_does_not_exist_is_named(monkeypatch, own_cache):
     monkeypatch.setenv("CC", "no-such-compiler -O2")
     with pytest.raises(InputError) as error:
@@ -28,6 +29,7 @@ def test_cc_that_does_not_exist_is_named(monkeypatch, own_cache):
     assert "CC names 'no-such-compiler -O2'" in one_sentence(error)
 
 
+@pytest.mark.quick
 def test_compiler_that_fails_is_named_with_what_it_said(tmp_path, monkeypatch, own_cache):
     monkeypatch.setenv("CC", script(tmp_path / "badcc", "echo 'it is Sunday' >&2\necho more >&2\nexit 1"))
     with pytest.raises(CompilerError) as error:
@@ -60,6 +62,7 @@ def test_cache_that_cannot_be_written_is_named(tmp_path, monkeypatch, below):
     assert in_the_way.read_text() == "not a folder"
 
 
+@pytest.mark.quick
 def test_edited_kernels_are_refused(tmp_path, monkeypatch, own_cache):
     folder = tmp_path / "compass"
     shutil.copytree(GENERATED / "compass", folder)
@@ -94,6 +97,7 @@ def test_second_load_does_not_compile_again(tmp_path, monkeypatch, own_cache):
     assert_same_bits(first.trace(48, u, p), second.trace(48, u, p))
 
 
+@pytest.mark.quick
 @needs_compiler
 def test_each_source_compiler_and_flags_have_a_library_of_their_own(tmp_path, own_cache):
     one, other = "double one(void) { return 1.0; }\n", "double one(void) { return 2.0; }\n"

@@ -96,7 +96,7 @@ def test_sines_of_no_number_and_beyond_any_walker_are_no_number(sines):
 # -- the same numbers ------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("name", ["wobbling", "compass"])
+@pytest.mark.parametrize("name", ["wobbling", pytest.param("compass", marks=pytest.mark.quick)])
 def test_lanes_agree_with_one_point_at_a_time(name):
     model = load(name)
     u, params = cases(model, 40)
@@ -113,7 +113,7 @@ def test_lanes_agree_with_one_point_at_a_time(name):
         np.testing.assert_allclose(b[0][closed], a[0][closed], rtol=0, atol=tolerance)
 
 
-@pytest.mark.parametrize("name", ["wobbling", "compass"])
+@pytest.mark.parametrize("name", ["wobbling", pytest.param("compass", marks=pytest.mark.quick)])
 def test_a_point_does_not_depend_on_those_beside_it(name):
     model = load(name)
     kernels = Lanes().kernels(model)

@@ -13,7 +13,7 @@ from tests.oracles.kernels import assert_same_bits, needs_compiler
 
 
 @needs_compiler
-@pytest.mark.parametrize("name", ["wobbling", "compass"])
+@pytest.mark.parametrize("name", ["wobbling", pytest.param("compass", marks=pytest.mark.quick)])
 @pytest.mark.parametrize(
     "kernel",
     [catalogue.search(SEARCH_N_RK[0]), catalogue.limit_cycle(CYCLE_N_RK[0]), catalogue.trace(48)],

@@ -20,6 +20,7 @@ from stridemap.solver.options import SearchOptions
 from tests.oracles.kernels import needs_compiler, script
 
 
+@pytest.mark.quick
 def test_names():
     assert {name: named_backend(name) for name in BACKENDS} == {
         "lanes": Lanes(), "scalar": ScalarC(), "interpreter": Interpreter(),
@@ -65,6 +66,7 @@ def test_backends_of_equal_arithmetic_find_the_same_orbits_to_the_last_bit():
         np.testing.assert_allclose(lanes.u, scalar.u, rtol=0, atol=1e-11)
 
 
+@pytest.mark.quick
 @needs_compiler
 def test_without_a_compiler_the_virtual_machine_runs_with_one_warning(no_compiler):
     model = load("compass")

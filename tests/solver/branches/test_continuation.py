@@ -52,6 +52,7 @@ def test_branch_reaches_a_cycle_of_the_target(name, start, target):
         assert np.abs(there - converged(model, end, q)).max(axis=1).min() < 1e-9
 
 
+@pytest.mark.quick
 def test_fold_leads_to_the_other_cycle_of_the_pair():
     """Both cycles of the reference file at one point: towards a softer spring they meet in a fold."""
     model = load("wobbling")

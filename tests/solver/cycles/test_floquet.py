@@ -47,6 +47,7 @@ def test_cycles_compared_are_stable_and_unstable():
     assert stable.count(False) >= 4
 
 
+@pytest.mark.quick
 def test_multipliers_are_ordered_and_survive_points_without_any():
     jacobian = np.full((2, 4, 4), np.nan)
     jacobian[0] = np.diag([-0.5 - 1, 0.0 - 1, 0.9 - 1, 2.0])
@@ -55,6 +56,7 @@ def test_multipliers_are_ordered_and_survive_points_without_any():
     assert np.isnan(values[1]).all()
 
 
+@pytest.mark.quick
 def test_period_follows_the_section_point():
     """Where h depends on z and P on T, the period that follows z enters the derivative."""
     jacobian = np.array([[[1.0, 0.0, 3.0], [0.0, 1.0, 0.0], [2.0, 0.0, 4.0]]])

@@ -16,6 +16,8 @@ from stridemap.solver.cycles.status import Status
 from stridemap.solver.model.loading import load
 from tests.oracles.reference import GUESSES, TWO_CYCLES, continue_one
 
+pytestmark = pytest.mark.quick
+
 
 def test_orbit_cannot_be_changed():
     orbit = find_orbits("wobbling", TWO_CYCLES)[0]

@@ -18,6 +18,8 @@ from stridemap.solver.model.loading import load
 from stridemap.sweeps.tables import orbit_schema
 from tests.oracles.reference import GUESSES, TYPICAL, parameters
 
+pytestmark = pytest.mark.quick
+
 
 @pytest.fixture(scope="module")
 def orbits():

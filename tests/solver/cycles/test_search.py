@@ -20,6 +20,8 @@ from tests.oracles.reference import (
     section_point,
 )
 
+pytestmark = pytest.mark.quick
+
 # -- what is found ---------------------------------------------------------------------------------------
 
 

@@ -16,10 +16,12 @@ from stridemap.solver.walks.simulator import Outcome, swing, walk
 from tests.oracles.reference import GUESSES, continue_one, parameters, section_point
 
 
+@pytest.mark.quick
 def test_every_status_has_a_guess_that_leads_to_it():
     assert set(GUESSES) == set(Status)
 
 
+@pytest.mark.quick
 @pytest.mark.parametrize("status", Status)
 def test_guess_leads_to_its_status(status):
     _, params, orbit = continue_one(*GUESSES[status])
@@ -34,6 +36,7 @@ def test_guess_leads_to_its_status(status):
         assert orbit.state == {}
 
 
+@pytest.mark.quick
 def test_solution_with_a_negative_period_is_not_taken():
     solution = (-0.097164, -0.371414, -0.006991, -0.009462, 0.01325, -0.536338)
     model, params, orbit = continue_one((6, 0.25, 3), solution)
@@ -42,6 +45,7 @@ def test_solution_with_a_negative_period_is_not_taken():
     assert orbit.status is Status.NOT_CONVERGED
 
 
+@pytest.mark.quick
 def test_simulator_confirms_that_the_touchdown_is_a_later_one():
     point, guess = GUESSES[Status.LATER_TOUCHDOWN]
     model = load("wobbling")
@@ -51,6 +55,7 @@ def test_simulator_confirms_that_the_touchdown_is_a_later_one():
     assert phase.duration < guess[-1] - 0.5
 
 
+@pytest.mark.quick
 @pytest.mark.parametrize(
     ("point", "guess", "status"),
     [
@@ -71,6 +76,7 @@ def test_side_of_the_vertical_is_judged_where_the_feet_meet(point, guess, status
     assert orbit.status is status
 
 
+@pytest.mark.quick
 @pytest.mark.filterwarnings("error")
 def test_wild_guesses_neither_warn_nor_fail():
     model = load("wobbling")
@@ -100,6 +106,7 @@ def test_stiff_spring_is_integrated_finely_enough(omega):
 # -- what is accepted ------------------------------------------------------------------------------------
 
 
+@pytest.mark.quick
 def test_acceptance_decides_what_is_accurate():
     """The cycle that stays above 1e-9 at the finest resolution is accurate where more is allowed."""
     point, guess = GUESSES[Status.INACCURATE]
@@ -110,6 +117,7 @@ def test_acceptance_decides_what_is_accurate():
     assert continue_one(point, guess, loose)[2].status is Status.CONVERGED
 
 
+@pytest.mark.quick
 def test_a_coarser_target_is_reached_with_fewer_rk_steps():
     point, guess = GUESSES[Status.CONVERGED]
     fine = continue_one(point, guess)[2]

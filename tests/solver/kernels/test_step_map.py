@@ -57,6 +57,7 @@ def test_integrator_converges_with_order_eight(name, params, period):
 # -- the flow and the impact -----------------------------------------------------------------------------
 
 
+@pytest.mark.quick
 @pytest.mark.parametrize("entry", REFERENCE, ids=reference_name)
 def test_residual_agrees_with_the_event_driven_simulator(entry):
     """At the simulator's own touchdown time the residual is its closing error."""

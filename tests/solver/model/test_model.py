@@ -36,6 +36,7 @@ def moved(tmp_path, name="compass"):
     return folder, load(folder)
 
 
+@pytest.mark.quick
 def test_a_loaded_model_stays_what_it_is():
     model = load("compass")
     assert load(model) is model is load("compass")
@@ -43,7 +44,7 @@ def test_a_loaded_model_stays_what_it_is():
     assert pickle.loads(pickle.dumps(model)) is model  # in the process that sent it
 
 
-@pytest.mark.parametrize("backend", ["lanes", "interpreter"])
+@pytest.mark.parametrize("backend", [pytest.param("lanes", marks=pytest.mark.quick), "interpreter"])
 def test_it_runs_in_a_fresh_process_when_its_folder_is_gone(tmp_path, backend):
     folder, model = moved(tmp_path)
     options = stridemap.SearchOptions(starts=16)
@@ -66,6 +67,7 @@ def test_only_what_running_needs_is_sent(tmp_path):
     assert len(pickle.dumps(model)) < whole / 3
 
 
+@pytest.mark.quick
 def test_a_changed_file_is_not_sent(tmp_path):
     folder, model = moved(tmp_path)
     with (folder / "compass_kernels.c").open("a") as file:

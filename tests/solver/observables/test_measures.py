@@ -12,7 +12,7 @@ from stridemap.quantities import MEASURED, QUANTITIES, SOLVED
 from stridemap.solver.observables import measures
 from stridemap.solver.observables.measures import MEASURES, group_letter
 from stridemap.solver.walks.simulator import swing
-from tests.oracles.reference import POINTS, orbits_at, parameters, point_name, section_point
+from tests.oracles.reference import LIFTING, POINTS, orbits_at, parameters, point_name, section_point
 
 SAMPLES = 6001
 
@@ -61,7 +61,15 @@ class Motion:
         return max(-inside.fun, values[best])
 
 
-@pytest.fixture(scope="module", params=range(len(POINTS)), ids=[point_name(p) for p in POINTS])
+QUICK = (0, 1, 2, POINTS.index(("wobbling", LIFTING)), len(POINTS) - 1)
+"""The typical points, one where the foot is pulled, and one of the compass walker."""
+
+
+@pytest.fixture(
+    scope="module",
+    params=[pytest.param(i, marks=[pytest.mark.quick] * (i in QUICK)) for i in range(len(POINTS))],
+    ids=[point_name(p) for p in POINTS],
+)
 def motions(request):
     """The orbits at a point, simulated."""
     return [Motion(orbit) for orbit in orbits_at(request.param)]
@@ -163,11 +171,13 @@ def test_groups_count_the_oscillations_of_the_spring(motions):
             assert m.orbit.group == "ABCDEFGHIJKLMNOP"[int(turns)]
 
 
+@pytest.mark.quick
 def test_letters_go_on_after_z():
     letters = [group_letter(i) for i in (0, 1, 25, 26, 27, 51, 52, 701, 702)]
     assert letters == ["A", "B", "Z", "AA", "AB", "AZ", "BA", "ZZ", "AAA"]
 
 
+@pytest.mark.quick
 def test_every_quantity_has_one_function_and_a_kind():
     assert list(MEASURES) != []
     assert set(MEASURES) == set(MEASURED) == set(QUANTITIES) - set(SOLVED)

@@ -32,6 +32,7 @@ def test_states_are_those_of_another_integrator(orbit):
     assert np.abs(path.y.T - np.concatenate([seen.q, seen.v], axis=1)).max() < 1e-10
 
 
+@pytest.mark.quick
 def test_it_begins_and_ends_with_a_touchdown(orbit):
     seen = stridemap.motion(orbit)
     assert seen.t[0] == 0.0
@@ -43,6 +44,7 @@ def test_it_begins_and_ends_with_a_touchdown(orbit):
     assert foot[-1, 0] == pytest.approx(orbit.step_length, abs=1e-11)  # closed to that
 
 
+@pytest.mark.quick
 def test_what_is_seen_agrees_with_the_measures(orbit):
     seen = stridemap.motion(orbit, 20_001)
     assert np.abs(seen.d).max() == pytest.approx(orbit.d_max, abs=1e-7)

@@ -20,6 +20,7 @@ def reference(index):
     return model, model.point(entry["params"]), section_point(entry), entry["period"]
 
 
+@pytest.mark.quick
 @pytest.mark.parametrize("entry", REFERENCE, ids=reference_name)
 def test_reference_orbit_closes(entry):
     model, p = load(entry["model"]), load(entry["model"]).point(entry["params"])
@@ -34,6 +35,7 @@ def test_reference_orbit_closes(entry):
         assert step.contact
 
 
+@pytest.mark.quick
 def test_touchdown_is_located_to_rounding():
     model, p, z, _ = reference(1)
     phase = swing(model, p, 1.02 * z)
@@ -84,6 +86,7 @@ def test_walk_is_its_steps_one_by_one():
         state = section_point(alone)
 
 
+@pytest.mark.quick
 @pytest.mark.parametrize(
     ("params", "state", "outcome"),
     [
