@@ -182,7 +182,7 @@ def words_of(*names):
 
 def test_the_page_of_python_names_is_the_list_of_public_names():
     _, text = words_of("api")
-    documented = re.findall(r"\.\. auto\w+:: ([\w.]+)", text)
+    documented = re.findall(r"\.\. (?:auto\w+|py:data):: ([\w.]+)", text)
     assert len(documented) == len(set(documented))
     top = {f"stridemap.{name}" for name in stridemap.__all__ if name != "__version__"}
     # What paper and views offer stands at the top level, or under the room's own name.
