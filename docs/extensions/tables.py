@@ -23,10 +23,10 @@ class Options(SphinxDirective):
         defaults = {one.name: one.default for one in fields(record)}
         rows = []
         for entry in ClassDoc(record)["Parameters"]:
-            for word in entry.name.split(", "):
-                rows.append(
-                    (nodes.literal("", word), text(" ".join(entry.desc)), text(shown(defaults.pop(word))))
-                )
+            names = entry.name.split(", ")
+            values = ", ".join(shown(defaults.pop(name)) for name in names)
+            code = text(", ".join(f"`{name}`" for name in names))
+            rows.append((code, text(" ".join(entry.desc)), text(values)))
         if defaults:
             raise self.error(f"{name} does not document {', '.join(defaults)}")
         return [table(("word", "meaning", "default"), rows)]
