@@ -205,7 +205,7 @@ def test_out_holds_damaged_or_foreign_files(refused, done, more, name, damage):
         whole = path.read_bytes()
         path.write_bytes({"truncated": whole[:-100], "empty": b"", "text": b"cell,period\n"}[damage])
     before = content(done)
-    said = "not one that a sweep wrote" if damage == "foreign" else "damaged or is no Parquet file"
+    said = "not one that a sweep wrote" if damage == "foreign" else "damaged or is not a Parquet file"
     refused(["sweep", done / "small.toml", "--out", done / "out", *more], path, said)
     assert content(done) == before
 

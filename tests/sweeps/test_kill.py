@@ -30,7 +30,7 @@ def test_damaged_parts_are_refused_and_kept(tmp_path):
         part.write_bytes(whole[:size])
         for action in (lambda: Store.resume(tmp_path, CONFIG, PROVENANCE), lambda: store.read_part(2, 7)):
             with pytest.raises(
-                InputError, match=r"round-000002-tile-000007\.parquet is damaged or is no Parquet"
+                InputError, match=r"round-000002-tile-000007\.parquet is damaged or is not a Parquet"
             ):
                 action()
         assert part.read_bytes() == whole[:size]

@@ -387,7 +387,7 @@ def test_damaged_tables_are_refused(tmp_path, name):
     for data in damaged(out / name):
         (out / name).write_bytes(data)
         for action in (lambda: Store.create(out, CONFIG, PROVENANCE), lambda: reader(out)):
-            refused(action, out, str(out / name), "damaged or is no Parquet file")
+            refused(action, out, str(out / name), "damaged or is not a Parquet file")
 
 
 def test_a_flipped_bit_is_refused_or_changes_nothing(tmp_path):

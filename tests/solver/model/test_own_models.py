@@ -238,7 +238,10 @@ def test_a_folder_as_the_model_of_a_sweep(run, home):
         ("assert False\n", ["line 1", "AssertionError"]),
         ("\x00", ["SyntaxError"]),
         (WHEEL.replace("1), hub, inertia", "2) * sp.Symbol('m'), hub, inertia"), ["symbol m", "Parameter("]),
-        (WHEEL.replace("relabel={theta: theta", "relabel={theta: 2 * theta"), ["no involution", "theta"]),
+        (
+            WHEEL.replace("relabel={theta: theta", "relabel={theta: 2 * theta"),
+            ["not its own inverse", "theta"],
+        ),
         (WHEEL.replace("    relabel={theta: theta - sp.pi / 3},\n", ""), ["TypeError", "'relabel'"]),
     ],
 )
