@@ -28,12 +28,13 @@ extensions = [
     "contents",
     "mathml",
     "quantities",
+    "tables",
 ]
 exclude_patterns = ["_build", "gallery/*.ipynb", "gallery/*.json", "gallery/*.py", "images/*.md"]
 # In docstrings a name between single backticks is a name of ours.
 default_role = "py:obj"
 
-myst_enable_extensions = ["colon_fence", "dollarmath"]
+myst_enable_extensions = ["colon_fence", "deflist", "dollarmath"]
 myst_heading_anchors = 3
 
 autodoc_member_order = "bysource"

@@ -67,10 +67,10 @@ ax.set_axis_off()
 # %%
 # The C
 # -----
-# Every function takes named vectors, unpacks them at the top, and has one line a term. A
+# Every function takes named vectors, unpacks them at the top, and has one line per term. A
 # comment names the equation that it is.
 
-source = model.path("wobbling.c").read_text()
+source = model.text("wobbling.c")
 start = source.index("/* Mass matrix")
 print(source[start : source.index("\n}\n", start) + 2])
 

@@ -90,8 +90,8 @@ int main(int argc, char **argv)
 # %%
 # Compile and run
 # ---------------
-# Two files to compile, ``-lm`` to link. ``model.folder`` is where ``wobbling.c`` and
-# ``wobbling.h`` are; copy them into your own project, they stand alone.
+# Two files to compile, ``-lm`` to link. ``model.text`` gives the text of a generated file;
+# copy ``wobbling.c`` and ``wobbling.h`` into your own project, they stand alone.
 
 model = stridemap.load("wobbling")
 orbit = next(o for o in stridemap.find_orbits("wobbling", k=6, alpha=0.25, omega=3) if o.stable)
@@ -102,8 +102,8 @@ numbers = [orbit.period, *orbit.params.values(), *orbit.state.values()]
 with tempfile.TemporaryDirectory() as scratch:
     folder = Path(scratch)
     (folder / "walk.c").write_text(PROGRAM)
-    shutil.copy(model.path("wobbling.c"), folder)
-    shutil.copy(model.path("wobbling.h"), folder)
+    for name in ("wobbling.c", "wobbling.h"):
+        (folder / name).write_text(model.text(name))
     flags = ["-std=c99", "-O2", "-Wall", "-Wextra", "-Werror"]
     command = [compiler, *flags, "walk.c", "wobbling.c", "-lm", "-o", "walk"]
     print("$", " ".join(command))

@@ -89,7 +89,7 @@ def test_is_my_spring_in_group_b(example):
     near = [orbit for orbit in stridemap.find_orbits("wobbling", **point) if orbit.group == "B"]
     assert sorted(orbit.stable for orbit in near) == [False, True]
     beyond = robot.parameters("wobbling", **(names["si"] | {"k": softest - 0.5}))
-    assert stridemap.find_orbits("wobbling", **beyond) == []
+    assert len(stridemap.find_orbits("wobbling", beyond)) == 0
     # A period doubling at the stiff edge: the gait goes on with a real multiplier below -1.
     point = robot.parameters("wobbling", **(names["si"] | {"k": stiffest + 5}))
     (orbit,) = [orbit for orbit in stridemap.find_orbits("wobbling", **point) if orbit.group == "B"]
