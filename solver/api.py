@@ -25,8 +25,8 @@ def find_orbits(
     model: str | Path | Model,
     params: Mapping[str, float] | None = None,
     *,
-    options: SearchOptions | None = None,
-    acceptance: AcceptanceOptions | None = None,
+    options: SearchOptions | Mapping[str, Any] | None = None,
+    acceptance: AcceptanceOptions | Mapping[str, Any] | None = None,
     backend: str | Backend | None = None,
     **keywords: float,
 ) -> Orbits:
@@ -39,8 +39,8 @@ def find_orbits(
         what `load` or `derive_model` returned.
     params : mapping of str to float, optional
         Parameters by name; what is not given comes from the preset.
-    options : SearchOptions, optional
-    acceptance : AcceptanceOptions, optional
+    options : SearchOptions or mapping, optional
+    acceptance : AcceptanceOptions or mapping, optional
     backend : str or Backend, optional
         What runs the kernels: "lanes", "scalar" or "interpreter"; by default the fastest that works here.
     **keywords : float
@@ -63,12 +63,15 @@ def find_orbits(
     [1.1545, 1.1837]
     """
     loaded = load(model)
-    solver = Solver.for_model(loaded, named_backend(backend), acceptance)
-    return find_all(solver, loaded.point(joined(params, keywords))[None, :], options)[1]
+    point = loaded.point(joined(params, keywords))
+    search = SearchOptions.from_mapping(options or {})
+    accepted = AcceptanceOptions.from_mapping(acceptance or {})
+    solver = Solver.for_model(loaded, named_backend(backend), accepted)
+    return find_all(solver, point[None, :], search)[1]
 
 
 def motion(orbit: Orbit, samples: int = 201) -> Motion:
-    """One limit cycle as a motion over one step, without a leading axis.
+    """One limit cycle as a motion over one step, whose arrays have no leading axis.
 
     Parameters
     ----------
@@ -117,8 +120,8 @@ def simulate(
     """
     loaded = load(model)
     point = loaded.point(joined(params, keywords))
-    if steps < 1:
-        raise InputError(f"steps = {steps} is not allowed: at least 1 step is needed")
+    if isinstance(steps, bool) or not isinstance(steps, int | np.integer) or steps < 1:
+        raise InputError(f"steps = {steps!r} is not allowed: a whole number of at least 1 is needed")
     if state is None:
         orbits = find_all(Solver.for_model(loaded), point[None, :])[1]
         if not len(orbits):

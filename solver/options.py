@@ -1,5 +1,6 @@
 """Options of what the solver does, as records that check themselves; the same words everywhere."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass, fields, replace
 from typing import TYPE_CHECKING, Any, Self
 
@@ -27,10 +28,14 @@ class Options:
         InputError
             For an unknown word, or a value that is not allowed.
         """
+        if isinstance(values, cls):
+            return values
+        if not isinstance(values, Mapping):
+            raise InputError(f"options must be a {cls.__name__} or a mapping of words, not {values!r}")
         known = [one.name for one in fields(cls)]  # type: ignore[arg-type]
         for name in values:
             if name not in known:
-                raise InputError(f"there is no option {name!r}; options are {', '.join(known)}")
+                raise InputError(f"unknown option {name!r}; the options are {', '.join(known)}")
         return cls(**values)
 
     def _check(self, name: str, allowed: bool, what: str) -> None:
@@ -41,9 +46,18 @@ class Options:
     def _check_number(self, name: str, low: float, high: float) -> None:
         """Refuse what is not a number between two ends, themselves excluded."""
         value = getattr(self, name)
-        number = isinstance(value, int | float) and not isinstance(value, bool)
-        self._check(name, number and low < value < high, f"a number between {low:g} and {high:g} is needed")
-        object.__setattr__(self, name, float(value))  # 2 and 2.0 are one value, and have one hash
+        needed = (
+            f"a number between {low:g} and {high:g} is needed"
+            if high < np.inf
+            else (f"a finite number above {low:g} is needed")
+        )
+        self._check(name, isinstance(value, int | float) and not isinstance(value, bool), needed)
+        try:
+            number = float(value)
+        except OverflowError:
+            number = np.inf
+        self._check(name, low < number < high, needed)
+        object.__setattr__(self, name, number)  # 2 and 2.0 are one value, and have one hash
 
 
 @dataclass(frozen=True)
@@ -127,8 +141,8 @@ class AcceptanceOptions(Options):
         Cycles are refined until the integration error is below it. It is lower than the limit, because near
         a fold the cycle amplifies the error.
     standing_angle : float
-        Stance angle at touchdown below which it is nothing but a walker standing still, which closes with
-        any period.
+        Stance angle at touchdown below which the solution is a walker standing still, which closes with any
+        period.
 
     Raises
     ------
@@ -155,8 +169,8 @@ class AcceptanceOptions(Options):
 class ContinuationOptions(Options):
     """Step control of pseudo-arclength continuation.
 
-    Lengths are measured in a space where 1 is the way between the two parameter points, or the half-width of
-    the search box.
+    Lengths are measured in a space where 1 is the distance between the two parameter points, or the
+    half-width of the search box.
 
     Parameters
     ----------

@@ -23,7 +23,8 @@ from stridemap.derive.models import WALKERS
 from stridemap.derive.walker import Walker
 from stridemap.errors import InputError
 from stridemap.solver.backends.compiler import cache_folder
-from stridemap.solver.model.files import MANIFEST, Folder
+from stridemap.solver.kernels.catalogue import c_source
+from stridemap.solver.model.files import MANIFEST, Folder, kernels_file
 from stridemap.solver.model.loading import load
 from stridemap.solver.model.model import Model
 from stridemap.spec import ModelSpec
@@ -31,9 +32,9 @@ from stridemap.spec import ModelSpec
 
 def generated_folder() -> Path:
     """Where the generated code of the built-in models lives."""
-    face = Path(str(files("stridemap")))
+    package = Path(str(files("stridemap")))
     # In a checkout the parts of the package lie side by side; installed, they lie inside it.
-    return face / "generated" if (face / "solver").is_dir() else face.parent / "generated"
+    return package / "generated" if (package / "solver").is_dir() else package.parent / "generated"
 
 
 def write_model(walker: Walker, folder: Path) -> list[Path]:
@@ -55,13 +56,11 @@ def write_model(walker: Walker, folder: Path) -> list[Path]:
     InputError
         When the folder cannot be written.
     """
-    from stridemap.solver.kernels.catalogue import c_source
-
     texts, spec = emit(walker, f"stridemap {version('stridemap')}")
     # The kernels are printed from the equations as written; a half-written folder is never seen.
     with tempfile.TemporaryDirectory() as scratch:
         _write(Path(scratch), texts, spec)
-        texts[f"{walker.name}_kernels.c"] = c_source(Model(Folder(Path(scratch)), walker.name))
+        texts[kernels_file(walker.name)] = c_source(Model(Folder(Path(scratch)), walker.name))
     try:
         folder.mkdir(parents=True, exist_ok=True)
         _write(folder, texts, spec)  # the manifest last: it names the others
@@ -213,8 +212,8 @@ def _own(walker: Walker) -> Walker:
     """
     if walker.name in WALKERS and walker != WALKERS[walker.name]:
         raise InputError(
-            f"model {walker.name}: a model that comes with stridemap has this name; choose another name for "
-            f"yours, such as my_{walker.name}"
+            f"model {walker.name}: this is the name of a built-in model; choose another name for yours, such "
+            f"as my_{walker.name}"
         )
     return walker
 
@@ -229,15 +228,19 @@ def _run(path: Path, shown: Path) -> ModuleType:
     before = set(sys.modules)
     sys.modules[name] = module  # dataclasses look there
     sys.path.insert(0, str(path.parent))
+    # From the source: after an edit within a second that keeps the size, old bytecode would be taken for new.
+    importlib.invalidate_caches()
+    kept, sys.dont_write_bytecode = sys.dont_write_bytecode, True
     try:
         with contextlib.redirect_stdout(sys.stderr):  # ours is for results
-            spec.loader.exec_module(module)
+            exec(compile(path.read_bytes(), str(path), "exec"), vars(module))
     except InputError:
         raise
     except (Exception, SystemExit) as error:
         where, said = _position(path, error)
         raise InputError(f"{shown}{where}: {type(error).__name__}: {said}") from error
     finally:
+        sys.dont_write_bytecode = kept
         sys.path.remove(str(path.parent))
         # What lies beside it is read anew the next time, and is not mistaken for another file's neighbour.
         for other in set(sys.modules) - before:
@@ -258,7 +261,9 @@ def _position(path: Path, error: BaseException) -> tuple[str, str]:
 def fingerprint(walker: Walker) -> str:
     """SHA-256 of everything that the generated code of a walker depends on."""
     versions = [f"{name} {version(name)}" for name in ("stridemap", "sympy", "casadi")]
-    sources = [p.read_bytes() for part in ("derive", "solver") for p in sorted(_part(part).rglob("*.py"))]
+    paths = [_part("") / name for name in ("codegen.py", "quantities.py", "spec.py", "words.py")]
+    paths += [path for part in (".derive", ".solver") for path in sorted(_part(part).rglob("*.py"))]
+    sources = [path.read_bytes() for path in paths]
     key = hashlib.sha256("\n".join([*versions, _described(walker)]).encode())
     for text in sources:
         key.update(hashlib.sha256(text).digest())
@@ -266,7 +271,7 @@ def fingerprint(walker: Walker) -> str:
 
 
 def _part(name: str) -> Path:
-    return Path(str(files(f"stridemap.{name}")))
+    return Path(str(files(f"stridemap{name}")))
 
 
 def _described(value: Any) -> str:

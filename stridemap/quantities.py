@@ -90,7 +90,7 @@ _ENTRIES = (
         "cot",
         "number",
         "cost of transport",
-        "Work, and what gravity supplies downhill, per weight and step length.",
+        "Work, plus the energy that gravity supplies downhill, per unit of weight and step length.",
     ),
     Quantity(
         "cot_per_speed",
@@ -141,7 +141,7 @@ _ENTRIES = (
         "touchdown_speed",
         "speed",
         "touchdown speed",
-        "Speed of the swing foot just before it strikes; of a rolling foot, that of the centre of its arc.",
+        "Speed of the swing foot just before touchdown; for a rolling foot, that of the centre of its arc.",
         differentiable=True,
     ),
     Quantity("residual", "number", "closing error", "Largest entry of the closing error."),

@@ -224,7 +224,7 @@ class Quantity:
     name : str
         The attribute of an orbit, the column of a table, the key in JSON.
     kind : str
-        What it is a quantity of: "length", "energy", "number", ...; a key of `stridemap.units.KINDS`.
+        What it is a quantity of: "length", "energy", "number", ...; a key of `stridemap.quantities.KINDS`.
     label : str
         A few words for axes and tables.
     definition : str
@@ -281,8 +281,8 @@ class ModelSpec:
         Coordinates of these roles, where the model has them.
     functions : dict of str to Function
     quantities : tuple of Quantity
-        What the model file declares to be measured beside the registry; their expressions over a step are the
-        outputs of the generated function ``quantities``.
+        What the model file declares to be measured in addition to the registry; their expressions over a step
+        are the outputs of the generated function ``quantities``.
     files : dict of str to str
         SHA-256 of every generated file.
     """

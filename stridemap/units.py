@@ -106,7 +106,7 @@ class Units:
         Raises
         ------
         InputError
-            As for `Units`, and for a `beta` that is negative or no finite number.
+            As for `Units`, and for a `beta` that is negative or not a finite number.
 
         Examples
         --------
@@ -199,7 +199,7 @@ class Units:
     def parameters(
         self, model: Any, params: Mapping[str, float] | None = None, **keywords: float
     ) -> dict[str, float]:
-        """Parameters of a model from SI units, ready for `find_orbits` and its fellows.
+        """Parameters of a model from SI units, ready for `find_orbits` and the other functions.
 
         Parameters
         ----------
@@ -243,11 +243,23 @@ class Units:
         """What was measured on a limit cycle, in SI units: m, s, m/s, J, N; pure numbers as they are.
 
         The keys are those of `MEASURE_KINDS` and of what the model's file declares; what is NaN in the
-        orbit stays NaN.
+        orbit stays NaN. A model that is written in kilograms, metres and seconds is in SI units already.
+
+        Raises
+        ------
+        InputError
+            When the model is written in units of another kind.
         """
+        names = orbit.model.spec.units
+        in_si = (names.mass, names.length, names.time) == ("kg", "m", "s")
+        if not in_si and names.time != "sqrt(L/g)":
+            raise InputError(
+                f"{orbit.model.name} is written in units of {names.mass}, {names.length} and {names.time}, which "
+                "have nothing to do with a robot's size; convert them by hand"
+            )
         kinds = {**MEASURE_KINDS, **{one.name: one.kind for one in orbit.model.spec.quantities}}
         return {
-            name: getattr(orbit, name) * self.unit(kind)
+            name: getattr(orbit, name) * (1.0 if in_si else self.unit(kind))
             for name, kind in kinds.items()
             if getattr(orbit, name) is not None
         }

@@ -22,7 +22,13 @@ from pydantic import BaseModel, ConfigDict, Field, PrivateAttr, ValidationError,
 from stridemap.errors import InputError
 from stridemap.solver.model.loading import available, load
 from stridemap.solver.model.model import Model
-from stridemap.solver.options import AcceptanceOptions, ContinuationOptions, Options, SearchOptions
+from stridemap.solver.options import (
+    STARTS_MAX,
+    AcceptanceOptions,
+    ContinuationOptions,
+    Options,
+    SearchOptions,
+)
 from stridemap.spec import Parameter
 
 MAX_COUNT = 1_000_000_000
@@ -95,7 +101,7 @@ class Search(BaseModel):
 
     model_config = _STRICT
 
-    starts: int = Field(64, ge=1, le=MAX_COUNT, description=f"a whole number from 1 to {MAX_COUNT:,}")
+    starts: int = Field(64, ge=1, le=STARTS_MAX, description=f"a whole number from 1 to {STARTS_MAX:,}")
     seed: int = Field(0, ge=0, lt=2**32, description="a whole number from 0 to 4,294,967,295")
     subgrid: Annotated[int, Field(ge=1)] | dict[str, Annotated[int, Field(ge=1)]] = Field(
         1, description="a whole number of at least 1, or a table of such numbers for grid parameters"
@@ -142,7 +148,7 @@ class SweepConfig(BaseModel):
         Every parameter held fixed, the preset's included, in the model's order.
     grid : dict of str to tuple of float
         The values of every parameter varied, ascending and without duplicates, in the model's order of
-        parameters: a file's order of keys and of values numbers no cells.
+        parameters: the order of keys and values in a file does not affect how cells are numbered.
     search : Search
         Settings of the search for limit cycles.
     acceptance : AcceptanceOptions
@@ -433,5 +439,5 @@ def _show(value: Any) -> str:
     try:
         text = repr(value)
     except ValueError:  # Python prints no integer of more than 4,300 digits
-        return "an enormous integer"
+        return "an integer of more than 4,300 digits"
     return text if len(text) <= 60 else f"{text[:57]}..."

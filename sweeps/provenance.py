@@ -11,7 +11,7 @@ from stridemap.sweeps.tables import FORMAT
 
 PACKAGES = ("stridemap", "numpy", "scipy", "casadi", "pyarrow")
 
-DECIDING = ("format", "model_hash", "versions", "arithmetic", "tile_cells")
+DECIDING = ("format", "measures", "model_hash", "versions", "arithmetic", "tile_cells")
 """Entries on which the numbers depend. A sweep is continued only where they are the same; the commit and the
 compiler's name are for readers."""
 
@@ -31,6 +31,7 @@ def provenance(kernels: Kernels) -> dict[str, Any]:
     model = kernels.model
     return {
         "format": FORMAT,
+        "measures": list(model.measured),
         "model": model.name,
         "model_hash": model.hash,
         "versions": {"python": platform.python_version(), **{name: version(name) for name in PACKAGES}},
@@ -44,12 +45,13 @@ def _commit() -> str | None:
     """The checkout's commit, with a mark where there are changes on top of it."""
     git = ["git", "-C", str(GENERATED)]
     describe = [*git, "describe", "--always", "--dirty", "--abbrev=40", "--exclude=*"]
+    # A package installed below somebody else's checkout is not of that checkout.
+    tracked = [*git, "ls-files", "--error-unmatch", "compass/manifest.json"]
     try:
-        run = subprocess.run(describe, capture_output=True, text=True, check=False, timeout=10)
+        runs = [
+            subprocess.run(words, capture_output=True, text=True, check=False, timeout=10)
+            for words in (tracked, describe)
+        ]
     except (OSError, subprocess.TimeoutExpired):
         return None
-    # A package installed below somebody else's checkout is not of that checkout.
-    tracked = subprocess.run(
-        [*git, "ls-files", "--error-unmatch", "compass/manifest.json"], capture_output=True, check=False
-    )
-    return run.stdout.strip() or None if tracked.returncode == 0 else None
+    return runs[1].stdout.strip() or None if runs[0].returncode == 0 else None

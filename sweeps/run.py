@@ -317,7 +317,8 @@ class _Run:
         lower, upper = self.options.period_range
         return (
             "empty",
-            f"no start and no neighbour's cycle led to a limit cycle with {lower:g} < period <= {upper:g}",
+            f"no limit cycle with {lower:g} < period <= {upper:g} was found, from the starts or from "
+            "neighbouring cells",
         )
 
     def summary_of_finished(self) -> Summary:

@@ -163,7 +163,7 @@ class Store:
         if found["configuration_hash"] != self.provenance["configuration_hash"]:
             difference = _difference(found["configuration"], self.provenance["configuration"])
             raise InputError(
-                f"{path} is output of another configuration ({difference}); give another folder, or the "
+                f"{path} is the output of another configuration ({difference}); give another folder, or the "
                 "configuration it was begun with"
             )
         found, own = ({name: one.get(name) for name in DECIDING} for one in (found, self.provenance))

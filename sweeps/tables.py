@@ -16,7 +16,7 @@ from stridemap.solver.model.model import Model
 from stridemap.words import multiplier_columns
 
 FORMAT = 2
-"""Of the tables: it rises when columns change."""
+"""Of the tables: it rises when columns change, other than those of measured quantities."""
 
 _TYPES = {"float": pa.float64(), "int": pa.int64(), "bool": pa.bool_(), "str": pa.string()}
 

@@ -26,6 +26,7 @@ from stridemap.derive.validate.refusal import refuse
 from stridemap.derive.validate.reserved import FILES, better, in_code, meaning
 from stridemap.quantities import KINDS
 from stridemap.spec import REDUCTIONS
+from stridemap.words import ATTRIBUTES
 
 BREAKING = ("*/", "/*", '"""', "\\")
 """What ends or bends comments."""
@@ -115,7 +116,7 @@ def _names(walker: Declaration) -> None:
     kinds += [("quantity", one.name) for one in walker.quantities]
     kinds += [("potential", f"v_{name}") for name in walker.potentials]
     if "gravity" in walker.potentials:
-        refuse(walker, "the potential gravity is there already, from the bodies' masses; leave it out")
+        refuse(walker, "the potential gravity is added automatically, from the bodies' masses; leave it out")
     seen: dict[str, str] = {}
     for kind, name in kinds:
         if not isinstance(name, str) or not name.isidentifier() or not name.isascii() or name.startswith("_"):
@@ -145,6 +146,10 @@ def _refuse_taken(walker: Declaration, kind: str, name: str) -> None:
             refuse(walker, f"it has {taken}; choose another name for the model, such as {name}_walker")
         return
     taken = meaning(name)
+    if kind == "quantity" and name in ATTRIBUTES:
+        taken = "the name of an attribute that every limit cycle has"
+    if kind == "line" and name in ("positions", "masses"):
+        taken = "the name of another part of the drawing"
     if taken is None:
         return
     if kind == "rate of a coordinate":

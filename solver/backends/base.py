@@ -19,6 +19,10 @@ from stridemap.solver.model.model import Model
 Array = NDArray[np.float64]
 
 
+ONE_POINT = "one point at a time, without contraction, sines of the C library"
+"""Arithmetic of C for one point at a time, and of CasADi's virtual machine: the same operations in order."""
+
+
 class Searched(NamedTuple):
     """Of Newton's method from rough guesses: solutions, shape (n, nz + 1), and the residuals there."""
 

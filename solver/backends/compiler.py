@@ -65,7 +65,7 @@ class Compiler:
 
     @property
     def version(self) -> str:
-        """First line of what it says of itself."""
+        """First line of its ``--version`` output."""
         return version(shlex.split(self.command)[0])
 
     def library(self, name: str, text: str, flags: Sequence[str]) -> ctypes.CDLL:
@@ -90,7 +90,7 @@ class Compiler:
         except OSError as error:
             built.unlink(missing_ok=True)
             raise CompilerError(
-                f"the C compiler {self.command!r} wrote no library that can be loaded ({error}); "
+                f"the C compiler {self.command!r} did not write a library that can be loaded ({error}); "
                 "set CC to one that works"
             ) from None
 
@@ -196,7 +196,7 @@ def compile_shared(name: str, text: str, compiler: str, flags: Sequence[str] = F
                 [*command, str(source), "-o", str(built), "-lm"], capture_output=True, text=True, check=False
             )
             if run.returncode or not built.exists():
-                said = (run.stderr.strip() or run.stdout.strip() or "it said nothing").splitlines()[0]
+                said = (run.stderr.strip() or run.stdout.strip() or "without a message").splitlines()[0]
                 raise CompilerError(
                     f"the C compiler {compiler!r} failed on {name} ({said}); set CC to one that works"
                 )

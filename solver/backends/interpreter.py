@@ -6,8 +6,7 @@ import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
-from stridemap.solver.backends.base import Backend, Kernels
-from stridemap.solver.backends.scalar import ONE_POINT
+from stridemap.solver.backends.base import ONE_POINT, Backend, Kernels
 from stridemap.solver.kernels.catalogue import Kernel
 from stridemap.solver.model.model import Model
 

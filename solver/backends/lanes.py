@@ -17,7 +17,8 @@ from numpy.typing import NDArray
 from stridemap.solver.backends.base import Backend, Kernels
 from stridemap.solver.backends.compiler import Compiler, processor_features
 from stridemap.solver.backends.shared_library import check, pointers, sizes
-from stridemap.solver.kernels.catalogue import BRANCH_FREE, NEWTON, Kernel, Newton, jacobian, residual
+from stridemap.solver.kernels.catalogue import BRANCH_FREE, NEWTON, Kernel, Newton, c_name, jacobian, residual
+from stridemap.solver.model.files import kernels_file
 from stridemap.solver.model.model import Model
 
 Array = NDArray[np.float64]
@@ -63,8 +64,8 @@ def source(model: Model) -> str:
     """
     here = Path(__file__).parent
     lanes, driver = ((here / name).read_text(encoding="utf-8") for name in ("lanes.h", "lockstep.h"))
-    kernels = model.text(f"{model.name}_kernels.c")
-    shown = "".join(f"KERNEL({model.name}_{kernel.name})\n" for kernel in BRANCH_FREE)
+    kernels = model.text(kernels_file(model.name))
+    shown = "".join(f"KERNEL({c_name(model, kernel)})\n" for kernel in BRANCH_FREE)
     # What is not shown is not compiled.
     return (
         f"{lanes}\n#define casadi_real Lanes\n#define CASADI_SYMBOL_EXPORT\n"
@@ -86,6 +87,10 @@ class Lanes(Backend):
 
     compiler: str | None = None
     instructions: tuple[str, ...] | None = None
+
+    def __post_init__(self) -> None:
+        if self.instructions is not None:
+            object.__setattr__(self, "instructions", tuple(self.instructions))
 
     @property
     def arithmetic(self) -> str:
@@ -149,5 +154,5 @@ class LaneKernels(Kernels):
 
     def _shown(self, kernel: Kernel) -> ctypes.c_void_p:
         """Address of a kernel in the library."""
-        shown = ctypes.c_char.in_dll(self._library, f"lockstep_{self.model.name}_{kernel.name}")
+        shown = ctypes.c_char.in_dll(self._library, f"lockstep_{c_name(self.model, kernel)}")
         return ctypes.c_void_p(ctypes.addressof(shown))

@@ -7,15 +7,14 @@ import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
-from stridemap.solver.backends.base import Backend, Kernels
+from stridemap.solver.backends.base import ONE_POINT, Backend, Kernels
 from stridemap.solver.backends.compiler import FLAGS, Compiler
 from stridemap.solver.backends.shared_library import check, pointers, sizes
 from stridemap.solver.kernels.catalogue import Kernel
+from stridemap.solver.model.files import kernels_file
 from stridemap.solver.model.model import Model
 
 Array = NDArray[np.float64]
-
-ONE_POINT = "one point at a time, without contraction, sines of the C library"
 
 
 @dataclass(frozen=True)
@@ -52,7 +51,7 @@ class ScalarKernels(Kernels):
     def __init__(self, model: Model, backend: ScalarC) -> None:
         super().__init__(model, backend)
         self._compiler = Compiler.named(backend.compiler)
-        name = f"{model.name}_kernels.c"
+        name = kernels_file(model.name)
         self._library = self._compiler.library(name, model.text(name), FLAGS)
         self._work = {f.name(): (ctypes.c_longlong * 4)(*self._work_size(f)) for f in self.functions.values()}
 

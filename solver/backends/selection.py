@@ -25,8 +25,8 @@ def named_backend(backend: str | Backend | None) -> Backend | None:
     """
     if backend is None or isinstance(backend, Backend):
         return backend
-    if backend not in BACKENDS:
-        raise InputError(f"there is no backend {backend!r}; backends are {', '.join(BACKENDS)}")
+    if not isinstance(backend, str) or backend not in BACKENDS:
+        raise InputError(f"unknown backend {backend!r}; choose one of {', '.join(BACKENDS)}")
     return BACKENDS[backend]
 
 

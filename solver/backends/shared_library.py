@@ -31,6 +31,6 @@ def check(status: int, kernel: Kernel) -> None:
         When the kernel broke down.
     """
     if status == 1:
-        raise MemoryError(f"no memory for the work space of kernel {kernel.name}")
+        raise MemoryError(f"not enough memory for kernel {kernel.name}")
     if status:
         raise RuntimeError(f"kernel {kernel.name} broke down")

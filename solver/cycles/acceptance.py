@@ -7,8 +7,8 @@ from numpy.typing import NDArray
 
 from stridemap.solver.backends.base import Kernels
 from stridemap.solver.cycles import floquet
-from stridemap.solver.cycles.orbits import Orbits, column, unmeasured
-from stridemap.solver.cycles.status import CODES, Status
+from stridemap.solver.cycles.orbits import Orbits, column
+from stridemap.solver.cycles.status import CODES, FOUND, Status
 from stridemap.solver.observables.events import Trace
 from stridemap.solver.observables.measures import Cycles, measured
 from stridemap.solver.observables.reductions import earlier_touchdown
@@ -86,15 +86,14 @@ class Candidates:
         codes = np.full(m, Status.NOT_CONVERGED.code)
         codes[self.closed] = self._verdict(period_range)
         multipliers = np.full((m, nz), np.nan + 0j)
-        measures = {name: unmeasured(quantity, m) for name, quantity in model.measured.items()}
-        orbits = Orbits(model, self.params, self.u, codes, self.jacobian, multipliers, measures)
-        found = np.flatnonzero(orbits.found)
+        found = np.flatnonzero(np.isin(codes, FOUND))
         cycles = self.take(found)._cycles()
         multipliers[found] = cycles.multipliers
-        for name, values in measured(cycles).items():
-            measures[name][found] = column(model.measured[name], values, len(found))
+        measures = {
+            name: column(model.measured[name], values, m, found) for name, values in measured(cycles).items()
+        }
         measures["residual"][:] = self.residual
-        return orbits
+        return Orbits(model, self.params, self.u, codes, self.jacobian, multipliers, measures)
 
     def _verdict(self, period_range: tuple[float, float]) -> Index:
         """Codes of the statuses of the points that closed."""

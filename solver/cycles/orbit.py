@@ -1,9 +1,12 @@
 """One limit cycle as a value."""
 
+import html
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, NoReturn
+
+import numpy as np
 
 from stridemap.errors import InputError
 from stridemap.services import service
@@ -75,29 +78,49 @@ class Orbit:
         return sorted({*super().__dir__(), *self.measures})
 
     def __repr__(self) -> str:
+        return f"<{self.model.name}: {self.summary}>"
+
+    @property
+    def summary(self) -> str:
+        """The cycle in a few words."""
         if not self.status.found:
-            return f"<no limit cycle of {self.model.name}: {self.status.value}>"
+            return f"no limit cycle, {self.status.value}"
         kind = f"group {self.group}, " if self.group else ""
         stable = "stable" if self.stable else "unstable"
         return (
-            f"<limit cycle of {self.model.name}: {kind}period {self.period:.6g}, {stable} "
-            f"(largest multiplier {self.spectral_radius:.4g})>"
+            f"limit cycle, {kind}period {self.period:.6g}, {stable} "
+            f"(largest multiplier {self.spectral_radius:.4g})"
         )
+
+    def _repr_html_(self) -> str:
+        """A table for notebooks."""
+        rows = (
+            f"<tr><th>{html.escape(name)}</th><td>{html.escape(str(value))}</td></tr>"
+            for name, value in {**self.params, **self.to_dict()}.items()
+        )
+        return f"<table><caption>{html.escape(repr(self)[1:-1])}</caption>{''.join(rows)}</table>"
 
     def to_dict(self) -> dict[str, Any]:
         """Plain values for JSON, without model and parameters; what is not a number is None."""
         out: dict[str, Any] = {
             "status": self.status.value,
-            "state": {name: _plain(value) for name, value in self.state.items()},
-            "period": _plain(self.period),
+            "state": {name: _json(value) for name, value in self.state.items()},
+            "period": _json(self.period),
             "multipliers": [[m.real, m.imag] for m in self.multipliers],
         }
-        return out | {name: _plain(value) for name, value in self.measures.items()}
+        return out | {name: _json(value) for name, value in self.measures.items()}
 
     @property
     def section_point(self) -> list[float]:
         """Section point and period: the unknowns that the cycle solves."""
-        return [*self.state.values(), self.period]
+        return [*(self.state[name] for name in self.model.section), self.period]
+
+    def _require_found(self) -> None:
+        if not self.status.found:
+            raise InputError(
+                f"this orbit is not a limit cycle (status {self.status}); choose one whose status is "
+                "converged or inaccurate"
+            )
 
     def motion(self, samples: int = 201) -> Motion:
         """The cycle as a motion over one step.
@@ -112,21 +135,23 @@ class Orbit:
         InputError
             When there is no limit cycle, or for fewer than two samples.
         """
-        if not self.status.found:
-            raise InputError(f"there is no limit cycle to follow: its status is {self.status}")
+        self._require_found()
         point = self.model.point(self.params)[None, :]
         return motions(self.model, [self.section_point], point, samples, squeeze=True)
 
     def simulate(self, steps: int = 10) -> Any:
         """Walk from the cycle's section point with the event-driven integrator: see `stridemap.simulate`."""
+        self._require_found()
         return service("simulate")(self.model, self.state, steps=steps, params=self.params)
 
     def plot(self, kind: str = "profiles", **options: Any) -> Any:
         """Draw the cycle with matplotlib: see `stridemap.views.plot`."""
+        self._require_found()
         return service("plot")(self, kind, **options)
 
     def animate(self, path: Any, **options: Any) -> Any:
         """Write the walker's motion as a looping GIF: see `stridemap.animate`."""
+        self._require_found()
         return service("animate")(self, path, **options)
 
 
@@ -137,5 +162,11 @@ def missing(quantity: Quantity) -> Any:
     return {"float": math.nan, "int": 0, "bool": False, "str": ""}[quantity.type]
 
 
-def _plain(value: Any) -> Any:
+def plain(value: Any) -> Any:
+    """A number of NumPy as Python's; one NaN for all, so that equal cycles compare as equal."""
+    value = value.item() if isinstance(value, np.generic) else value
+    return math.nan if isinstance(value, float) and math.isnan(value) else value
+
+
+def _json(value: Any) -> Any:
     return None if isinstance(value, float) and not math.isfinite(value) else value

@@ -1,15 +1,16 @@
 """Many limit cycles of one model as arrays: what the solver speaks inside."""
 
 import html
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Self, overload
 
 import numpy as np
 from numpy.typing import NDArray
 
-from stridemap.solver.cycles.orbit import Orbit, missing
-from stridemap.solver.cycles.status import CODES, STATUSES, Status
+from stridemap.errors import InputError
+from stridemap.solver.cycles.orbit import Orbit, missing, plain
+from stridemap.solver.cycles.status import CODES, FOUND, STATUSES, Status
 from stridemap.solver.model.model import Model
 from stridemap.spec import Quantity
 from stridemap.words import multiplier_columns
@@ -23,7 +24,7 @@ _PLAIN = {"float": float, "int": int, "bool": bool, "str": str}
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Orbits(Sequence[Orbit]):
-    """Limit cycles of one model, or what was found in their place, n of them.
+    """Limit cycles of one model, or failures with their status; n entries.
 
     A sequence of `Orbit`: ``orbits[0]``, ``for orbit in orbits``, ``orbits[orbits.stable]``. Every measured
     quantity is an attribute with one entry per cycle: ``orbits.cot``, shape (n,).
@@ -56,7 +57,7 @@ class Orbits(Sequence[Orbit]):
 
     @classmethod
     def empty(cls, model: Model) -> Self:
-        """None at all."""
+        """No limit cycles."""
         nz, n_params = len(model.section), len(model.parameters)
         return cls(
             model,
@@ -65,13 +66,13 @@ class Orbits(Sequence[Orbit]):
             np.empty(0, dtype=np.int64),
             np.empty((0, nz + 1, nz + 1)),
             np.empty((0, nz), dtype=np.complex128),
-            {name: unmeasured(quantity, 0) for name, quantity in model.measured.items()},
+            {name: column(quantity, None, 0) for name, quantity in model.measured.items()},
         )
 
     @classmethod
     def concatenate(cls, model: Model, parts: Iterable["Orbits"]) -> "Orbits":
         """All of several, in order."""
-        found = list(parts)
+        found = [part for part in parts if len(part)]
         if not found:
             return cls.empty(model)
         if len(found) == 1:
@@ -89,12 +90,28 @@ class Orbits(Sequence[Orbit]):
         model : Model
         columns : mapping of str to array_like, shape (n,)
             Parameters, section point, period and status; multipliers and measures where they are known.
+
+        Raises
+        ------
+        InputError
+            When a column that is needed is missing, or a status is not one.
         """
+        unknowns = (*model.section, "period")
+        for name in (*model.spec.names, "status", *unknowns):
+            if name not in columns:
+                raise InputError(f"the table has no column {name}, which limit cycles of {model.name} have")
 
         def array(name: str) -> Array:
             return np.asarray(columns[name], dtype=np.float64)
 
-        codes = np.array([CODES[Status(value)] for value in columns["status"]], dtype=np.int64)
+        for name, quantity in model.measured.items():
+            if name not in columns and quantity.type in ("int", "bool") and not quantity.optional:
+                raise InputError(f"the table has no column {name}, which limit cycles of {model.name} have")
+        words, place = np.unique(np.asarray(columns["status"], dtype=str), return_inverse=True)
+        for word in words.tolist():
+            if word not in list(Status):
+                raise InputError(f"{word!r} is not a status; statuses are {', '.join(Status)}")
+        codes = np.array([CODES[Status(word)] for word in words.tolist()], dtype=np.int64)[place.ravel()]
         n, nz = len(codes), len(model.section)
         multipliers = np.full((n, nz), np.nan + 0j)
         for i in range(nz):
@@ -104,7 +121,7 @@ class Orbits(Sequence[Orbit]):
         return cls(
             model,
             np.column_stack([array(name) for name in model.spec.names]),
-            np.column_stack([array(name) for name in (*model.section, "period")]),
+            np.column_stack([array(name) for name in unknowns]),
             codes,
             np.full((n, nz + 1, nz + 1), np.nan),
             multipliers,
@@ -112,7 +129,7 @@ class Orbits(Sequence[Orbit]):
         )
 
     def take(self, index: Any) -> "Orbits":
-        """Some of them: by number, by a mask, or by a slice."""
+        """A selection: by number, by a mask, or by a slice."""
         if not isinstance(index, slice):
             index = np.asarray(index)
             index = index if index.size else index.astype(np.intp)  # an empty list is one of floats
@@ -148,6 +165,14 @@ class Orbits(Sequence[Orbit]):
     def __dir__(self) -> list[str]:
         return sorted({*super().__dir__(), *self.measures})
 
+    def __add__(self, other: "Orbits") -> "Orbits":
+        """The cycles of both, which must be of one model."""
+        if not isinstance(other, Orbits):
+            return NotImplemented
+        if other.model != self.model:
+            raise InputError(f"cycles of {self.model.name} and {other.model.name} cannot stand in one Orbits")
+        return Orbits.concatenate(self.model, [self, other])
+
     def _orbit(self, i: int) -> Orbit:
         status: Status = STATUSES[self.codes[i]]
         params = dict(zip(self.model.spec.names, self.params[i].tolist(), strict=True))
@@ -159,9 +184,9 @@ class Orbits(Sequence[Orbit]):
             params,
             status,
             dict(zip(self.model.section, state, strict=True)),
-            period,
+            plain(period),
             tuple(self.multipliers[i].tolist()),
-            {name: _scalar(column[i]) for name, column in self.measures.items()},
+            {name: plain(values[i]) for name, values in self.measures.items()},
         )
 
     # -- columns -----------------------------------------------------------------------------------------
@@ -175,7 +200,7 @@ class Orbits(Sequence[Orbit]):
     @property
     def found(self) -> NDArray[np.bool_]:
         """Which of them are limit cycles, shape (n,)."""
-        return np.isin(self.codes, [code for status, code in CODES.items() if status.found])
+        return np.isin(self.codes, FOUND)
 
     @property
     def period(self) -> Array:
@@ -185,7 +210,7 @@ class Orbits(Sequence[Orbit]):
     def columns(self) -> dict[str, NDArray[Any]]:
         """One array per column, in the order of the tables that a sweep writes, without the cell."""
         out = dict(zip(self.model.spec.names, self.params.T, strict=True))
-        out["status"] = np.array([status.value for status in self.status], dtype=object)
+        out["status"] = _WORDS[self.codes]
         out |= dict(zip((*self.model.section, "period"), self.u.T, strict=True))
         for i, multiplier in enumerate(self.multipliers.T):
             real, imaginary = multiplier_columns(i)
@@ -196,7 +221,11 @@ class Orbits(Sequence[Orbit]):
         """The cycles as a `pandas.DataFrame`, one row each, with the columns of ``orbits.parquet``."""
         import pandas as pd
 
-        return pd.DataFrame(self.columns())
+        frame = pd.DataFrame(self.columns())
+        for name, quantity in self.model.measured.items():
+            if quantity.optional and quantity.type == "int":
+                frame[name] = frame[name].astype("Int64")
+        return frame
 
     # -- shown -------------------------------------------------------------------------------------------
 
@@ -204,17 +233,33 @@ class Orbits(Sequence[Orbit]):
         count = f"{len(self)} limit cycle{'' if len(self) == 1 else 's'} of {self.model.name}"
         if not len(self):
             return f"<{count}>"
-        return "\n".join([f"<{count}", *(f"  {i}: {text}" for i, text in enumerate(map(_line, self))), ">"])
+        lines = self._shown(lambda i: f"{i}: {self[i].summary}")
+        return "\n".join([f"<{count}", *(f"  {line}" for line in lines), ">"])
+
+    def _shown(self, line: Callable[[int], str]) -> list[str]:
+        """Lines of all cycles, or of the first and the last where there are many."""
+        if len(self) <= 2 * SHOWN_ENDS:
+            return [line(i) for i in range(len(self))]
+        between = [f"... {len(self) - 2 * SHOWN_ENDS:,} more"]
+        last = range(len(self) - SHOWN_ENDS, len(self))
+        return [*map(line, range(SHOWN_ENDS)), *between, *map(line, last)]
 
     def _repr_html_(self) -> str:
         """A table for notebooks."""
-        shown = [n for n in _SHOWN if any(value is not None for value in self.measures.get(n, [0]))]
+        shown = [n for n in _SHOWN if n == "period" or not all(v is None for v in self.measures[n].tolist())]
         head = "".join(f"<th>{html.escape(word)}</th>" for word in ("", *shown))
-        rows = (
-            f"<tr><th>{i}</th>{''.join(f'<td>{html.escape(_cell(getattr(o, n)))}</td>' for n in shown)}</tr>"
-            for i, o in enumerate(self)
-        )
-        caption = f"{len(self)} limit cycles of {html.escape(self.model.name)}"
+
+        def row(i: int) -> str:
+            orbit = self[i]
+            cells = "".join(f"<td>{html.escape(_cell(getattr(orbit, name)))}</td>" for name in shown)
+            return f"<tr><th>{i}</th>{cells}</tr>"
+
+        rows = [
+            text if text.startswith("<tr>") else f'<tr><td colspan="{len(shown) + 1}">{text}</td></tr>'
+            for text in self._shown(row)
+        ]
+        plural = "" if len(self) == 1 else "s"
+        caption = f"{len(self):,} limit cycle{plural} of {html.escape(self.model.name)}"
         return f"<table><caption>{caption}</caption><tr>{head}</tr>{''.join(rows)}</table>"
 
 
@@ -224,30 +269,40 @@ _SHOWN = ("group", "period", "stable", "spectral_radius", "step_length", "speed"
 """Columns of the table in a notebook; all others are attributes."""
 
 
-def unmeasured(quantity: Quantity, n: int) -> NDArray[Any]:
-    """A column of a quantity that was not measured, shape (n,)."""
-    dtype = object if quantity.optional else _DTYPES[quantity.type]
-    return np.full(n, missing(quantity), dtype=dtype)
+SHOWN_ENDS = 10
+"""How many of the first and of the last cycles are shown where there are many."""
+
+_WORDS = np.array([str(status.value) for status in STATUSES], dtype=object)
 
 
-def column(quantity: Quantity, values: Any, n: int) -> NDArray[Any]:
-    """Measured values as a column; one of None where the model lacks the quantity."""
+def column(quantity: Quantity, values: Any, n: int, at: Any = slice(None)) -> NDArray[Any]:
+    """A column of a measured quantity, shape (n,).
+
+    Parameters
+    ----------
+    quantity : Quantity
+    values : array_like or None
+        Measured values of the rows `at`; None where the model lacks the quantity.
+    n : int
+    at : index, optional
+        Rows that were measured; all by default. The others are filled as `missing` has it.
+    """
     if values is None:
-        return unmeasured(quantity, n)
-    if not quantity.optional:
-        return np.asarray(values, dtype=_DTYPES[quantity.type])
-    plain = _PLAIN[quantity.type]  # whole numbers with gaps may come as floats
-    given = np.asarray(values).tolist()
-    known = [None if value is None or (value == value) is not True else plain(value) for value in given]
-    return np.array(known, dtype=object)
-
-
-def _scalar(value: Any) -> Any:
-    return value.item() if isinstance(value, np.generic) else value
-
-
-def _line(orbit: Orbit) -> str:
-    return repr(orbit).strip("<>").replace(f" of {orbit.model.name}", "")
+        dtype: Any = object if quantity.optional else _DTYPES[quantity.type]
+        return np.full(n, missing(quantity), dtype=dtype)
+    if quantity.type == "float":
+        out = np.full(n, np.nan)
+        out[at] = np.asarray(values, dtype=np.float64)
+    elif not quantity.optional:
+        out = np.full(n, missing(quantity), dtype=_DTYPES[quantity.type])
+        out[at] = values
+    else:
+        out = np.full(n, None, dtype=object)
+        given = np.asarray(values, dtype=object)
+        known = np.array([(value == value) is True for value in given], dtype=bool)  # neither None nor NaN
+        kind = _PLAIN[quantity.type]  # whole numbers with gaps may come as floats
+        out[np.arange(n)[at][known]] = np.array([kind(value) for value in given[known]], dtype=object)
+    return out
 
 
 def _cell(value: Any) -> str:

@@ -61,8 +61,8 @@ class Solver:
         -------
         u : ndarray, shape (n, nz + 1)
         closed : ndarray of bool, shape (n,)
-            Whether Newton's method converged to what can be a step, and not to a walker that hangs, goes
-            backwards or turns over.
+            Whether Newton's method converged to a possible step, not to a walker that hangs, walks backwards
+            or falls over.
         """
         u = np.full(guesses.shape, np.nan)
         closed = np.zeros(len(guesses), dtype=bool)

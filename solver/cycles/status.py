@@ -15,7 +15,7 @@ class Status(StrEnum):
     NOT_CONVERGED = "not_converged"
     """Newton's method did not close the cycle."""
     NOT_A_STEP = "not_a_step"
-    """Closed, but not at a descending foot ahead of the hip, or the walker turns over on the way."""
+    """Closed, but not at a descending foot ahead of the hip, or the walker falls over during the step."""
     LATER_TOUCHDOWN = "later_touchdown"
     """Closed, but an earlier touchdown would have ended the step."""
     OUT_OF_RANGE = "out_of_range"
@@ -36,3 +36,6 @@ STATUSES = np.array(list(Status), dtype=object)
 """Every status at its code."""
 
 CODES = {status: code for code, status in enumerate(Status)}
+
+FOUND = tuple(code for status, code in CODES.items() if status.found)
+"""Codes of limit cycles."""

@@ -19,6 +19,7 @@ import casadi as ca
 
 from stridemap.solver.kernels.observation import Observation
 from stridemap.solver.kernels.step_map import BLOCK, StepMap
+from stridemap.solver.model.files import kernels_file
 from stridemap.solver.model.model import Model
 
 
@@ -50,6 +51,11 @@ class Kernel(NamedTuple):
     def name(self) -> str:
         """What it is called in C, after the model's name."""
         return f"{self.kind}_{self.n_rk}" if self.n_rk else str(self.kind)
+
+
+def c_name(model: Model, kernel: Kernel) -> str:
+    """What a kernel of a model is called in C."""
+    return f"{model.name}_{kernel.name}"
 
 
 def search(n_rk: int) -> Kernel:
@@ -162,9 +168,7 @@ def _newton(step_map: StepMap, kernel: Kernel, method: Newton) -> ca.Function:
     closing = step_map.residual if method.closing.kind == Kind.RESIDUAL else step_map.jacobian
     outputs = closing(method.n_rk).call([u, p])
     names = closing(method.n_rk).name_out()
-    return ca.Function(
-        f"{step_map.model.name}_{kernel.name}", [u0, p], [u, *outputs], ["u0", "p"], ["u", *names]
-    )
+    return ca.Function(c_name(step_map.model, kernel), [u0, p], [u, *outputs], ["u0", "p"], ["u", *names])
 
 
 def c_source(model: Model) -> str:
@@ -174,8 +178,7 @@ def c_source(model: Model) -> str:
     ----------
     model : Model
     """
-    name = f"{model.name}_kernels"
-    generator = ca.CodeGenerator(f"{name}.c", {"with_header": False})
+    generator = ca.CodeGenerator(kernels_file(model.name), {"with_header": False})
     for kernel in build(model).values():
         generator.add(kernel)
     banner = (

@@ -14,6 +14,16 @@ GENERATED = Path(stridemap.generated.__file__).parent
 """Folder of the built-in generated walkers."""
 
 
+def kernels_file(model: str) -> str:
+    """Name of the file that holds a model's kernels in C."""
+    return f"{model}_kernels.c"
+
+
+def equations_file(model: str) -> str:
+    """Name of the file that holds a model's equations in Python."""
+    return f"{model}.py"
+
+
 class Files(ABC):
     """Where generated files are read from."""
 
@@ -76,15 +86,28 @@ class InMemory(Files):
     ----------
     contents : mapping of str to bytes
         By name.
+    source : str
+        Name of the built-in model that they may be of: what was not sent is then read from its folder.
     """
 
     contents: Mapping[str, bytes]
+    source: str
 
     def read(self, name: str) -> bytes:
-        """Contents of a file; raises FileNotFoundError where it did not come along."""
-        if name not in self.contents:
-            raise FileNotFoundError(None, "it was not sent along", name)
-        return self.contents[name]
+        """Contents of a file; raises OSError where it was not sent and is not here either."""
+        if name in self.contents:
+            return self.contents[name]
+        if self.builtin:
+            return (GENERATED / self.source / name).read_bytes()
+        raise FileNotFoundError(None, "the file was not sent with the model", name)
+
+    @property
+    def builtin(self) -> bool:
+        """Whether they are those of a model that comes with stridemap here too."""
+        try:
+            return (GENERATED / self.source / MANIFEST).read_bytes() == self.contents[MANIFEST]
+        except OSError:
+            return False
 
     @property
     def shown(self) -> str:
@@ -97,6 +120,6 @@ def packed(contents: Mapping[str, bytes]) -> dict[str, bytes]:
     return {name: zlib.compress(content) for name, content in contents.items()}
 
 
-def unpacked(pack: Mapping[str, bytes]) -> InMemory:
+def unpacked(pack: Mapping[str, bytes], source: str) -> InMemory:
     """Files that were sent."""
-    return InMemory({name: zlib.decompress(content) for name, content in pack.items()})
+    return InMemory({name: zlib.decompress(content) for name, content in pack.items()}, source)

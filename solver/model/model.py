@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from stridemap.errors import InputError
 from stridemap.quantities import measured_on
-from stridemap.solver.model.files import MANIFEST, Files, packed, unpacked
+from stridemap.solver.model.files import MANIFEST, Files, equations_file, kernels_file, packed, unpacked
 from stridemap.spec import Function, ModelSpec, Parameter, Quantity
 
 
@@ -48,15 +48,15 @@ class Model:
         self.files = files
         self.source = source
         try:
-            manifest = files.read(MANIFEST)
-            self.spec = ModelSpec.from_manifest(json.loads(manifest))
+            self._manifest = files.read(MANIFEST)
+            self.spec = ModelSpec.from_manifest(json.loads(self._manifest))
         except InputError as error:
             raise InputError(f"{files.shown} {error}; {self._remedy}") from None
-        except (OSError, ValueError, KeyError, TypeError) as error:
+        except (OSError, ValueError, KeyError, TypeError, AttributeError, IndexError) as error:
             raise InputError(
-                f"{files.shown} holds no readable {MANIFEST} ({error}); {self._remedy}"
+                f"{files.shown} does not hold a readable {MANIFEST} ({error}); {self._remedy}"
             ) from None
-        self._digest = hashlib.sha256(manifest).hexdigest()
+        self._digest = hashlib.sha256(self._manifest).hexdigest()
 
     # -- what it is called -------------------------------------------------------------------------------
 
@@ -127,6 +127,17 @@ class Model:
         """Name and hash."""
         return f"Model({self.name!r}, hash={self.hash[:12]!r})"
 
+    def __eq__(self, other: object) -> bool:
+        """Whether it is the same model with the same generated files, wherever it was loaded."""
+        if isinstance(other, str):
+            raise InputError(f"a model is not its name; compare model.name with {other!r}")
+        if not isinstance(other, Model):
+            return NotImplemented
+        return (self.source, self._digest) == (other.source, other._digest)
+
+    def __hash__(self) -> int:
+        return hash((self.source, self._digest))
+
     def __copy__(self) -> "Model":
         """Itself: a model does not change."""
         return self
@@ -137,13 +148,12 @@ class Model:
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Its source and the generated files that running it needs."""
-        _LOADED.setdefault((self.source, self._digest), self)  # what comes back here is of this model
         return _from_pack, (self.source, self._digest, self._pack)
 
     @cached_property
     def _pack(self) -> dict[str, bytes]:
-        needed = (f"{self.name}.py", f"{self.name}_kernels.c")
-        return packed({MANIFEST: self.files.read(MANIFEST), **{name: self._checked(name) for name in needed}})
+        needed = (equations_file(self.name), kernels_file(self.name))
+        return packed({MANIFEST: self._manifest, **{name: self._checked(name) for name in needed}})
 
     @property
     def builtin(self) -> bool:
@@ -183,7 +193,8 @@ class Model:
     def equations(self) -> ModuleType:
         """The namespace-neutral Python module of the model's equations."""
         module = ModuleType(f"stridemap_equations_{self.name}")
-        exec(compile(self.text(f"{self.name}.py"), self.files.path(f"{self.name}.py"), "exec"), vars(module))
+        file = equations_file(self.name)
+        exec(compile(self.text(file), self.files.path(file), "exec"), vars(module))
         return module
 
     # -- what it computes --------------------------------------------------------------------------------
@@ -258,7 +269,7 @@ class Model:
         known = self.preset
         for name in params:
             if name not in known:
-                close = difflib.get_close_matches(name, known, n=1)
+                close = difflib.get_close_matches(str(name), known, n=1)
                 hint = f"did you mean {close[0]}? " if close else ""
                 raise InputError(
                     f"{self.name} has no parameter {name!r}; {hint}its parameters are {', '.join(known)}"
@@ -274,11 +285,11 @@ def _stacked(value: Any, shape: tuple[int, ...]) -> NDArray[np.float64]:
     return np.stack(inner, axis=len(shape))
 
 
-_LOADED: dict[tuple[str, str], Model] = {}
+_RECEIVED: dict[tuple[str, str], Model] = {}
 
 
 def _from_pack(source: str, digest: str, pack: Mapping[str, bytes]) -> Model:
     """The model that came from another process; made once, however often it is sent."""
-    if (source, digest) not in _LOADED:
-        _LOADED[source, digest] = Model(unpacked(pack), source)
-    return _LOADED[source, digest]
+    if (source, digest) not in _RECEIVED:
+        _RECEIVED[source, digest] = Model(unpacked(pack, source), source)
+    return _RECEIVED[source, digest]

@@ -71,7 +71,7 @@ class Cycles:
         return {"q": state[:, :n], "v": state[:, n : 2 * n]}
 
     @cached_property
-    def load(self) -> dict[str, Array]:
+    def weights(self) -> dict[str, Array]:
         """Mass of the walker, its weight, and the weight's component along the ground."""
         return self.model.evaluate("total_mass", p=self.params)
 
@@ -83,7 +83,7 @@ class Cycles:
     @cached_property
     def energy(self) -> Array:
         """What a step costs: down a slope gravity supplies energy; uphill the motors' work has it already."""
-        return self["work"] + np.maximum(self.load["pull"], 0.0) * self["step_length"]
+        return self["work"] + np.maximum(self.weights["pull"], 0.0) * self["step_length"]
 
     def where_in_contact(self, values: Array) -> Array:
         """NaN where the foot would lift: there the ground force's ratios run to infinity."""
@@ -198,7 +198,7 @@ def wobble_amplitude(cycles: Cycles) -> Array | None:
 
 @_measure
 def touchdown_speed(cycles: Cycles) -> Array:
-    """Speed of the swing foot just before it strikes."""
+    """Speed of the swing foot just before touchdown."""
     velocity = cycles.model.evaluate("swing_foot", **cycles.end, p=cycles.params)["dfoot"]
     return np.hypot(velocity[:, 0], velocity[:, 1])
 
@@ -227,14 +227,14 @@ def work_net(cycles: Cycles) -> Array:
 @_measure
 def cot(cycles: Cycles) -> Array:
     """Energy per weight and step length."""
-    cost: Array = cycles.energy / (cycles.load["weight"] * cycles["step_length"])
+    cost: Array = cycles.energy / (cycles.weights["weight"] * cycles["step_length"])
     return cost
 
 
 @_measure
 def cot_per_speed(cycles: Cycles) -> Array:
     """Energy per weight and mean speed, as the paper has it."""
-    cost: Array = cycles.energy * cycles.period / (cycles.load["weight"] * cycles["step_length"])
+    cost: Array = cycles.energy * cycles.period / (cycles.weights["weight"] * cycles["step_length"])
     return cost
 
 

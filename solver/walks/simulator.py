@@ -29,11 +29,11 @@ Array = NDArray[np.float64]
 TIME_LIMIT = 20.0
 """Longest swing phase that is waited for, in sqrt(L/g)."""
 SAMPLES = 8
-"""Looks for an event within each step of the integrator."""
+"""Samples per step of the integrator, between which an event is looked for."""
 FIRST_STEP = 1e-3
 """Of the integrator. SciPy's own guess is not a number for huge rates, and it then never returns."""
 FORCE_SAMPLES = 257
-"""Times in a step at which the ground force is looked at."""
+"""Times in a step at which the ground force is sampled."""
 
 
 class Outcome(StrEnum):
@@ -150,11 +150,11 @@ class _Walker:
         """A generated function of time and state, with numbers for sines and cosines."""
         function, n, p = getattr(self.model.equations, name), self.n, self.p
         inputs = self.model.spec.functions[name].arguments
-        place = [("t", "q", "v", "p").index(key) for key in inputs]
+        indices = [("t", "q", "v", "p").index(key) for key in inputs]
 
         def call(t: float, y: list[float]) -> dict[str, Any]:
             values = (t, y[:n], y[n:], p)
-            return function(math, *[values[i] for i in place])
+            return function(math, *[values[i] for i in indices])
 
         return call
 
@@ -335,8 +335,8 @@ def swing(
 def _first_event(walker: _Walker, piece: DenseOutput, below: bool) -> tuple[Outcome | None, float, bool]:
     """Look for a touchdown or a fall in one step of the integrator.
 
-    The condition is looked at `SAMPLES` times; where it turns towards zero and back between two looks,
-    the turning point is looked at as well.
+    The condition is sampled `SAMPLES` times; where it turns towards zero and back between two samples,
+    the turning point is sampled as well.
 
     Parameters
     ----------
@@ -354,11 +354,11 @@ def _first_event(walker: _Walker, piece: DenseOutput, below: bool) -> tuple[Outc
     below : bool
         Whether the condition is negative at the end.
     """
-    looks = np.linspace(piece.t_old, piece.t, SAMPLES + 1)
-    states = piece(looks).T
+    times = np.linspace(piece.t_old, piece.t, SAMPLES + 1)
+    states = piece(times).T
     seen = [walker.touchdown(y) for y in states]
     for i in range(SAMPLES):
-        left, right = looks[i].item(), looks[i + 1].item()
+        left, right = times[i].item(), times[i + 1].item()
         (_, dh_left, _), (h_right, dh_right, _) = seen[i], seen[i + 1]
         below_then, below = below, h_right < 0
         rising = below_then and not below

@@ -28,7 +28,7 @@ def animate(
     from stridemap.views.animation import animate as animate_
     from stridemap.views.animation import choose
 
-    orbits = find_orbits(model, **parameters(context.args, set_))
+    orbits = find_orbits(model, parameters(context.args, set_))
     if not orbits:
         print("no limit cycle found", file=sys.stderr)
         return NOTHING

@@ -76,5 +76,5 @@ def _fail(sentence: str) -> NoReturn:
 
 
 def _discard_output() -> None:
-    """Send what is left for standard output nowhere, so that writing it does not fail again at exit."""
+    """Discard the remaining standard output, so that writing it does not fail again at exit."""
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())

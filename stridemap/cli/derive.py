@@ -16,10 +16,7 @@ def derive(
     ] = None,
     out: Annotated[Path | None, typer.Option(help="Folder for the files of the model file.")] = None,
     check: Annotated[
-        bool, typer.Option("--check", help="Write nothing; say which generated files would change.")
-    ] = False,
-    keep: Annotated[
-        bool, typer.Option("--keep", help="Leave files in the cache as they are, even if they were changed.")
+        bool, typer.Option("--check", help="Write nothing; list the generated files that would change.")
     ] = False,
 ) -> int:
     """Derive a model and write its equations, C and kernels: a model file's, or all built-in ones'.
@@ -34,7 +31,7 @@ def derive(
         raise InputError("--out is for a model file; give its path, or leave --out out")
     if path is not None:
         walker = codegen.declared(path)
-        folder = codegen.into_cache(walker, keep) if out is None else codegen.into_folder(walker, out)
+        folder = codegen.into_cache(walker) if out is None else codegen.into_folder(walker, out)
         for written in codegen.generated_files(folder):
             print(written)
         return FOUND

@@ -1,5 +1,6 @@
 """What several commands have in common: model, parameters, whole numbers, exit statuses, interrupts."""
 
+import contextlib
 import itertools
 import signal
 from typing import Annotated, Any, NoReturn
@@ -19,7 +20,7 @@ PARAMETERS = {"allow_extra_args": True, "ignore_unknown_options": True}
 
 
 class WithParameters(typer.core.TyperCommand):
-    """A command whose help lists the parameters of the model that is named beside ``--help``."""
+    """A command whose help lists the parameters of the model that is named together with ``--help``."""
 
     def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
         """Keep the words, because the help is printed before the options are read."""
@@ -104,13 +105,13 @@ def option_values(option: str, assignments: list[str] | None) -> dict[str, Any]:
     for word in assignments or ():
         name, text = split(word, option)
         assign(pairs, name, text)
-        if text.strip().lstrip("+-").isdecimal():
+        with contextlib.suppress(ValueError):
             pairs[name] = int(text)
     return pairs
 
 
 def end_like_interrupted() -> None:
-    """Let a terminated command end like an interrupted one: workers are stopped, what is finished stays."""
+    """Treat a termination as an interrupt: workers are stopped, what is finished stays."""
     signal.signal(signal.SIGTERM, _interrupt)
 
 

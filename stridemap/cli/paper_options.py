@@ -1,15 +1,14 @@
 """What the commands about the paper have in common: the folder of its sweeps, and how far each sweep is."""
 
-import signal
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, NoReturn
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from stridemap.cli.options import whole
+from stridemap.cli.options import end_like_interrupted, whole
 
 if TYPE_CHECKING:
     from stridemap.sweeps.run import Progress
@@ -35,7 +34,7 @@ def sweep_progress() -> "Iterator[Callable[[str, Progress], None]]":
     """Show how far each sweep is, one after another; a termination counts as an interruption."""
     from stridemap.cli.progress import show
 
-    signal.signal(signal.SIGTERM, _interrupt)
+    end_like_interrupted()
     current: dict[str, Any] = {}
     with ExitStack() as stack:
 
@@ -48,10 +47,6 @@ def sweep_progress() -> "Iterator[Callable[[str, Progress], None]]":
             current[name](seen)
 
         yield update
-
-
-def _interrupt(*_: object) -> NoReturn:
-    raise KeyboardInterrupt
 
 
 def say_interrupted(folder: Path) -> None:

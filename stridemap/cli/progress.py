@@ -64,7 +64,7 @@ def _lines() -> "Callable[[SweepProgress], None]":
             f", {(seen.total - seen.done) / rate:.0f} s left" if rate > 0 and seen.done < seen.total else ""
         )
         print(
-            f"round {seen.round}: {seen.done} of {seen.total} tiles ({rate:.1f} a second{left}), "
+            f"round {seen.round}: {seen.done} of {seen.total} tiles ({rate:.1f} per second{left}), "
             f"{seen.orbits:,} limit cycles, {now - begun:.0f} s",
             file=sys.stderr,
             flush=True,

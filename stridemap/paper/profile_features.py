@@ -30,15 +30,12 @@ def with_profiles(model: Model, orbits: pd.DataFrame) -> pd.DataFrame:
     minus least `x`. ``x_maxima`` : local maxima within the step. The same for `d`: ``d_first``,
     ``d_second``, ``d_first_positive``, ``d_second_negative``, ``d_travel``; ``d_start`` is `d` just after
     touchdown, ``d_sign_changes`` how often its sign changes and ``d_crossing`` when it first does, in
-    periods. ``wobble_amplitude`` is added where the table of cycles does not have it.
+    periods.
     """
     if orbits.empty:
-        return orbits.assign(**{name: np.empty(0) for name in (*COLUMNS, "wobble_amplitude")})
+        return orbits.assign(**{name: np.empty(0) for name in COLUMNS})
     motion = sampled(model, orbits)
-    x = motion.coordinate("x")
-    if "wobble_amplitude" not in orbits:
-        orbits = orbits.assign(wobble_amplitude=np.abs(x).max(axis=1))
-    return orbits.assign(**_of_x(x), **_of_d(motion.d))
+    return orbits.assign(**_of_x(motion.coordinate("x")), **_of_d(motion.d))
 
 
 def compare_with(model: Model, orbits: pd.DataFrame, other: Model, cycle: pd.DataFrame) -> pd.DataFrame:

@@ -50,6 +50,7 @@ class PaperSweeps:
     executor: Executor | None = None
     progress: Callable[[str, Progress], None] | None = None
     _orbits: dict[str, pd.DataFrame] = field(default_factory=dict, init=False, repr=False)
+    _finished: set[str] = field(default_factory=set, init=False, repr=False)
 
     def run(self, name: str) -> Path:
         """Run a sweep, or continue it, unless it is finished, and return its folder.
@@ -60,6 +61,8 @@ class PaperSweeps:
             When the folder cannot be used, for instance because it holds the output of another configuration.
         """
         where = self.folder / name
+        if name in self._finished:
+            return where
 
         def report(seen: Progress) -> None:
             if self.progress:
@@ -67,6 +70,7 @@ class PaperSweeps:
 
         config = self.configs[name]
         sweep(config, where, workers=self.workers, executor=self.executor, resume=True, progress=report)
+        self._finished.add(name)
         return where
 
     def orbits(self, name: str) -> pd.DataFrame:

@@ -95,7 +95,7 @@ def choose(orbits: Sequence[Orbit], group: str | None = None, cycle: int | None 
     candidates = [orbit for orbit in orbits if group in (None, orbit.group)]
     if not candidates:
         known = sorted({orbit.group for orbit in orbits if orbit.group})
-        have = f"groups there: {', '.join(known)}" if known else f"{orbits[0].model} has no groups"
+        have = f"groups there: {', '.join(known)}" if known else f"{orbits[0].model.name} has no groups"
         raise InputError(f"there is no limit cycle of group {group!r} at this point; {have}")
     return min(candidates, key=lambda orbit: orbit.spectral_radius)
 
