@@ -1,8 +1,9 @@
 """What a lower room may ask of an upper one without importing it.
 
 An orbit offers `Orbit.plot`, and the path of a model file can be given wherever a model's name can; but
-drawing and deriving live above the solver, and imports go one way only. So the top of the package, which knows every
-room, says here where such a service lives, and whoever needs it asks for it by name when it is used.
+drawing and deriving live above the solver, and imports go one way only. So the top of the package, which
+knows every room, says here where such a service lives, and whoever needs it asks for it by name when it is
+used.
 """
 
 from collections.abc import Callable

@@ -254,8 +254,8 @@ class Units:
         in_si = (names.mass, names.length, names.time) == ("kg", "m", "s")
         if not in_si and names.time != "sqrt(L/g)":
             raise InputError(
-                f"{orbit.model.name} is written in units of {names.mass}, {names.length} and {names.time}, which "
-                "have nothing to do with a robot's size; convert them by hand"
+                f"{orbit.model.name} is written in units of {names.mass}, {names.length} and {names.time}, "
+                "which have nothing to do with a robot's size; convert them by hand"
             )
         kinds = {**MEASURE_KINDS, **{one.name: one.kind for one in orbit.model.spec.quantities}}
         return {
