@@ -55,8 +55,11 @@ def orbit_table(cell: NDArray[np.int64], orbits: Orbits) -> pa.Table:
     ValueError
         If a value is missing in a column that must be full.
     """
+    schema = orbit_schema(orbits.model)
     columns = {"cell": cell, **orbits.columns()}
-    table = pa.Table.from_pydict(columns, schema=orbit_schema(orbits.model))
+    for name in (field.name for field in schema if field.nullable):  # what a model lacks is null, not NaN
+        columns[name] = pa.array(columns[name], schema.field(name).type, from_pandas=True)
+    table = pa.Table.from_pydict(columns, schema=schema)
     _require_full(table)
     return table
 

@@ -1,6 +1,7 @@
 """Many limit cycles of one model as arrays: what the solver speaks inside."""
 
 import html
+import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Self, overload
@@ -104,9 +105,6 @@ class Orbits(Sequence[Orbit]):
         def array(name: str) -> Array:
             return np.asarray(columns[name], dtype=np.float64)
 
-        for name, quantity in model.measured.items():
-            if name not in columns and quantity.type in ("int", "bool") and not quantity.optional:
-                raise InputError(f"the table has no column {name}, which limit cycles of {model.name} have")
         words, place = np.unique(np.asarray(columns["status"], dtype=str), return_inverse=True)
         for word in words.tolist():
             if word not in list(Status):
@@ -118,6 +116,8 @@ class Orbits(Sequence[Orbit]):
             real, imaginary = multiplier_columns(i)
             if real in columns:
                 multipliers[:, i] = array(real) + 1j * array(imaginary)
+        radius = np.abs(multipliers).max(axis=1, initial=0.0)
+        columns = {"spectral_radius": radius, "stable": radius < 1.0, **columns}
         return cls(
             model,
             np.column_stack([array(name) for name in model.spec.names]),
@@ -186,8 +186,12 @@ class Orbits(Sequence[Orbit]):
             dict(zip(self.model.section, state, strict=True)),
             plain(period),
             tuple(self.multipliers[i].tolist()),
-            {name: plain(values[i]) for name, values in self.measures.items()},
+            {name: self._measure(name, i) for name in self.measures},
         )
+
+    def _measure(self, name: str, i: int) -> Any:
+        value = plain(self.measures[name][i])
+        return None if value is math.nan and self.model.measured[name].optional else value
 
     # -- columns -----------------------------------------------------------------------------------------
 
@@ -246,7 +250,7 @@ class Orbits(Sequence[Orbit]):
 
     def _repr_html_(self) -> str:
         """A table for notebooks."""
-        shown = [n for n in _SHOWN if n == "period" or not all(v is None for v in self.measures[n].tolist())]
+        shown = [n for n in _SHOWN if n != "group" or "spring_mode" in self.model.spec.functions]
         head = "".join(f"<th>{html.escape(word)}</th>" for word in ("", *shown))
 
         def row(i: int) -> str:
@@ -287,19 +291,20 @@ def column(quantity: Quantity, values: Any, n: int, at: Any = slice(None)) -> ND
     at : index, optional
         Rows that were measured; all by default. The others are filled as `missing` has it.
     """
-    if values is None:
-        dtype: Any = object if quantity.optional else _DTYPES[quantity.type]
-        return np.full(n, missing(quantity), dtype=dtype)
     if quantity.type == "float":
         out = np.full(n, np.nan)
+    else:
+        dtype: Any = object if quantity.optional else _DTYPES[quantity.type]
+        out = np.full(n, missing(quantity), dtype=dtype)
+    if values is None:
+        return out
+    if quantity.type == "float":
         out[at] = np.asarray(values, dtype=np.float64)
     elif not quantity.optional:
-        out = np.full(n, missing(quantity), dtype=_DTYPES[quantity.type])
         out[at] = values
     else:
-        out = np.full(n, None, dtype=object)
         given = np.asarray(values, dtype=object)
-        known = np.array([(value == value) is True for value in given], dtype=bool)  # neither None nor NaN
+        known = np.array([v is not None and (v == v) is True for v in given], dtype=bool)  # nor NaN, nor NA
         kind = _PLAIN[quantity.type]  # whole numbers with gaps may come as floats
         out[np.arange(n)[at][known]] = np.array([kind(value) for value in given[known]], dtype=object)
     return out

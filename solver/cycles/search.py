@@ -1,5 +1,7 @@
 """All limit cycles at points of parameter space: many starts, Newton's method, duplicates merged."""
 
+from collections.abc import Sequence
+
 import numpy as np
 from numpy.typing import NDArray
 from scipy.stats import qmc
@@ -102,7 +104,7 @@ def distinct(cell: Index, u: Array, tolerance: float = SEARCH_TOLERANCE) -> tupl
     u : ndarray, shape (n, nz + 1)
     tolerance : float
     """
-    kept = first_of_each(cell, u, tolerance)
+    kept = first_of_each(cell, u, tolerance, range(u.shape[1] - 2, -1, -1))
     return cell[kept], u[kept]
 
 
@@ -120,7 +122,7 @@ def merged(cell: Index, orbits: Orbits) -> tuple[Index, Orbits]:
     return cell[kept], orbits.take(kept)
 
 
-def first_of_each(cell: Index, u: Array, tolerance: float) -> Index:
+def first_of_each(cell: Index, u: Array, tolerance: float, ties: Sequence[int] | None = None) -> Index:
     """Rows of the first of each set of solutions of one cell that agree, ordered by cell, period and state.
 
     A solution is kept unless it agrees with one that was kept before it. In each round the first solution
@@ -132,8 +134,13 @@ def first_of_each(cell: Index, u: Array, tolerance: float) -> Index:
     u : ndarray, shape (n, nz + 1)
     tolerance : float
         Largest difference of two that agree, in any entry.
+    ties : sequence of int, optional
+        Entries of the state that order solutions of equal period, the first one first; by default in order.
+        Solutions that agree often have periods of equal bits: which of them stays shows in the last bits of
+        all that follows.
     """
-    order = np.lexsort((*u.T[-2::-1], u[:, -1], cell))
+    ties = range(u.shape[1] - 1) if ties is None else ties
+    order = np.lexsort((*(u[:, i] for i in reversed(ties)), u[:, -1], cell))
     rank = np.empty_like(order)
     rank[order] = np.arange(len(order))
     kept, left = [], order

@@ -148,6 +148,7 @@ class Model:
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Its source and the generated files that running it needs."""
+        _RECEIVED.setdefault((self.source, self._digest), self)  # what comes back here is this very model
         return _from_pack, (self.source, self._digest, self._pack)
 
     @cached_property

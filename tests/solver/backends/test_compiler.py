@@ -44,7 +44,7 @@ def test_compiler_that_says_nothing(tmp_path, monkeypatch, own_cache):
     monkeypatch.setenv("CC", script(tmp_path / "mute", "exit 1"))
     with pytest.raises(CompilerError) as error:
         BARE(load("compass"), None)
-    assert "it said nothing" in one_sentence(error)
+    assert "without a message" in one_sentence(error)
 
 
 @needs_compiler

@@ -16,7 +16,7 @@ N_RK = 48
 @pytest.fixture(scope="module")
 def simplest():
     """The kernels of the simplest walker."""
-    return load_kernels(load("simplest_walker"))
+    return load_kernels(load("simplest_walker"), None)
 
 
 @pytest.fixture(scope="module")

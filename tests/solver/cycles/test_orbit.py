@@ -69,7 +69,7 @@ def test_what_was_not_measured_is_nan_or_none():
         else:
             assert value in (0, False, "") or math.isnan(value), name
     assert "not_converged" in repr(orbit)
-    with pytest.raises(InputError, match="no limit cycle to follow: its status is not_converged"):
+    with pytest.raises(InputError, match="not a limit cycle .status not_converged.; choose"):
         orbit.motion()
 
 
@@ -82,7 +82,7 @@ def test_an_orbit_offers_its_motion_and_a_walk():
 
 def test_repr_says_what_it_is():
     first, second = find_orbits("wobbling", TWO_CYCLES)
-    assert repr(first).startswith("<limit cycle of wobbling: group B, period 1.154")
+    assert repr(first).startswith("<wobbling: limit cycle, group B, period 1.154")
     assert "unstable (largest multiplier" in repr(first)
     assert ", stable (largest" in repr(second)
     (compass,) = find_orbits("compass")

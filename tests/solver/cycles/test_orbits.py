@@ -188,7 +188,7 @@ def test_repr_has_a_line_for_each(orbits):
     assert last == ">"
     assert len(lines) == len(orbits)
     for i, (line, orbit) in enumerate(zip(lines, orbits, strict=True)):
-        assert line.startswith(f"  {i}: limit cycle: group {orbit.group}, period {orbit.period:.6g}, ")
+        assert line.startswith(f"  {i}: limit cycle, group {orbit.group}, period {orbit.period:.6g}, ")
     assert repr(Orbits.empty(orbits.model)) == "<0 limit cycles of wobbling>"
     assert repr(orbits[:1]).startswith("<1 limit cycle of wobbling\n")
 

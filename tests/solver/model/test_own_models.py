@@ -212,7 +212,7 @@ def test_to_resume_with_a_changed_model_is_refused(run, refused, home):
     stridemap.sweep("sweep.toml", "out", executor=Inline())
     before = content(home / "out")
     declare(home, WHEEL.replace("sp.pi / 3", "2 * sp.pi / 7").replace("sp.pi / 6", "sp.pi / 7"))
-    refused("sweep sweep.toml --out out --resume", "out", "other software", "model_hash")
+    refused("sweep sweep.toml --out out --resume", "out", "different software", "model_hash")
     assert content(home / "out") == before
 
 
