@@ -57,6 +57,7 @@ class Model:
                 f"{files.shown} does not hold a readable {MANIFEST} ({error}); {self._remedy}"
             ) from None
         self._digest = hashlib.sha256(self._manifest).hexdigest()
+        _KNOWN.setdefault((source, self._digest), self)
 
     # -- what it is called -------------------------------------------------------------------------------
 
@@ -128,15 +129,12 @@ class Model:
         return f"Model({self.name!r}, hash={self.hash[:12]!r})"
 
     def __eq__(self, other: object) -> bool:
-        """Whether it is the same model with the same generated files, wherever it was loaded."""
+        """Whether it is this very model; what comes from another process is, where it was loaded here too."""
         if isinstance(other, str):
             raise InputError(f"a model is not its name; compare model.name with {other!r}")
-        if not isinstance(other, Model):
-            return NotImplemented
-        return (self.source, self._digest) == (other.source, other._digest)
+        return self is other
 
-    def __hash__(self) -> int:
-        return hash((self.source, self._digest))
+    __hash__ = object.__hash__
 
     def __copy__(self) -> "Model":
         """Itself: a model does not change."""
@@ -148,7 +146,6 @@ class Model:
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Its source and the generated files that running it needs."""
-        _RECEIVED.setdefault((self.source, self._digest), self)  # what comes back here is this very model
         return _from_pack, (self.source, self._digest, self._pack)
 
     @cached_property
@@ -286,11 +283,10 @@ def _stacked(value: Any, shape: tuple[int, ...]) -> NDArray[np.float64]:
     return np.stack(inner, axis=len(shape))
 
 
-_RECEIVED: dict[tuple[str, str], Model] = {}
+_KNOWN: dict[tuple[str, str], Model] = {}
+"""Models of this process by source and digest of the manifest."""
 
 
 def _from_pack(source: str, digest: str, pack: Mapping[str, bytes]) -> Model:
     """The model that came from another process; made once, however often it is sent."""
-    if (source, digest) not in _RECEIVED:
-        _RECEIVED[source, digest] = Model(unpacked(pack, source), source)
-    return _RECEIVED[source, digest]
+    return _KNOWN.get((source, digest)) or Model(unpacked(pack, source), source)

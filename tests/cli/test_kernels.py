@@ -65,7 +65,7 @@ def test_derive_cannot_write(refused, tmp_path, monkeypatch):
 
 SCRIPTS = {
     "fails": ("#!/bin/sh\necho 'out of ideas' >&2\nexit 1\n", ["failed", "out of ideas"]),
-    "says-nothing": ("#!/bin/sh\nexit 3\n", ["failed", "said nothing"]),
+    "says-nothing": ("#!/bin/sh\nexit 3\n", ["failed", "without a message"]),
     "writes-nothing": ("#!/bin/sh\nexit 0\n", ["writes-nothing"]),
     "writes-junk": ('#!/bin/sh\nfor word; do case "$word" in *.so) echo junk > "$word";; esac; done\n', []),
     "is-no-program": ("just text\n", ["is-no-program"]),

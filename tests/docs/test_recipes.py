@@ -164,7 +164,7 @@ def test_add_a_model(recipe):
     copy = recipe("add-a-model")
     copy.python("-c", DERIVE)
     copy.run_tests()
-    assert "limit cycle of damped_compass" in copy.run_page()[-1]
+    assert "<damped_compass: limit cycle" in copy.run_page()[-1]
     tables = tomllib.loads((copy.folder / "pyproject.toml").read_text())["tool"]["setuptools"]
     assert "stridemap.generated.damped_compass" in tables["packages"]
     suffixes = {f"*{path.suffix}" for path in copy.path("generated/damped_compass").iterdir()}

@@ -233,7 +233,7 @@ BAD = {
     ),
     "param hexadecimal": (
         f"[params]\nbeta = 0x{'f' * 5000}\n" + K + "[1]",
-        ["enormous integer", "not a finite number", "> 0"],
+        ["an integer of more than 4,300 digits", "not a finite number", "> 0"],
     ),
     "alpha 0": ("[params]\nalpha = 0\n" + K + "[1]", ["[params] alpha = 0 is outside", "> 0 and < 1"]),
     "alpha 1": ("[params]\nalpha = 1.0\n" + K + "[1]", ["[params] alpha = 1.0 is outside", "> 0 and < 1"]),

@@ -407,7 +407,7 @@ class Elsewhere(Inline):
     [
         ({"workers": 0}, "workers = 0 is not allowed"),
         ({"tile_cells": 0}, "tile_cells = 0 is not allowed"),
-        ({"backend": "gpu"}, "no backend 'gpu'"),
+        ({"backend": "gpu"}, "unknown backend 'gpu'"),
     ],
 )
 def test_arguments_are_checked(tmp_path, arguments, sentence):

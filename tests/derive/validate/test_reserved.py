@@ -100,7 +100,7 @@ def test_the_old_name_of_unit_names_says_the_new_one():
 
 def test_a_model_of_ones_own_does_not_take_a_built_in_name():
     """A changed walker needs a name of its own; the very same walker may keep it."""
-    with pytest.raises(InputError, match="^model compass: a model that comes with stridemap has this name"):
+    with pytest.raises(InputError, match="^model compass: this is the name of a built-in model"):
         stridemap.derive_model(COMPASS.with_(title="Mine"))
     from stridemap.codegen import _own
 

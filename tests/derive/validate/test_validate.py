@@ -76,7 +76,7 @@ NAMES = [
         more(potentials={"my spring": theta1**2}),
         "the potential 'v_my spring' cannot be a name in generated code",
     ),
-    (more(potentials={"gravity": theta1**2}), "the potential gravity is there already"),
+    (more(potentials={"gravity": theta1**2}), "the potential gravity is added automatically"),
     (
         more(parameter("lambda")),
         "the parameter lambda has a name that means something in Python; choose another",

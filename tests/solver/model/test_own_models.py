@@ -299,7 +299,7 @@ def test_an_edited_file_in_the_cache_is_refused_until_it_is_derived_again(run, r
 
 def test_derive_overwrites_nothing_of_somebody_else(refused, home):
     (home / "README.md").write_text("mine")
-    refused("derive models/wheel.py --out .", "README.md", "would be overwritten", "folder of its own")
+    refused("derive models/wheel.py --out .", "README.md", "would be overwritten", "another folder")
     assert (home / "README.md").read_text() == "mine"
 
 
