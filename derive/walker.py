@@ -43,7 +43,7 @@ class Walker(Declaration):
     gravity : sympy.Matrix, shape (2, 1)
         Acceleration of gravity; ``(sin(slope), -cos(slope))`` on ground that falls in the walking direction.
     potentials : dict of str to sympy.Expr
-        Potential energy beside gravity (springs), by name.
+        Potential energy in addition to gravity (springs), by name.
     dissipation : sympy.Expr
         Rayleigh's dissipation function (half the power that dampers take), in terms of coordinates and
         rates.
@@ -70,7 +70,7 @@ class Walker(Declaration):
     drawing : tuple of Line
         The lines by which the walker is drawn; the bodies are drawn as discs.
     quantities : tuple of Measured
-        What is measured on every limit cycle beside the quantities of all models.
+        What is measured on every limit cycle in addition to the quantities of all models.
     period_range : (float, float)
         Shortest and longest period that is searched for by default.
     units : UnitNames

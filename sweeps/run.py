@@ -39,7 +39,7 @@ Ints = NDArray[np.int64]
 
 TILE_CELLS = 160
 KIND, REASON, SOURCE = "_kind", "_reason", "_source"
-"""Columns of a part beside those of orbits: what a row is, why a cell failed, where a guess comes from."""
+"""Columns of a part that orbits lack: what a row is, why a cell failed, where a guess comes from."""
 
 KINDS = ORBIT, FAILURE, SEEN, GUESS = "orbit", "failure", "seen", "guess"
 """Kinds of rows of a part."""

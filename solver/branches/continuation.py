@@ -177,10 +177,10 @@ class _Branches:
         u, s = x[:, :-1], x[:, -1:]
         n = u.shape[1]
         jacobian, residual = self._evaluate(self.kernels.jacobian, at, u, s)
-        beside = self._residual(at, u, s + DIFFERENCE)
+        shifted = self._residual(at, u, s + DIFFERENCE)
         matrix = np.zeros((len(x), n + 1, n + 1))
         matrix[:, :n, :n] = jacobian
-        matrix[:, :n, n] = (beside - residual) / DIFFERENCE
+        matrix[:, :n, n] = (shifted - residual) / DIFFERENCE
         return matrix, residual
 
     def _first_system(self, at: Index, x: Array) -> Array:
@@ -190,8 +190,8 @@ class _Branches:
             axis=0, return_index=True, return_inverse=True,
         )  # fmt: skip
         matrix, residual = (part[same.ravel()] for part in self._system(at[first], x[first]))
-        beside = self._residual(at, x[:, :-1], x[:, -1:] + DIFFERENCE)
-        matrix[:, :-1, -1] = (beside - residual) / DIFFERENCE
+        shifted = self._residual(at, x[:, :-1], x[:, -1:] + DIFFERENCE)
+        matrix[:, :-1, -1] = (shifted - residual) / DIFFERENCE
         return matrix
 
     def _residual(self, at: Index, u: Array, s: Array) -> Array:

@@ -45,11 +45,11 @@ def load(model: str | Path | Model) -> Model:
 
 
 def _derived(path: Path) -> Path:
-    """Folder of the generated files of a model file; derived again only when a file beside it changed."""
+    """Folder of the generated files of a model file; derived again only when a file of its folder changed."""
     if not path.is_file():
         raise InputError(f"cannot read the model file {path}; give the path of a Python file (.py)")
-    beside = sorted(path.resolve().parent.glob("*.py"))  # it may import them
-    return _derived_once(path, path.resolve(), tuple((p.name, _changed(p)) for p in beside))
+    folder = sorted(path.resolve().parent.glob("*.py"))  # it may import them
+    return _derived_once(path, path.resolve(), tuple((p.name, _changed(p)) for p in folder))
 
 
 def _changed(path: Path) -> int:
@@ -60,7 +60,7 @@ def _changed(path: Path) -> int:
 
 
 @cache
-def _derived_once(path: Path, _resolved: Path, _beside: tuple[tuple[str, int], ...]) -> Path:
+def _derived_once(path: Path, _resolved: Path, _folder: tuple[tuple[str, int], ...]) -> Path:
     folder: Path = service("derive_file")(path)
     return folder
 

@@ -27,7 +27,7 @@ def extreme(trace: Trace, name: str, score: np.ufunc | None = None) -> Array:
     g, _ = trace.observable(name)
     best = value(g).max(axis=1)
     turns = brackets(trace, name, derivative=True)
-    # Only a turning point beside the best nodes can beat them: a generous bound on what it can gain.
+    # Only a turning point next to the best nodes can beat them: a generous bound on what it can gain.
     near = np.maximum(value(g[turns.orbit, turns.node]), value(g[turns.orbit, turns.node + 1]))
     slope = np.maximum(np.abs(turns.f_lower), np.abs(turns.f_upper)) * trace.h[turns.orbit]
     candidates = turns.take(near + slope >= best[turns.orbit])
