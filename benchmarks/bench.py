@@ -152,7 +152,7 @@ class Practice:
         y = motion.sol(t).T
         values = {"t": t, "q": y[:, :3], "v": y[:, 3:], "p": self.params}
         d_max = np.abs(self.model.evaluate("zmp", **values)["d"]).max()
-        power = np.abs(self.model.evaluate("controller_torque", **values)["u"] * y[:, 4])
+        power = np.abs(self.model.evaluate("controller_torque", **values)["u"][:, 0] * y[:, 4])
         mass = self.model.evaluate("total_mass", p=self.params)["mass"]
         return z, multipliers, float(d_max), float(np.trapezoid(power, t) / (mass * 2 * math.sin(z[0])))
 
