@@ -61,8 +61,8 @@ class Motion:
         return max(-inside.fun, values[best])
 
 
-QUICK = (0, 1, 2, POINTS.index(("wobbling", LIFTING)), len(POINTS) - 1)
-"""The typical points, one where the foot is pulled, and one of the compass walker."""
+QUICK = (0, 1, 10, POINTS.index(("wobbling", LIFTING)), len(POINTS) - 1)
+"""Two typical points, one with falling zeros between nodes, one where the foot is pulled, one compass."""
 
 
 @pytest.fixture(
