@@ -68,6 +68,18 @@ class Advanced(NamedTuple):
     dg: Array
 
 
+class Directional(NamedTuple):
+    """Residuals R at points x = (u, p), and derivatives in the directions a and b; shape (n, nz + 1) each.
+
+    ``DR[a]``, ``DR[b]`` and the mixed second derivative ``D2R[a, b]``.
+    """
+
+    residual: Array
+    along_a: Array
+    along_b: Array
+    mixed: Array
+
+
 class Kernels(ABC):
     """The kernels of one model, mapped over arrays of points.
 
@@ -114,6 +126,25 @@ class Kernels(ABC):
         """Residuals with their derivatives with respect to u."""
         jacobian, residual = self.call(catalogue.jacobian(n_rk), u, p)
         return Linearised(_by_rows(jacobian), residual)
+
+    def directional(self, n_rk: int, u: Array, p: Array, a: Array, b: Array) -> Directional:
+        """Residuals with exact derivatives of first and second order in two directions of (u, p).
+
+        Parameters
+        ----------
+        n_rk : int
+        u : ndarray, shape (n, nz + 1)
+        p : ndarray, shape (n, n_params)
+        a, b : ndarray, shape (n, nz + 1 + n_params)
+            Directions: changes of u, then of the parameters.
+        """
+        whole = _directional(self.model, n_rk)
+        parts = [u, p, *np.split(a, [u.shape[1]], axis=1), *np.split(b, [u.shape[1]], axis=1)]
+        outputs = [np.full(u.shape, np.nan) for _ in range(4)]
+        for i, row in enumerate(zip(*parts, strict=True)):
+            for out, value in zip(outputs, whole(*row), strict=True):
+                out[i] = value.full().ravel()
+        return Directional(*outputs)
 
     def trace(self, n_rk: int, u: Array, p: Array) -> Traced:
         """Whole steps, observed at their nodes."""
@@ -181,6 +212,19 @@ class Backend(ABC):
 @cache
 def _functions(model: Model) -> dict[Kernel, ca.Function]:
     return catalogue.build(model)
+
+
+@cache
+def _directional(model: Model, n_rk: int) -> ca.Function:
+    """(u, p, a_u, a_p, b_u, b_p) -> (R, DR[a], DR[b], D2R[a, b]), by CasADi's own differentiation."""
+    residual = _functions(model)[catalogue.residual(n_rk)]
+    u, p = (ca.MX.sym(name, *residual.size_in(name)) for name in ("u", "p"))
+    a_u, b_u, a_p, b_p = (ca.MX.sym(n, *x.shape) for n, x in (("a", u), ("b", u), ("a_p", p), ("b_p", p)))
+    x, value = ca.vertcat(u, p), residual(u, p)
+    along_a, along_b = (ca.jtimes(value, x, ca.vertcat(*one)) for one in ((a_u, a_p), (b_u, b_p)))
+    mixed = ca.jtimes(along_a, x, ca.vertcat(b_u, b_p))
+    inputs = [u, p, a_u, a_p, b_u, b_p]
+    return ca.Function("directional", inputs, [ca.densify(e) for e in (value, along_a, along_b, mixed)])
 
 
 def _by_rows(matrices: Array) -> Array:

@@ -8,16 +8,18 @@ The results do not depend on the processor, nor on which points are in a batch.
 """
 
 import ctypes
+from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
-from stridemap.solver.backends.base import Backend, Kernels
+from stridemap.solver.backends.base import Backend, Directional, Kernels
 from stridemap.solver.backends.compiler import Compiler, processor_features
 from stridemap.solver.backends.shared_library import check, pointers, sizes
-from stridemap.solver.kernels.catalogue import BRANCH_FREE, NEWTON, Kernel, Newton, c_name, jacobian, residual
+from stridemap.solver.kernels.catalogue import BRANCH_FREE, NEWTON, Kernel, Kind, Newton, c_name, jacobian, residual
 from stridemap.solver.model.files import kernels_file
 from stridemap.solver.model.model import Model
 
@@ -62,14 +64,32 @@ def source(model: Model) -> str:
     InputError
         When the C is not the one that the manifest names.
     """
+    return _joined(model, ("lanes.h",), "Lanes", "lockstep.h", BRANCH_FREE)
+
+
+def directional_source(model: Model) -> str:
+    """The residuals with derivatives in two directions, as one C++ file; see `source`."""
+    kernels = [kernel for kernel in BRANCH_FREE if kernel.kind == Kind.RESIDUAL]
+    return _joined(model, ("lanes.h", "jets.h"), "Jet", "directional.h", kernels)
+
+
+def _joined(
+    model: Model, numbers: Sequence[str], number: str, driver: str, shown: Sequence[Kernel]
+) -> str:
+    """The kernels' C with another type of number, between the number's header and what calls the kernels."""
     here = Path(__file__).parent
-    lanes, driver = ((here / name).read_text(encoding="utf-8") for name in ("lanes.h", "lockstep.h"))
-    kernels = model.text(kernels_file(model.name))
-    shown = "".join(f"KERNEL({c_name(model, kernel)})\n" for kernel in BRANCH_FREE)
+    *headers, caller = ((here / name).read_text(encoding="utf-8") for name in (*numbers, driver))
     # What is not shown is not compiled.
-    return (
-        f"{lanes}\n#define casadi_real Lanes\n#define CASADI_SYMBOL_EXPORT\n"
-        f"namespace {{\n{kernels}\n}}\n{driver}\n{shown}"
+    return "\n".join(
+        [
+            *headers,
+            f"#define casadi_real {number}",
+            "#define CASADI_SYMBOL_EXPORT",
+            f"namespace {{\n{model.text(kernels_file(model.name))}\n}}",
+            caller,
+            *(f"KERNEL({c_name(model, kernel)})" for kernel in shown),
+            "",
+        ]
     )
 
 
@@ -115,7 +135,28 @@ class LaneKernels(Kernels):
         super().__init__(model, backend)
         self._compiler = Compiler.named(backend.compiler)
         wide = instruction_flags() if backend.instructions is None else backend.instructions
-        self._library = self._compiler.library(f"{model.name}_lockstep.cpp", source(model), [*FLAGS, *wide])
+        self._flags = [*FLAGS, *wide]
+        self._library = self._compiler.library(f"{model.name}_lockstep.cpp", source(model), self._flags)
+
+    @cached_property
+    def _directional(self) -> ctypes.CDLL:
+        """The residuals with derivatives in two directions; compiled when they are first asked for."""
+        text = directional_source(self.model)
+        return self._compiler.library(f"{self.model.name}_directional.cpp", text, self._flags)
+
+    def directional(self, n_rk: int, u: Array, p: Array, a: Array, b: Array) -> Directional:
+        """Residuals with exact derivatives in two directions of (u, p): see `Kernels.directional`."""
+        u, p, a, b = (np.ascontiguousarray(one, dtype=np.float64) for one in (u, p, a, b))
+        outputs = [np.empty_like(u) for _ in range(4)]
+        kernel = residual(n_rk)
+        if len(u):
+            status = self._directional.directional_map(
+                _shown(self._directional, "directional", c_name(self.model, kernel)),
+                *map(ctypes.c_longlong, (len(u), u.shape[1], p.shape[1])),
+                *(ctypes.c_void_p(one.ctypes.data) for one in (u, p, a, b)), pointers(outputs),
+            )  # fmt: skip
+            check(status, kernel)
+        return Directional(*outputs)
 
     @property
     def compiler(self) -> str:
@@ -153,6 +194,9 @@ class LaneKernels(Kernels):
         check(status, kernel)
 
     def _shown(self, kernel: Kernel) -> ctypes.c_void_p:
-        """Address of a kernel in the library."""
-        shown = ctypes.c_char.in_dll(self._library, f"lockstep_{c_name(self.model, kernel)}")
-        return ctypes.c_void_p(ctypes.addressof(shown))
+        return _shown(self._library, "lockstep", c_name(self.model, kernel))
+
+
+def _shown(library: ctypes.CDLL, driver: str, kernel: str) -> ctypes.c_void_p:
+    """Address of a kernel in a library."""
+    return ctypes.c_void_p(ctypes.addressof(ctypes.c_char.in_dll(library, f"{driver}_{kernel}")))
