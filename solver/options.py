@@ -219,3 +219,55 @@ class ContinuationOptions(Options):
         self._check_number("step_growth", float(np.nextafter(1, 0)), np.inf)  # 1 itself is allowed
         for name in ("step_shrink", "max_contraction", "max_correction_ratio", "min_tangent_cosine"):
             self._check_number(name, 0.0, 1.0)
+
+
+@dataclass(frozen=True)
+class ArclengthOptions(Options):
+    """Step control along a branch over one parameter.
+
+    Lengths are measured in a space where 1 is the length of the parameter's range, of the model's range of
+    periods, or the half-width of its search box.
+
+    Parameters
+    ----------
+    ds, ds_min, ds_max : float
+        First, shortest and longest arclength step.
+    step_growth, step_shrink : float
+        Factors of the arclength step after one along which the tangent hardly turned, and after one that
+        failed.
+    max_steps : int
+        Arclength steps along a branch each way, failed ones included.
+    max_corrections : int
+        Newton corrections of one point.
+    min_tangent_cosine, easy_tangent_cosine : float
+        Smallest cosine of the angle by which the tangent turns in one arclength step, and that above which
+        the next one is longer.
+
+    Raises
+    ------
+    InputError
+        For values out of range.
+    """
+
+    ds: float = 0.01
+    ds_min: float = 1e-7
+    ds_max: float = 0.05
+    step_growth: float = 1.3
+    step_shrink: float = 0.5
+    max_steps: int = 2000
+    max_corrections: int = 5
+    min_tangent_cosine: float = 0.9925
+    easy_tangent_cosine: float = 0.999
+
+    def __post_init__(self) -> None:
+        for name in ("max_steps", "max_corrections"):
+            value = getattr(self, name)
+            whole = isinstance(value, int) and not isinstance(value, bool)
+            self._check(name, whole and 1 <= value <= 10**6, "a whole number from 1 to 1,000,000 is needed")
+        for name in ("ds", "ds_min", "ds_max"):
+            self._check_number(name, 0.0, np.inf)
+        self._check("ds_min", self.ds_min <= self.ds, f"it must not be above ds = {self.ds:g}")
+        self._check("ds", self.ds <= self.ds_max, f"it must not be above ds_max = {self.ds_max:g}")
+        self._check_number("step_growth", float(np.nextafter(1, 0)), np.inf)
+        for name in ("step_shrink", "min_tangent_cosine", "easy_tangent_cosine"):
+            self._check_number(name, 0.0, 1.0)

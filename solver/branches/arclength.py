@@ -1,0 +1,203 @@
+"""Pseudo-arclength continuation of one curve of cycles, corrected by Newton's method at every point.
+
+(H. B. Keller 1977.) From a point x1 with the unit tangent tau, the next one solves ``R(x) = 0`` together with
+
+    <x - x1, tau> = ds,
+
+so that a fold, where the curve turns back in the parameter, is passed like any other point. The arclength step
+`ds` follows the number of Newton's corrections and the angle by which the tangent turns: large angles hide
+branch points, and lead onto other branches. Unlike `continuation`, which follows many branches to one value
+each, this follows a curve through its whole range, and keeps every point.
+"""
+
+from dataclasses import dataclass
+from enum import StrEnum
+
+import numpy as np
+from numpy.typing import NDArray
+
+from stridemap.solver.branches.curve import Corrected, Curve
+from stridemap.solver.options import ArclengthOptions
+
+Array = NDArray[np.float64]
+
+
+class EndReason(StrEnum):
+    """Why a curve was not followed any further."""
+
+    RANGE = "range"
+    """It leaves the range of the parameter."""
+    PERIOD = "period_limit"
+    """A walking step becomes shorter or longer than the range of periods allows."""
+    CLOSED = "closed"
+    """It has come back to where it began."""
+    STANDING = "standing"
+    """The steps shrink to nothing: the walker stands."""
+    STALLED = "stalled"
+    """No shorter arclength step leads on."""
+    STEPS = "max_steps"
+    """The largest number of arclength steps was taken."""
+
+
+@dataclass(frozen=True)
+class CurvePoint:
+    """A point of a curve.
+
+    Parameters
+    ----------
+    x : ndarray, shape (N + 1,)
+    tangent : ndarray, shape (N + 1,)
+        Unit tangent, in the direction in which the curve is followed.
+    matrix : ndarray, shape (N, N + 1)
+        Derivative of the residual.
+    multipliers : ndarray of complex, shape (nz,)
+    n_rk : int
+        RK steps per walking step with which it was computed.
+    """
+
+    x: Array
+    tangent: Array
+    matrix: Array
+    multipliers: NDArray[np.complex128]
+    n_rk: int
+
+    @classmethod
+    def at(cls, curve: Curve, corrected: Corrected, ahead: Array, n_rk: int) -> "CurvePoint":
+        """A point that Newton's method found, with the tangent on the side of `ahead`."""
+        multipliers = curve.chain.multipliers(corrected.matrix[None, :, :-1])[0]
+        tangent = curve.tangent(corrected.matrix, ahead)
+        return cls(corrected.x, tangent, corrected.matrix, multipliers, n_rk)
+
+    def reversed(self) -> "CurvePoint":
+        """The same point, to be followed the other way."""
+        return CurvePoint(self.x, -self.tangent, self.matrix, self.multipliers, self.n_rk)
+
+
+@dataclass(frozen=True)
+class Window:
+    """Where a curve is followed.
+
+    Parameters
+    ----------
+    low, high : float
+        Range of the parameter.
+    shortest, longest : float
+        Range of the periods of each walking step.
+    """
+
+    low: float
+    high: float
+    shortest: float
+    longest: float
+
+
+def advanced(curve: Curve, start: CurvePoint, ds: float, iterations: int) -> CurvePoint | None:
+    """The point at an arclength step from another one; None where Newton's method does not find it.
+
+    Parameters
+    ----------
+    curve : Curve
+    start : CurvePoint
+    ds : float
+    iterations : int
+        Largest number of corrections.
+    """
+    guess = start.x + ds * start.tangent
+    n_rk = curve.n_rk(guess)
+    found = curve.corrected(guess, start.tangent, n_rk, iterations)
+    return CurvePoint.at(curve, found, start.tangent, n_rk) if found.converged else None
+
+
+def at_value(curve: Curve, guess: Array, value: float, ahead: Array, iterations: int) -> CurvePoint | None:
+    """The point with a value of the parameter, from a guess; None where Newton's method does not find it."""
+    guess = np.append(guess[:-1], value)
+    across = np.zeros(len(guess))
+    across[-1] = curve.scale[-1]
+    n_rk = curve.n_rk(guess)
+    found = curve.corrected(guess, across, n_rk, iterations)
+    return CurvePoint.at(curve, found, ahead, n_rk) if found.converged else None
+
+
+def follow(
+    curve: Curve, start: CurvePoint, window: Window, options: ArclengthOptions, ds: float | None = None
+) -> tuple[list[CurvePoint], EndReason]:
+    """Follow a curve from a point, in the direction of its tangent.
+
+    Parameters
+    ----------
+    curve : Curve
+    start : CurvePoint
+    window : Window
+    options : ArclengthOptions
+    ds : float, optional
+        The first arclength step.
+
+    Returns
+    -------
+    points : list of CurvePoint
+        The start first; where the curve leaves the parameter's range, the last one is at its end.
+    reason : EndReason
+    """
+    points, ds = [start], options.ds if ds is None else ds
+    for _ in range(options.max_steps):
+        here = points[-1]
+        there = advanced(curve, here, ds, options.max_corrections)
+        turn = -1.0 if there is None else curve.dot(there.tangent, here.tangent)
+        if there is None or turn < options.min_tangent_cosine or _strays(curve, here, there, ds):
+            ds *= options.step_shrink
+            if ds < options.ds_min:
+                return points, EndReason.STALLED
+            continue
+        if not window.low <= there.x[-1] <= window.high:
+            points += _last_point(curve, here, there, window, options)
+            return points, EndReason.RANGE
+        points.append(there)
+        if reason := _ended(curve, points, window):
+            return points, reason
+        if turn > options.easy_tangent_cosine:
+            ds = min(ds * options.step_growth, options.ds_max)
+    return points, EndReason.STEPS
+
+
+def _strays(curve: Curve, here: CurvePoint, there: CurvePoint, ds: float) -> bool:
+    """Whether the corrections led far from where the tangent pointed, perhaps onto another curve."""
+    return curve.norm(there.x - here.x - ds * here.tangent) > MAX_CORRECTION * ds
+
+
+def _last_point(
+    curve: Curve, here: CurvePoint, there: CurvePoint, window: Window, options: ArclengthOptions
+) -> list[CurvePoint]:
+    """The point at the end of the parameter's range that lies between two; none where it is the first."""
+    end = window.high if there.x[-1] > window.high else window.low
+    if here.x[-1] == end:
+        return []
+    part = (end - here.x[-1]) / (there.x[-1] - here.x[-1])
+    guess = here.x + part * (there.x - here.x)
+    last = at_value(curve, guess, end, here.tangent, options.max_corrections + 4)
+    return [last] if last is not None else []
+
+
+def _ended(curve: Curve, points: list[CurvePoint], window: Window) -> EndReason | None:
+    """Whether a curve ends at its newest point, and why."""
+    x = points[-1].x
+    steps = x[:-1].reshape(-1, curve.chain.width)
+    if not ((steps[:, -1] > window.shortest) & (steps[:, -1] <= window.longest)).all():
+        return EndReason.PERIOD
+    if np.abs(steps[:, :-1] / curve.model.spec.scales).max() < STANDING:
+        return EndReason.STANDING
+    if len(points) > 3:
+        first, across = points[0], points[0].tangent
+        ahead = curve.dot(x - first.x, across)
+        before = curve.dot(points[-2].x - first.x, across)
+        near = curve.norm(x - first.x) < 2 * curve.norm(x - points[-2].x)
+        if before < 0 <= ahead and near:
+            return EndReason.CLOSED
+    return None
+
+
+MAX_CORRECTION = 0.3
+"""Largest correction, as a part of the arclength step."""
+
+STANDING = 1e-4
+"""A section point whose entries are all below this part of their scale is a walker that stands."""
+
