@@ -1,0 +1,99 @@
+"""From one branch onto another: at a period doubling, and at a branch point."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from stridemap.solver.branches.arclength import CurvePoint, advanced
+from stridemap.solver.branches.curve import Curve
+from stridemap.solver.branches.special import Special
+from stridemap.solver.options import ArclengthOptions
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Switched:
+    """The beginning of a branch that leaves another one.
+
+    Parameters
+    ----------
+    curve : Curve
+        The curve on which it lies: of twice as many steps after a doubling.
+    start : CurvePoint
+        Its first point beyond the other branch, with the tangent that leads away.
+    """
+
+    curve: Curve
+    start: CurvePoint
+
+
+def doubled(curve: Curve, special: Special, options: ArclengthOptions) -> Switched | None:
+    """The branch of twice the period that begins at a doubling; None where it is not found.
+
+    At a doubling the multiplier is -1: a small displacement along the null vector w returns after one cycle
+    with the opposite sign. So the doubled cycle is, to first order, the cycle at u + w and then at u - w.
+
+    Parameters
+    ----------
+    curve : Curve
+    special : Special
+        A doubling on it.
+    options : ArclengthOptions
+    """
+    double = curve.with_steps(2 * curve.chain.n_steps)
+    w = np.real(special.null)
+    x = np.append(np.tile(special.x[:-1], 2), special.x[-1])
+    return _leaving(double, x, np.concatenate([w, -w, [0.0]]), options)
+
+
+def crossing(curve: Curve, special: Special, options: ArclengthOptions, side: int = 1) -> Switched | None:
+    """The other branch at a branch point, to one side; None where it is not found.
+
+    Parameters
+    ----------
+    curve : Curve
+    special : Special
+        A branch point on it.
+    options : ArclengthOptions
+    side : {1, -1}
+    """
+    return _leaving(curve, special.x, side * np.real(special.null), options)
+
+
+def _leaving(curve: Curve, x: Array, direction: Array, options: ArclengthOptions) -> Switched | None:
+    """The first point in a direction that leads away from a point, at the longest of ever shorter steps."""
+    tangent = direction / curve.norm(direction)
+    n_rk = curve.n_rk(x)
+    matrix, _ = curve.linearised(x, n_rk)
+    here = CurvePoint(x, tangent, matrix, curve.chain.multipliers(matrix[None, :, :-1])[0], n_rk)
+    ds = options.ds
+    while ds >= options.ds_min:
+        there = advanced(curve, here, ds, options.max_corrections)
+        if there is not None:
+            offset = there.x - x
+            # A new branch is at a distance from the old one, and its tangent has hardly turned.
+            if (
+                curve.dot(there.tangent, tangent) > options.min_tangent_cosine
+                and curve.norm(offset - ds * tangent) < 0.3 * ds
+            ):
+                return Switched(curve, there)
+        ds *= options.step_shrink
+    return None
+
+
+def supercritical(curve: Curve, special: Special, switched: Switched, slope: float) -> bool:
+    """Whether a doubled branch begins on the side on which the cycle that doubles is unstable.
+
+    Parameters
+    ----------
+    curve : Curve
+    special : Special
+        The doubling.
+    switched : Switched
+        The branch that begins there.
+    slope : float
+        Change of the multiplier that is -1 per unit of the parameter.
+    """
+    return (switched.start.x[-1] - special.x[-1]) * slope < 0
