@@ -1,0 +1,126 @@
+"""What makes a cycle a gait that a walker could walk: conditions that are positive where they hold.
+
+Each is a continuous function along a branch, so that the place where a gait ends is where one of them is zero.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from enum import StrEnum
+
+import numpy as np
+from numpy.typing import NDArray
+
+from stridemap.solver.backends.base import Kernels
+from stridemap.solver.observables.events import Trace, brackets, locate
+from stridemap.solver.observables.reductions import extreme
+
+Array = NDArray[np.float64]
+
+
+class GaitEnd(StrEnum):
+    """How a gait ends."""
+
+    GRAZING = "grazing"
+    """The swing foot reaches the ground without speed towards it."""
+    EARLY_TOUCHDOWN = "early_touchdown"
+    """The swing foot touches the ground before the end of the step."""
+    BACKWARD = "backward"
+    """The swing foot lands where a touchdown is not admissible: beside or behind the stance foot."""
+    FALL = "fall"
+    """The stance leg reaches the ground."""
+    CONTACT = "contact"
+    """The vertical ground force reaches zero."""
+    FRICTION = "friction"
+    """The friction that is needed reaches the limit."""
+
+
+@dataclass(frozen=True)
+class GaitConditions:
+    """The conditions of one model.
+
+    Parameters
+    ----------
+    kernels : Kernels
+    friction_limit : float or None
+        Largest ratio of horizontal to vertical ground force.
+    """
+
+    kernels: Kernels
+    friction_limit: float | None = None
+
+    @property
+    def names(self) -> tuple[GaitEnd, ...]:
+        """Which conditions there are."""
+        left_out = set()
+        if self.friction_limit is None:
+            left_out.add(GaitEnd.FRICTION)
+        if self.kernels.model.stance_index is None:
+            left_out.add(GaitEnd.FALL)
+        return tuple(name for name in GaitEnd if name not in left_out)
+
+    def of_steps(self, n_rk: int, u: Array, params: Array) -> dict[GaitEnd, Array]:
+        """Every condition on walking steps, shape (m,) each: positive where it holds.
+
+        Parameters
+        ----------
+        n_rk : int
+            RK steps per walking step.
+        u : ndarray, shape (m, nz + 1)
+            Section points and periods.
+        params : ndarray, shape (m, n_params)
+        """
+        trace = Trace.of(self.kernels, u, params, self.kernels.trace(n_rk, u, params))
+        model, n = self.kernels.model, len(self.kernels.model.coordinates)
+        q, v = trace.w[:, :, :n], trace.w[:, :, n : 2 * n]
+        side = model.evaluate("touchdown_condition", q=q, v=v, p=params[:, None, :])["side"]
+        out = {
+            GaitEnd.GRAZING: trace.dg[:, -1, trace.row("touchdown")],
+            GaitEnd.EARLY_TOUCHDOWN: -_highest_inner_touchdown(trace),
+            GaitEnd.BACKWARD: -side[:, -1],
+            GaitEnd.CONTACT: -extreme(trace, "vertical_force", np.negative),
+        }
+        if model.stance_index is not None:
+            out[GaitEnd.FALL] = 0.5 * np.pi - np.abs(q[:, :, model.stance_index]).max(axis=1)
+        if self.friction_limit is not None:
+            out[GaitEnd.FRICTION] = self.friction_limit - extreme(trace, "friction", np.absolute)
+        return {name: out[name] for name in self.names}
+
+    def of_cycles(self, n_rk: Sequence[int], u: Array, params: Array, n_steps: int) -> dict[GaitEnd, Array]:
+        """Every condition on cycles of several steps, shape (m,) each: that of the worst step.
+
+        Parameters
+        ----------
+        n_rk : sequence of int, length m
+        u : ndarray, shape (m, n_steps * (nz + 1))
+        params : ndarray, shape (m, n_params)
+        n_steps : int
+        """
+        resolution, out = np.asarray(n_rk), {name: np.empty(len(u)) for name in self.names}
+        for n in np.unique(resolution).tolist():
+            at = np.flatnonzero(resolution == n)
+            steps = u[at].reshape(len(at) * n_steps, -1)
+            each = self.of_steps(n, steps, np.repeat(params[at], n_steps, axis=0))
+            for name, values in each.items():
+                out[name][at] = values.reshape(len(at), n_steps).min(axis=1)
+        return out
+
+
+def _highest_inner_touchdown(trace: Trace) -> Array:
+    """Largest touchdown condition at a turning point within the step, where it is admissible; shape (n,).
+
+    It is negative while the foot is above the ground, and -infinity where there is no such turning point.
+    """
+    found = brackets(trace, "touchdown", derivative=True)
+    found = found.take(found.f_lower > found.f_upper)  # maxima only
+    highest = np.full(len(trace.period), -np.inf)
+    if not len(found.orbit):
+        return highest
+    time, w, g = locate(trace, found)
+    model, n = trace.kernels.model, len(trace.kernels.model.coordinates)
+    p = trace.params[found.orbit]
+    side = model.evaluate("touchdown_condition", q=w[:, :n], v=w[:, n : 2 * n], p=p)["side"]
+    # At the ends of the step the condition is zero: a turning point there is the beginning or the end itself.
+    h = trace.h[found.orbit]
+    inner = (side < 0) & (time > 1e-3 * h) & (time < trace.period[found.orbit] - 1e-3 * h)
+    np.maximum.at(highest, found.orbit[inner], g[inner, found.row])
+    return highest
