@@ -19,7 +19,16 @@ from numpy.typing import NDArray
 from stridemap.solver.backends.base import Backend, Directional, Kernels
 from stridemap.solver.backends.compiler import Compiler, processor_features
 from stridemap.solver.backends.shared_library import check, pointers, sizes
-from stridemap.solver.kernels.catalogue import BRANCH_FREE, NEWTON, Kernel, Kind, Newton, c_name, jacobian, residual
+from stridemap.solver.kernels.catalogue import (
+    BRANCH_FREE,
+    NEWTON,
+    Kernel,
+    Kind,
+    Newton,
+    c_name,
+    jacobian,
+    residual,
+)
 from stridemap.solver.model.files import kernels_file
 from stridemap.solver.model.model import Model
 
@@ -73,9 +82,7 @@ def directional_source(model: Model) -> str:
     return _joined(model, ("lanes.h", "jets.h"), "Jet", "directional.h", kernels)
 
 
-def _joined(
-    model: Model, numbers: Sequence[str], number: str, driver: str, shown: Sequence[Kernel]
-) -> str:
+def _joined(model: Model, numbers: Sequence[str], number: str, driver: str, shown: Sequence[Kernel]) -> str:
     """The kernels' C with another type of number, between the number's header and what calls the kernels."""
     here = Path(__file__).parent
     *headers, caller = ((here / name).read_text(encoding="utf-8") for name in (*numbers, driver))

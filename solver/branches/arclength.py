@@ -35,6 +35,10 @@ class EndReason(StrEnum):
     """The steps shrink to nothing: the walker stands."""
     STALLED = "stalled"
     """No shorter arclength step leads on."""
+    REGION = "region"
+    """A section coordinate is far outside the box in which cycles are searched for."""
+    BRANCH_POINT = "branch_point"
+    """It begins at another branch."""
     STEPS = "max_steps"
     """The largest number of arclength steps was taken."""
 
@@ -185,6 +189,8 @@ def _ended(curve: Curve, points: list[CurvePoint], window: Window) -> EndReason 
         return EndReason.PERIOD
     if np.abs(steps[:, :-1] / curve.model.spec.scales).max() < STANDING:
         return EndReason.STANDING
+    if (np.abs(steps[:, :-1] - curve.middle) > FARTHEST * np.asarray(curve.model.spec.scales)).any():
+        return EndReason.REGION
     if len(points) > 3:
         first, across = points[0], points[0].tangent
         ahead = curve.dot(x - first.x, across)
@@ -198,6 +204,8 @@ def _ended(curve: Curve, points: list[CurvePoint], window: Window) -> EndReason 
 MAX_CORRECTION = 0.3
 """Largest correction, as a part of the arclength step."""
 
+FARTHEST = 4.0
+"""Distance from the middle of the search box, in half-widths, beyond which nothing walks."""
+
 STANDING = 1e-4
 """A section point whose entries are all below this part of their scale is a walker that stands."""
-

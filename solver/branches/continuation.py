@@ -21,6 +21,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stridemap.solver.cycles.solver import Solver
+from stridemap.solver.linear import solved
 from stridemap.solver.options import ContinuationOptions
 
 Array = NDArray[np.float64]
@@ -132,7 +133,7 @@ class _Branches:
         matrix, residual = self._system(at, y)
         new = self._tangent(matrix, tangent)
         matrix[:, -1, :] = across
-        change = _solved(matrix, np.column_stack([-residual, np.zeros(len(at))]))
+        change = solved(matrix, np.column_stack([-residual, np.zeros(len(at))]))
         y += change
         size = self._norm(change)
         with np.errstate(invalid="ignore"):
@@ -144,7 +145,7 @@ class _Branches:
             if not len(open_):
                 break
             residual = self._residual(at[open_], y[open_, :-1], y[open_, -1:])
-            change = _solved(matrix[open_], np.column_stack([-residual, np.zeros(len(open_))]))
+            change = solved(matrix[open_], np.column_stack([-residual, np.zeros(len(open_))]))
             y[open_] += change
             now = self._norm(change)
             done = now < options.tolerance
@@ -214,24 +215,9 @@ class _Branches:
         matrix[:, -1, :] = ahead / self.scale**2
         right = np.zeros(ahead.shape)
         right[:, -1] = 1.0
-        tangent = _solved(matrix, right)
+        tangent = solved(matrix, right)
         return tangent / self._norm(tangent)[:, None]
 
     def _norm(self, x: Array) -> Array:
         """Lengths in terms of the scale."""
         return np.sqrt(((x / self.scale) ** 2).sum(axis=1))
-
-
-def _solved(matrix: Array, right: Array) -> Array:
-    """Solutions of linear systems; NaN where there is none."""
-    finite = np.isfinite(matrix).all(axis=(1, 2)) & np.isfinite(right).all(axis=1)
-    out = np.full(right.shape, np.nan)
-    try:
-        out[finite] = np.linalg.solve(matrix[finite], right[finite][:, :, None])[:, :, 0]
-    except np.linalg.LinAlgError:  # one of them is singular to the last bit: none of its neighbours is
-        for i in np.flatnonzero(finite):
-            try:
-                out[i] = np.linalg.solve(matrix[i], right[i])
-            except np.linalg.LinAlgError:
-                continue
-    return out

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from stridemap.solver.backends.base import Directional
 from stridemap.solver.cycles.chain import Chain
 from stridemap.solver.kernels.resolution import Resolution
+from stridemap.solver.linear import solved
 from stridemap.solver.model.model import Model
 
 Array = NDArray[np.float64]
@@ -60,6 +61,11 @@ class Curve:
         shortest, longest = self.model.period_range
         step = [*self.model.spec.scales, longest - shortest]
         return np.array([*(self.chain.n_steps**0.5 * np.tile(step, self.chain.n_steps)), self.width])
+
+    @cached_property
+    def middle(self) -> Array:
+        """Middle of the search box, shape (nz,)."""
+        return np.array([self.model.spec.search_box[name][0] for name in self.model.section])
 
     def with_steps(self, n_steps: int) -> "Curve":
         """The curve of cycles of another number of steps."""
@@ -193,12 +199,3 @@ class Corrected:
     def converged(self) -> bool:
         """Whether it is a point of the curve."""
         return self.residual < np.inf
-
-
-def solved(matrix: Array, right: Array) -> Array:
-    """Solution of a linear system; NaN where there is none."""
-    try:
-        solution: Array = np.linalg.solve(matrix, right)
-    except np.linalg.LinAlgError:
-        return np.full(right.shape, np.nan)
-    return solution

@@ -32,7 +32,9 @@ class End:
     residual: float
 
 
-def conditions_along(curve: Curve, points: list[CurvePoint], conditions: GaitConditions) -> dict[GaitEnd, Array]:
+def conditions_along(
+    curve: Curve, points: list[CurvePoint], conditions: GaitConditions
+) -> dict[GaitEnd, Array]:
     """Every condition of a gait at points of a curve, shape (m,) each."""
     x = np.array([point.x for point in points])
     params = np.array([curve.point(value) for value in x[:, -1]])

@@ -25,8 +25,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stridemap.solver.branches.arclength import CurvePoint, advanced
-from stridemap.solver.branches.curve import Curve, solved
+from stridemap.solver.branches.curve import Curve
 from stridemap.solver.kernels.catalogue import CYCLE_N_RK
+from stridemap.solver.linear import solved
 from stridemap.solver.options import ArclengthOptions
 
 Array = NDArray[np.float64]
@@ -58,9 +59,13 @@ class Special:
     residual : float
         Largest entry of its defining system.
     slope : float
-        Change of what is zero there, per unit of arclength: a bifurcation whose slope is not zero is crossed.
+        Change along the branch, per unit of arclength, of what passes through a value there: of a doubling's
+        multiplier, of the modulus of a torus's; of a fold, of the parameter's share in the tangent. A special
+        point whose slope is not zero is truly crossed.
     multiplier : complex
         The one that crosses the unit circle.
+    direction : float
+        Change of the parameter per unit of arclength.
     """
 
     type: SpecialType
@@ -70,6 +75,7 @@ class Special:
     residual: float
     slope: float
     multiplier: complex
+    direction: float
 
 
 # -- test functions --------------------------------------------------------------------------------------
@@ -157,7 +163,9 @@ def _likeliest(curve: Curve, kind: SpecialType, one: CurvePoint, other: CurvePoi
     before, after = abs(tests(curve, one)[kind]), abs(tests(curve, other)[kind])
     part = before / (before + after) if before + after > 0 else 0.5
     near = one if part < 0.5 else other
-    return CurvePoint(one.x + part * (other.x - one.x), near.tangent, near.matrix, near.multipliers, near.n_rk)
+    return CurvePoint(
+        one.x + part * (other.x - one.x), near.tangent, near.matrix, near.multipliers, near.n_rk
+    )
 
 
 def _within(curve: Curve, one: CurvePoint, other: CurvePoint, x: Array) -> bool:
@@ -241,11 +249,14 @@ def _real_multiplier(kind: SpecialType, value: float) -> Callable[[Curve, CurveP
             if not np.isfinite(change).all():
                 return None
             if size < SPECIAL_RESIDUAL and curve.norm(change) < SETTLED:
-                slope = float(gradient @ curve.tangent(matrix, guess.tangent))
+                x += change
+                tangent = curve.tangent(matrix, guess.tangent)
                 if kind == SpecialType.FOLD:
                     slope = _fold_curvature(curve, x, w, solution, n_rk)
+                else:  # M w = 0 along the curve: the multiplier's change is psi' dM w / psi' W w
+                    slope = float(-(gradient @ tangent) / (solution.psi @ wrap(curve) @ w))
                 multipliers = curve.chain.multipliers(matrix[None, :, :-1])[0]
-                return Special(kind, x, multipliers, w, size, slope, complex(value))
+                return Special(kind, x, multipliers, w, size, slope, complex(value), tangent[-1])
             x += change
         return None
 
@@ -294,15 +305,15 @@ def _torus(curve: Curve, guess: CurvePoint) -> Special | None:
         if not np.isfinite(change).all():
             return None
         if size < SPECIAL_RESIDUAL and curve.norm(change[:-1]) < SETTLED:
+            x += change[:-1]
             if not 1e-6 < theta < np.pi - 1e-6:
                 return None
             multipliers = curve.chain.multipliers(matrix[None, :, :-1])[0]
             tangent = curve.tangent(matrix, guess.tangent)
             # dlambda = psi' dM w / psi' W w; its component along lambda is the change of the modulus.
             growth = -(gradient @ tangent) / (solution.psi @ weave @ w)
-            return Special(
-                SpecialType.NS, x, multipliers, w, size, float((growth / root).real), complex(root)
-            )
+            slope = float((growth / root).real)
+            return Special(SpecialType.NS, x, multipliers, w, size, slope, complex(root), tangent[-1])
         x += change[:-1]
         theta += change[-1]
     return None
@@ -320,7 +331,11 @@ def _branch_point(curve: Curve, guess: CurvePoint) -> Special | None:
             return None
         contracted = np.stack([psi @ curve.second(x, one, n_rk) for one in np.eye(size + 1)])
         rows = np.zeros((2 * size + 2, 2 * size + 2))
-        rows[:size, : size + 1], rows[:size, size + 1], rows[:size, size + 2 :] = matrix, psi, mu * np.eye(size)
+        rows[:size, : size + 1], rows[:size, size + 1], rows[:size, size + 2 :] = (
+            matrix,
+            psi,
+            mu * np.eye(size),
+        )
         rows[size : 2 * size + 1, : size + 1] = contracted
         rows[size : 2 * size + 1, size + 2 :] = matrix.T
         rows[-1, size + 2 :] = 2 * psi
@@ -329,7 +344,11 @@ def _branch_point(curve: Curve, guess: CurvePoint) -> Special | None:
         if not np.isfinite(change).all():
             return None
         error = float(np.abs(right).max())
-        if error < SPECIAL_RESIDUAL and abs(mu) < SPECIAL_RESIDUAL and curve.norm(change[: size + 1]) < SETTLED:
+        if (
+            error < SPECIAL_RESIDUAL
+            and abs(mu) < SPECIAL_RESIDUAL
+            and curve.norm(change[: size + 1]) < SETTLED
+        ):
             return _branch_point_at(curve, x, matrix, guess, max(error, abs(mu)))
         x, mu, psi = x + change[: size + 1], mu + float(change[size + 1]), psi + change[size + 2 :]
     return None
@@ -345,7 +364,7 @@ def _branch_point_at(
     multipliers = curve.chain.multipliers(matrix[None, :, :-1])[0]
     singular = np.linalg.svd(matrix * curve.scale, compute_uv=False)
     slope = float(singular[-2]) if len(singular) > 1 else 1.0
-    return Special(SpecialType.BP, x, multipliers, across * curve.scale, error, slope, 1.0 + 0.0j)
+    return Special(SpecialType.BP, x, multipliers, across * curve.scale, error, slope, 1.0 + 0.0j, guess.tangent[-1])
 
 
 _SOLVERS = {
@@ -364,5 +383,6 @@ BISECTIONS = 24
 ITERATIONS = 15
 """Newton iterations of one attempt."""
 
-SPECIAL_RESIDUAL, SETTLED = 1e-11, 1e-9
-"""Residual of a special point, and the last Newton step of its location, in terms of the scale."""
+SPECIAL_RESIDUAL, SETTLED = 1e-11, 1e-7
+"""Residual of a special point, and the size of a Newton step after which the next one would be lost in
+rounding, in terms of the scale."""

@@ -83,17 +83,15 @@ def _leaving(curve: Curve, x: Array, direction: Array, options: ArclengthOptions
     return None
 
 
-def supercritical(curve: Curve, special: Special, switched: Switched, slope: float) -> bool:
+def supercritical(special: Special, switched: Switched) -> bool:
     """Whether a doubled branch begins on the side on which the cycle that doubles is unstable.
 
     Parameters
     ----------
-    curve : Curve
     special : Special
-        The doubling.
+        The doubling: its slope is the change of the multiplier at -1 along the branch.
     switched : Switched
         The branch that begins there.
-    slope : float
-        Change of the multiplier that is -1 per unit of the parameter.
     """
-    return (switched.start.x[-1] - special.x[-1]) * slope < 0
+    offset = switched.start.x[-1] - special.x[-1]
+    return bool(offset * special.slope * special.direction < 0)

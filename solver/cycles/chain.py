@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from stridemap.solver.backends.base import Kernels, Linearised
 from stridemap.solver.cycles.floquet import sorted_eigenvalues, step_map_derivative
+from stridemap.solver.linear import solved
 
 Array = NDArray[np.float64]
 
@@ -82,8 +83,7 @@ class Chain:
             open_, matrix, closing = open_[finite], matrix[finite], closing[finite]
             done[open_] = np.abs(closing).max(axis=1) < tolerance
             correct = ~done[open_]
-            change = np.linalg.solve(matrix[correct], closing[correct][:, :, None])[:, :, 0]
-            u[open_[correct]] -= change
+            u[open_[correct]] -= solved(matrix[correct], closing[correct])
         u[~done] = np.nan
         return u
 
