@@ -30,6 +30,8 @@ if TYPE_CHECKING:
     from stridemap.solver.backends.interpreter import Interpreter
     from stridemap.solver.backends.lanes import Lanes
     from stridemap.solver.backends.scalar import ScalarC
+    from stridemap.solver.branches.api import branches
+    from stridemap.solver.branches.branches import Branches, SpecialPoint
     from stridemap.solver.cycles.gait import is_physical_gait
     from stridemap.solver.cycles.orbit import Orbit
     from stridemap.solver.cycles.orbits import Orbits
@@ -37,7 +39,12 @@ if TYPE_CHECKING:
     from stridemap.solver.model.loading import available, load
     from stridemap.solver.model.model import Model
     from stridemap.solver.observables.motion import Motion
-    from stridemap.solver.options import AcceptanceOptions, ContinuationOptions, SearchOptions
+    from stridemap.solver.options import (
+        AcceptanceOptions,
+        ArclengthOptions,
+        ContinuationOptions,
+        SearchOptions,
+    )
     from stridemap.solver.walks.simulator import Outcome, Step, Walk
     from stridemap.spec import ModelSpec, Parameter, Quantity
     from stridemap.sweeps.config import SweepConfig, load_config, parse_config
@@ -62,6 +69,7 @@ __all__ = ["__version__", *sorted(_HOMES)]
 
 provide(
     animate="stridemap.views.animation:animate",
+    branch_diagram="stridemap.views.branch_diagram:branch_diagram",
     derive_file="stridemap.codegen:derive_file",
     plot="stridemap.views.plots:plot",
     simulate="stridemap.solver.api:simulate",

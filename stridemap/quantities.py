@@ -34,15 +34,31 @@ KINDS: Mapping[str, tuple[str, str]] = {
 
 _ENTRIES = (
     Quantity("status", "number", "status", "How the search for the cycle ended.", type="str"),
-    Quantity("period", "time", "period", "Time from one touchdown to the next.", "T", differentiable=True),
+    Quantity(
+        "period",
+        "time",
+        "period",
+        "Time from one touchdown to the next.",
+        "T",
+        differentiable=True,
+        over_steps="sum",
+    ),
     Quantity(
         "spectral_radius",
         "number",
         "largest multiplier",
         "Largest modulus of a Floquet multiplier; the cycle is stable below 1.",
         r"\max_i |\lambda_i|",
+        over_steps="cycle",
     ),
-    Quantity("stable", "number", "stable", "Whether the largest multiplier is below 1.", type="bool"),
+    Quantity(
+        "stable",
+        "number",
+        "stable",
+        "Whether the largest multiplier is below 1.",
+        type="bool",
+        over_steps="cycle",
+    ),
     Quantity(
         "group",
         "number",
@@ -58,8 +74,11 @@ _ENTRIES = (
         "step length",
         "Distance from the stance foot to the next.",
         differentiable=True,
+        over_steps="sum",
     ),
-    Quantity("speed", "speed", "speed", "Step length over period.", differentiable=True),
+    Quantity(
+        "speed", "speed", "speed", "Step length over period.", differentiable=True, over_steps="by_time"
+    ),
     Quantity(
         "d_max",
         "length",
@@ -67,9 +86,15 @@ _ENTRIES = (
         "Largest distance between stance foot and zero moment point during the step; "
         "missing where the contact is lost.",
         r"\max_t |d(t)|",
+        over_steps="maximum",
     ),
     Quantity(
-        "work", "energy", "work", "Integral of the absolute power of the motors over a step.", r"\int |P| dt"
+        "work",
+        "energy",
+        "work",
+        "Integral of the absolute power of the motors over a step.",
+        r"\int |P| dt",
+        over_steps="sum",
     ),
     Quantity(
         "work_positive",
@@ -77,6 +102,7 @@ _ENTRIES = (
         "positive work",
         "Integral of the positive part of the motors' power over a step.",
         r"\int \max(P, 0) dt",
+        over_steps="sum",
     ),
     Quantity(
         "work_net",
@@ -85,18 +111,21 @@ _ENTRIES = (
         "Integral of the motors' power over a step.",
         r"\int P dt",
         differentiable=True,
+        over_steps="sum",
     ),
     Quantity(
         "cot",
         "number",
         "cost of transport",
         "Work, plus the energy that gravity supplies downhill, per unit of weight and step length.",
+        over_steps="by_length",
     ),
     Quantity(
         "cot_per_speed",
         "time",
         "cost per speed",
         "Work per weight and mean speed: the formula that the paper prints.",
+        over_steps="per_speed",
     ),
     Quantity(
         "min_vertical_force",
@@ -104,6 +133,7 @@ _ENTRIES = (
         "least ground force",
         "Smallest vertical ground force during the step; where it is negative the foot would lift.",
         r"\min_t F_y(t)",
+        over_steps="minimum",
     ),
     Quantity(
         "friction",
@@ -111,15 +141,22 @@ _ENTRIES = (
         "friction needed",
         "Largest ratio of horizontal to vertical ground force; missing where the contact is lost.",
         r"\max_t |F_x / F_y|",
+        over_steps="maximum",
     ),
     Quantity(
         "clearance",
         "length",
         "foot clearance",
         "Lowest height of the swing foot; negative where it scuffs, which compass models ignore.",
+        over_steps="minimum",
     ),
     Quantity(
-        "peaks", "number", "peaks", "Local maxima of the stance angle's rate within the step.", type="int"
+        "peaks",
+        "number",
+        "peaks",
+        "Local maxima of the stance angle's rate within the step.",
+        type="int",
+        over_steps="sum",
     ),
     Quantity(
         "x_zero_crossings",
@@ -128,6 +165,7 @@ _ENTRIES = (
         "Sign changes of the wobbling mass's position within the step.",
         type="int",
         optional=True,
+        over_steps="sum",
     ),
     Quantity(
         "wobble_amplitude",
@@ -136,6 +174,7 @@ _ENTRIES = (
         "Largest absolute excursion of the wobbling coordinate over the step.",
         r"\max_t |x(t)|",
         optional=True,
+        over_steps="maximum",
     ),
     Quantity(
         "touchdown_speed",
@@ -143,13 +182,17 @@ _ENTRIES = (
         "touchdown speed",
         "Speed of the swing foot just before touchdown; for a rolling foot, that of the centre of its arc.",
         differentiable=True,
+        over_steps="maximum",
     ),
-    Quantity("residual", "number", "closing error", "Largest entry of the closing error."),
+    Quantity(
+        "residual", "number", "closing error", "Largest entry of the closing error.", over_steps="maximum"
+    ),
     Quantity(
         "integration_error",
         "number",
         "integration error",
         "Largest change of the closing error at twice the resolution.",
+        over_steps="maximum",
     ),
 )
 

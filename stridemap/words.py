@@ -19,6 +19,15 @@ CELL_COLUMNS = {
     "branch": "branch of limit cycles",
     "period_n": "walking steps until the gait repeats",
     "multipliers": "Floquet multipliers",
+    "point": "number of the point along its branch",
+    "arclength": "distance along the branch",
+    "gait": "whether a walker could walk it",
+    "type": "what happens at a special point",
+    "value": "value of the parameter that varies",
+    "multiplier": "the multiplier that crosses the unit circle",
+    "crossing_slope": "how fast a special point is crossed",
+    "criticality": "on which side doubled cycles exist",
+    "null": "the direction that neither grows nor shrinks",
 }
 """Columns of tables and keys of JSON that are not measured quantities, each with what it holds."""
 
@@ -39,8 +48,8 @@ ATTRIBUTES = frozenset(
 
 OPTION_WORDS = frozenset(
     # options of the command line
-    "acceptance backend check claims config cycle folder fps group help json magnify model only out "
-    "resume search set size starts state steps sweeps thin workers "
+    "acceptance backend cascade check claims config continuation cycle folder fps group help json magnify model only out "
+    "friction_limit plot range resume search seeds set show size starts state steps sweeps thin vary workers "
     # arguments of public functions
     "data executor options orbit orbits params path progress samples source tile_cells titles".split()
 )
@@ -53,4 +62,6 @@ def column(name: str) -> str | None:
         return QUANTITIES[name].label
     if _MULTIPLIER.fullmatch(name):
         return "a Floquet multiplier"
+    if name.startswith("tangent_"):
+        return "the tangent of a branch"
     return CELL_COLUMNS.get(name)

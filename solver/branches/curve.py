@@ -164,7 +164,7 @@ class Curve:
             error = float(np.abs(residual).max())
             if not np.isfinite(error) or not np.isfinite(matrix).all():
                 break
-            if error < CLOSED and (sizes and sizes[-1] < CORRECTED or error < ROUNDING):
+            if error < CLOSED and ((sizes and sizes[-1] < CORRECTED) or error < ROUNDING):
                 return Corrected(x, matrix, error, tuple(sizes))
             right = np.append(-residual, 0.0)
             change = solved(np.vstack([matrix, across / self.scale**2]), right)

@@ -364,7 +364,9 @@ def _branch_point_at(
     multipliers = curve.chain.multipliers(matrix[None, :, :-1])[0]
     singular = np.linalg.svd(matrix * curve.scale, compute_uv=False)
     slope = float(singular[-2]) if len(singular) > 1 else 1.0
-    return Special(SpecialType.BP, x, multipliers, across * curve.scale, error, slope, 1.0 + 0.0j, guess.tangent[-1])
+    return Special(
+        SpecialType.BP, x, multipliers, across * curve.scale, error, slope, 1.0 + 0.0j, guess.tangent[-1]
+    )
 
 
 _SOLVERS = {

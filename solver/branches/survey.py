@@ -187,9 +187,7 @@ class Survey:
                 ds = max(abs(offset) / self.options.ds_max, self.options.ds)
                 points, reason = follow(switched.curve, switched.start, self.window, self.options, ds)
                 new.append(
-                    self._measured(
-                        switched.curve, points, (EndReason.BRANCH_POINT, reason), (number, place)
-                    )
+                    self._measured(switched.curve, points, (EndReason.BRANCH_POINT, reason), (number, place))
                 )
         return new
 

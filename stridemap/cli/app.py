@@ -14,6 +14,7 @@ from typing import Any, NoReturn
 import typer
 
 from stridemap.cli.animate import animate
+from stridemap.cli.branch import branch
 from stridemap.cli.claims import claims
 from stridemap.cli.derive import derive
 from stridemap.cli.figures import figures
@@ -35,7 +36,7 @@ app = typer.Typer(
     rich_markup_mode=None,
 )
 
-_WITH_PARAMETERS: tuple[Callable[..., int], ...] = (orbit, simulate, animate)
+_WITH_PARAMETERS: tuple[Callable[..., int], ...] = (orbit, branch, simulate, animate)
 _PLAIN: tuple[Callable[..., int], ...] = (sweep, report, claims, figures, derive, version)
 for command in _WITH_PARAMETERS:
     app.command(cls=WithParameters, context_settings=PARAMETERS)(command)

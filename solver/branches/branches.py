@@ -1,0 +1,325 @@
+"""All branches over one parameter as a value: tables of points and of special points, JSON, a picture."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.optimize import linear_sum_assignment
+
+from stridemap.errors import InputError, StorageError
+from stridemap.services import service
+from stridemap.solver.branches.ends import End
+from stridemap.solver.branches.special import Special, SpecialType
+from stridemap.solver.branches.survey import Branch
+from stridemap.solver.cycles.chain_measures import chain_measures
+from stridemap.solver.cycles.orbits import column
+from stridemap.solver.model.model import Model
+from stridemap.words import multiplier_columns
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class SpecialPoint:
+    """A special point of a branch.
+
+    Parameters
+    ----------
+    branch : int
+        Number of the branch.
+    type : str
+        ``fold``, ``pd`` (period doubling), ``ns`` (torus) or ``bp`` (branch point); or how a gait ends there:
+        ``grazing, early_touchdown, backward, fall, contact, friction``.
+    value : float
+        Of the parameter that varies.
+    params : dict of str to float
+    state : dict of str to float
+        Section point at the start of the first step.
+    period : float
+        Of the whole cycle.
+    period_n : int
+        Number of walking steps after which it closes.
+    multipliers : tuple of complex
+    residual : float
+        Largest entry of the equations that define it.
+    gait : bool
+        Whether it lies on a gait, or at its end.
+    criticality : {"supercritical", "subcritical"} or None
+        Of a doubling: whether the doubled cycles exist where the single one is unstable.
+    multiplier : complex or None
+        Of a bifurcation: the one that crosses the unit circle.
+    crossing_slope : float or None
+        Of a bifurcation: by how much, per unit of arclength, what passes through a value there changes.
+    null : dict of str to complex, or None
+        Of a bifurcation: the direction that neither grows nor shrinks, at the section of the first step.
+    """
+
+    branch: int
+    type: str
+    value: float
+    params: dict[str, float]
+    state: dict[str, float]
+    period: float
+    period_n: int
+    multipliers: tuple[complex, ...]
+    residual: float
+    gait: bool
+    criticality: str | None = None
+    multiplier: complex | None = None
+    crossing_slope: float | None = None
+    null: dict[str, complex] | None = None
+
+    def to_dict(self) -> dict[str, Any]:
+        """Plain values for JSON; complex numbers are pairs."""
+        plain = {**vars(self), "multipliers": [_pair(value) for value in self.multipliers]}
+        plain["multiplier"] = None if self.multiplier is None else _pair(self.multiplier)
+        plain["null"] = self.null and {name: _pair(value) for name, value in self.null.items()}
+        return plain
+
+
+@dataclass(frozen=True)
+class Branches(Sequence[Branch]):
+    """All branches of cycles over one parameter.
+
+    Parameters
+    ----------
+    model : Model
+    vary : str
+        Name of the parameter that varies.
+    range : (float, float)
+    params : dict of str to float
+        The other parameters.
+    found : list of Branch
+    """
+
+    model: Model
+    vary: str
+    range: tuple[float, float]
+    params: dict[str, float]
+    found: list[Branch]
+
+    def __len__(self) -> int:
+        return len(self.found)
+
+    def __getitem__(self, index: Any) -> Any:
+        return self.found[index]
+
+    def __repr__(self) -> str:
+        low, high = self.range
+        lines = [
+            f"  {number}: {branch.period_n}-step cycles, {len(branch.points)} points, "
+            f"{branch.x[:, -1].min():.6g} <= {self.vary} <= {branch.x[:, -1].max():.6g}"
+            for number, branch in enumerate(self.found)
+        ]
+        count = f"{len(self)} branch{'' if len(self) == 1 else 'es'}"
+        head = f"<{count} of {self.model.name} over {self.vary} from {low:g} to {high:g}"
+        return "\n".join([head, *lines, ">"]) if lines else f"{head}>"
+
+    # -- special points ----------------------------------------------------------------------------------
+
+    @cached_property
+    def special(self) -> tuple[SpecialPoint, ...]:
+        """All special points, in order along each branch."""
+        return tuple(
+            point for number, branch in enumerate(self.found) for point in self._special_of(number, branch)
+        )
+
+    def _special_of(self, number: int, branch: Branch) -> Iterator[SpecialPoint]:
+        gait = branch.is_gait
+        placed: list[tuple[int, float, Special | End, int]] = []
+        for place, (before, special) in enumerate(branch.specials):
+            placed.append((before, self._along(branch, before, special.x), special, place))
+        for before, end in branch.ends:
+            placed.append((before, self._along(branch, before, end.point.x), end, -1))
+        for before, _, one, place in sorted(placed, key=lambda item: item[:2]):
+            if isinstance(one, End):
+                multipliers = one.point.multipliers
+                yield self._special_point(
+                    number, branch, one.type, one.point.x, multipliers, one.residual, True
+                )
+                continue
+            on_gait = bool(gait[before] and gait[min(before + 1, len(gait) - 1)])
+            point = self._special_point(
+                number, branch, one.type, one.x, one.multipliers, one.residual, on_gait
+            )
+            first = np.asarray(one.null, dtype=np.complex128)[: len(self.model.section)]
+            largest = first[np.abs(first).argmax()] if len(first) else 1.0
+            null = dict(zip(self.model.section, (first / (largest or 1.0)).tolist(), strict=True))
+            critical = branch.criticality.get(place)
+            words = {True: "supercritical", False: "subcritical", None: None}
+            criticality = words[critical] if one.type == SpecialType.PD else None
+            yield SpecialPoint(
+                **{
+                    **vars(point),
+                    "criticality": criticality,
+                    "multiplier": one.multiplier,
+                    "crossing_slope": one.slope,
+                    "null": null,
+                }
+            )
+
+    @staticmethod
+    def _along(branch: Branch, before: int, x: Array) -> float:
+        point = branch.points[before]
+        return branch.curve.dot(x - point.x, point.tangent)
+
+    def _special_point(
+        self, number: int, branch: Branch, kind: str, x: Array, multipliers: Any, residual: float, gait: bool
+    ) -> SpecialPoint:
+        steps = x[:-1].reshape(branch.period_n, -1)
+        params = dict(zip(self.model.spec.names, branch.curve.point(x[-1]).tolist(), strict=True))
+        return SpecialPoint(
+            number,
+            str(kind),
+            float(x[-1]),
+            params,
+            dict(zip(self.model.section, steps[0, :-1].tolist(), strict=True)),
+            float(steps[:, -1].sum()),
+            branch.period_n,
+            tuple(multipliers.tolist()),
+            residual,
+            gait,
+        )
+
+    # -- tables ------------------------------------------------------------------------------------------
+
+    def to_frame(self) -> Any:
+        """All points of all branches as a `pandas.DataFrame`, one row each.
+
+        Columns: ``branch, point, period_n, gait, arclength``, the parameters, the section point at the start of the
+        first step, ``period``, the multipliers (each followed by continuity along the branch), every measured
+        quantity over the whole cycle, and the unit tangent as ``tangent_<name>``.
+        """
+        import pandas as pd
+
+        frames = [pd.DataFrame(self._columns(number, branch)) for number, branch in enumerate(self.found)]
+        return pd.concat(frames, ignore_index=True) if frames else pd.DataFrame()
+
+    def special_frame(self) -> Any:
+        """All special points as a `pandas.DataFrame`, one row each."""
+        import pandas as pd
+
+        rows = []
+        for one in self.special:
+            row = {name: value for name, value in vars(one).items() if not isinstance(value, dict | tuple)}
+            row |= one.params | one.state
+            for i, value in enumerate(one.multipliers):
+                real, imaginary = multiplier_columns(i)
+                row |= {real: value.real, imaginary: value.imag}
+            row["multiplier"] = None if one.multiplier is None else str(one.multiplier)
+            rows.append(row)
+        return pd.DataFrame(rows)
+
+    def _columns(self, number: int, branch: Branch) -> dict[str, Any]:
+        x, nz, m = branch.x, len(self.model.section), len(branch.points)
+        steps = x[:, :-1].reshape(m, branch.period_n, nz + 1)
+        params = np.array([branch.curve.point(value) for value in x[:, -1]])
+        lengths = [branch.curve.norm(one) for one in np.diff(x, axis=0)]
+        out: dict[str, Any] = {
+            "branch": np.full(m, number),
+            "point": np.arange(m),
+            "period_n": np.full(m, branch.period_n),
+            "gait": branch.is_gait,
+            "arclength": np.concatenate([[0.0], np.cumsum(lengths)]),
+        }
+        out |= dict(zip(self.model.spec.names, params.T, strict=True))
+        out |= dict(zip(self.model.section, steps[:, 0, :-1].T, strict=True))
+        out["period"] = steps[:, :, -1].sum(axis=1)
+        multipliers = np.array([point.multipliers for point in branch.points])
+        for i, followed in enumerate(by_continuity(multipliers).T):
+            real, imaginary = multiplier_columns(i)
+            out[real], out[imaginary] = followed.real, followed.imag
+        n_rk = [point.n_rk for point in branch.points]
+        measures = chain_measures(branch.curve.chain, n_rk, x[:, :-1], params, multipliers)
+        out |= {name: column(self.model.measured[name], values, m) for name, values in measures.items()}
+        tangents = np.array([point.tangent for point in branch.points])
+        names = [*self.model.section, "period"]
+        out |= {f"tangent_{name}": tangents[:, i] for i, name in enumerate(names)}
+        return out | {f"tangent_{self.vary}": tangents[:, -1]}
+
+    def save(self, path: str | Path) -> list[Path]:
+        """Write the table of points, and beside it that of the special points, as Parquet or CSV.
+
+        Parameters
+        ----------
+        path : str or path
+            Ends in ``.parquet`` or ``.csv``; the special points go to ``<name>_special`` beside it.
+
+        Returns
+        -------
+        list of pathlib.Path
+
+        Raises
+        ------
+        InputError
+            For another ending.
+        StorageError
+            When a file cannot be written.
+        """
+        path = Path(path)
+        kinds = {".parquet": "to_parquet", ".csv": "to_csv"}
+        if path.suffix not in kinds:
+            raise InputError(f"{path} must end in {' or '.join(kinds)}")
+        paths = [path, path.with_stem(f"{path.stem}_special")]
+        for target, frame in zip(paths, (self.to_frame(), self.special_frame()), strict=True):
+            try:
+                getattr(frame, kinds[path.suffix])(target, index=False)
+            except OSError as error:
+                raise StorageError(
+                    f"cannot write {target} ({error.strerror or error}); give a path that can be written"
+                ) from None
+        return paths
+
+    def to_dict(self) -> dict[str, Any]:
+        """Plain values for JSON: branches with their special points, without the points between."""
+        special = [one.to_dict() for one in self.special]
+        return {
+            "model": self.model.name,
+            "vary": self.vary,
+            "range": list(self.range),
+            "params": self.params,
+            "branches": [
+                {
+                    "branch": number,
+                    "period_n": branch.period_n,
+                    "points": len(branch.points),
+                    "from": float(branch.x[0, -1]),
+                    "to": float(branch.x[-1, -1]),
+                    "ends": [str(reason) for reason in branch.reasons],
+                    "special": [one for one in special if one["branch"] == number],
+                }
+                for number, branch in enumerate(self.found)
+            ],
+        }
+
+    def plot(self, y: str = "period", **options: Any) -> Any:
+        """Draw a bifurcation diagram with matplotlib: see `stridemap.views.branch_diagram`."""
+        return service("branch_diagram")(self, y, **options)
+
+
+def by_continuity(multipliers: NDArray[np.complex128]) -> NDArray[np.complex128]:
+    """Multipliers in such an order at each point that every column is a continuous curve.
+
+    Parameters
+    ----------
+    multipliers : ndarray of complex, shape (m, nz)
+        In any order at each of m neighbouring points.
+
+    Returns
+    -------
+    ndarray of complex, shape (m, nz)
+    """
+    out = multipliers.copy()
+    for i in range(1, len(out)):
+        expected = out[i - 1] if i == 1 else 2 * out[i - 1] - out[i - 2]
+        near = np.abs(expected[:, None] - out[i][None, :]) + np.abs(out[i - 1][:, None] - out[i][None, :])
+        out[i] = out[i][linear_sum_assignment(near)[1]]
+    return out
+
+
+def _pair(value: complex) -> list[float]:
+    return [value.real, value.imag]

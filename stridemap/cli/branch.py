@@ -1,0 +1,116 @@
+"""``stridemap branch``: all branches of limit cycles over one parameter."""
+
+import json
+import sys
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+from stridemap.cli.options import (
+    FOUND,
+    NOTHING,
+    JsonOption,
+    ModelOption,
+    SetOption,
+    option_values,
+    parameters,
+    whole,
+)
+
+
+def branch(
+    context: typer.Context,
+    vary: Annotated[str, typer.Option(metavar="NAME", help="The parameter that varies.")],
+    range_: Annotated[
+        tuple[float, float], typer.Option("--range", metavar="LOW HIGH", help="Its lowest and highest value.")
+    ],
+    model: ModelOption = "wobbling",
+    set_: SetOption = None,
+    period_n: Annotated[int, whole("Number of walking steps after which the cycles close.")] = 1,
+    cascade: Annotated[int, whole("Doublings in a row that are followed onto the doubled branches.")] = 0,
+    seeds: Annotated[int, whole("Values of the parameter at which cycles are searched for.")] = 12,
+    friction_limit: Annotated[
+        float | None, typer.Option(help="Largest ratio of horizontal to vertical ground force of a gait.")
+    ] = None,
+    starts: Annotated[int, whole("Number of quasi-random starts at each of these values.")] = 256,
+    search: Annotated[
+        list[str] | None,
+        typer.Option(metavar="NAME=VALUE", help="An option of the search: seed, period_min, period_max."),
+    ] = None,
+    continuation: Annotated[
+        list[str] | None,
+        typer.Option(metavar="NAME=VALUE", help="An option of the step control, such as ds_max."),
+    ] = None,
+    out: Annotated[
+        Path | None, typer.Option(metavar="FILE.parquet", help="Write all points as a table.")
+    ] = None,
+    plot: Annotated[
+        Path | None, typer.Option(metavar="FILE", help="Draw the bifurcation diagram (.svg, .png, .pdf).")
+    ] = None,
+    show: Annotated[str, typer.Option(metavar="COLUMN", help="What the diagram shows.")] = "period",
+    json_: JsonOption = False,
+) -> int:
+    """Follow all branches of limit cycles over one parameter and locate their special points."""
+    from stridemap.cli.output import print_table
+    from stridemap.solver.branches.api import branches
+    from stridemap.solver.options import ArclengthOptions, SearchOptions
+
+    found = branches(
+        model,
+        vary,
+        range_,
+        parameters(context.args, set_),
+        period_n=period_n,
+        cascade=cascade,
+        seeds=seeds,
+        friction_limit=friction_limit,
+        search=SearchOptions.from_mapping({"starts": starts, **option_values("--search", search)}),
+        options=ArclengthOptions.from_mapping(option_values("--continuation", continuation)),
+        progress=None if json_ else _say,
+    )
+    if out is not None:
+        found.save(out)
+    if plot is not None:
+        _write(found.plot(show), plot)
+    if json_:
+        print(json.dumps(found.to_dict(), indent=1, allow_nan=False))
+    elif len(found):
+        print(found)
+        rows = [["type", vary, "period", "steps", "gait", "multiplier", "branch"]]
+        rows += [
+            [
+                one.type if one.criticality is None else f"{one.type}, {one.criticality}",
+                f"{one.value:.12g}",
+                f"{one.period:.10g}",
+                str(one.period_n),
+                "yes" if one.gait else "no",
+                "-" if one.multiplier is None else f"{one.multiplier:.6g}",
+                str(one.branch),
+            ]
+            for one in found.special
+        ]
+        print_table(rows)
+    else:
+        print("no limit cycle found", file=sys.stderr)
+    return FOUND if len(found) else NOTHING
+
+
+def _write(figure: Any, path: Path) -> None:
+    """Write a figure in the format that its path's ending names."""
+    from stridemap.errors import InputError
+
+    kinds = sorted(figure.canvas.get_supported_filetypes())
+    if path.suffix[1:] not in kinds:
+        raise InputError(f"--plot {path} has no ending that names a kind of picture: {', '.join(kinds)}")
+    try:
+        figure.savefig(path)
+    except OSError as error:
+        raise InputError(
+            f"cannot write {path} ({error.strerror or error}); give a path that can be written"
+        ) from None
+
+
+def _say(line: str) -> None:
+    """Report on standard error what is being done."""
+    print(line, file=sys.stderr, flush=True)
