@@ -101,7 +101,7 @@ def _located(
         if here is None:
             return None
         f = value(here)
-        if abs(f) < LOCATED or high - low < 1e-15 * (1.0 + abs(high)):
+        if abs(f) < ROUNDING or high - low < 1e-15 * (1.0 + abs(high)):
             break
         if (f > 0) == (f_low > 0):
             low, f_low, f_high = ds, f, 0.5 * f_high
@@ -116,5 +116,5 @@ def _located(
 LOCATE_ITERATIONS = 80
 """Halvings and secants until the end of a gait is found."""
 
-LOCATED = 1e-11
-"""Modulus of a condition that counts as zero."""
+LOCATED, ROUNDING = 1e-11, 1e-14
+"""Modulus of a condition that counts as zero, and below which it cannot be brought."""

@@ -17,6 +17,7 @@ g complex, a torus (exp(i theta)). At a branch point the augmented system of H. 
 is regular: ``R + mu psi = 0, DR' psi = 0, |psi| = 1``.
 """
 
+import itertools
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from enum import StrEnum
@@ -103,7 +104,7 @@ def special_points(
     curve: Curve, points: list[CurvePoint], options: ArclengthOptions
 ) -> Iterator[tuple[int, Special]]:
     """Bifurcations between neighbouring points of a curve, each with the number of the point before it."""
-    for number, (one, other) in enumerate(zip(points[:-1], points[1:], strict=True)):
+    for number, (one, other) in enumerate(itertools.pairwise(points)):
         for special in _between(curve, one, other, options, SUBDIVISIONS):
             yield number, special
 
@@ -115,19 +116,26 @@ def _between(
     first, second = tests(curve, one), tests(curve, other)
     crossed = [kind for kind in SpecialType if first[kind] * second[kind] < 0]
     change = abs(unstable_count(other) - unstable_count(one))
-    explained = sum({"fold": 1, "pd": 1, "ns": 2, "bp": 1}[kind] for kind in crossed)
-    alone = len(crossed) <= 1 and (change == explained or SpecialType.NS in crossed or not change)
     if not crossed and not change:
         return []
-    if not alone and depth:
-        middle = _middle(curve, one, other, options)
-        if middle is not None:
-            return [
-                *_between(curve, one, middle, options, depth - 1),
-                *_between(curve, middle, other, options, depth - 1),
-            ]
+    found = [located(curve, kind, one, other, options) for kind in crossed] if len(crossed) < 2 else []
+    specials = [special for special in found if special is not None]
+    explained = sum(_CHANGES[special.type] for special in specials)
+    # Two doublings leave the sign of their test as it was: what the count of multipliers says must add up.
+    if len(crossed) < 2 and change <= explained and (explained - change) % 2 == 0:
+        return specials
+    middle = _middle(curve, one, other, options) if depth else None
+    if middle is not None:
+        return [
+            *_between(curve, one, middle, options, depth - 1),
+            *_between(curve, middle, other, options, depth - 1),
+        ]
     found = [located(curve, kind, one, other, options) for kind in crossed]
     return [special for special in found if special is not None]
+
+
+_CHANGES = {SpecialType.FOLD: 1, SpecialType.PD: 1, SpecialType.NS: 2, SpecialType.BP: 1}
+"""By how much each changes the number of multipliers outside the unit circle."""
 
 
 def _middle(
