@@ -158,12 +158,27 @@ def located(
         guess = _likeliest(curve, kind, one, other)
         special = _SOLVERS[kind](curve, guess)
         if special is not None and _within(curve, one, other, special.x):
-            return special
+            return _refined(curve, special, guess)
         middle = _middle(curve, one, other, options)
         if middle is None:
             return None
         one, other = (middle, other) if tests(curve, middle)[kind] * sign > 0 else (one, middle)
     return None
+
+
+def _refined(curve: Curve, special: Special, guess: CurvePoint) -> Special:
+    """The same special point at ever finer resolutions, until it does not change any more."""
+    n_rk = _finer(guess.n_rk)
+    while n_rk < CYCLE_N_RK[-1]:
+        guess = CurvePoint(special.x, guess.tangent, guess.matrix, special.multipliers, n_rk)
+        finer = _SOLVERS[special.type](curve, guess)
+        if finer is None:
+            break
+        change = curve.norm(finer.x - special.x)
+        special, n_rk = finer, _finer(n_rk)
+        if change < RESOLVED:
+            break
+    return special
 
 
 def _likeliest(curve: Curve, kind: SpecialType, one: CurvePoint, other: CurvePoint) -> CurvePoint:
@@ -329,7 +344,7 @@ def _torus(curve: Curve, guess: CurvePoint) -> Special | None:
 
 def _branch_point(curve: Curve, guess: CurvePoint) -> Special | None:
     """A solver of ``R + mu psi = 0, DR' psi = 0, |psi| = 1``."""
-    x, n_rk = guess.x.copy(), guess.n_rk
+    x, n_rk = guess.x.copy(), _finer(guess.n_rk)
     matrix, _ = curve.linearised(x, n_rk)
     psi, mu = np.linalg.svd(matrix * curve.scale)[0][:, -1], 0.0
     size = len(psi)
@@ -392,6 +407,9 @@ BISECTIONS = 24
 
 ITERATIONS = 15
 """Newton iterations of one attempt."""
+
+RESOLVED = 1e-12
+"""Change of a special point, in terms of the scale, at twice the resolution that needs no finer one."""
 
 SPECIAL_RESIDUAL, SETTLED = 1e-11, 1e-7
 """Residual of a special point, and the size of a Newton step after which the next one would be lost in
