@@ -1,6 +1,6 @@
-"""The solver's public functions for one point, by model name and parameters."""
+"""The solver's public functions, by model name and parameters."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -10,6 +10,9 @@ from numpy.typing import NDArray
 from stridemap.errors import InputError
 from stridemap.solver.backends.base import Backend
 from stridemap.solver.backends.selection import named_backend
+from stridemap.solver.branches.branches import Branches
+from stridemap.solver.branches.conditions import GaitConditions
+from stridemap.solver.branches.survey import Survey
 from stridemap.solver.cycles.orbit import Orbit
 from stridemap.solver.cycles.orbits import Orbits
 from stridemap.solver.cycles.search import find_all
@@ -17,8 +20,14 @@ from stridemap.solver.cycles.solver import Solver
 from stridemap.solver.model.loading import load
 from stridemap.solver.model.model import Model
 from stridemap.solver.observables.motion import Motion
-from stridemap.solver.options import AcceptanceOptions, SearchOptions
+from stridemap.solver.options import AcceptanceOptions, ArclengthOptions, SearchOptions
 from stridemap.solver.walks.simulator import Walk, walk
+
+MAX_PERIOD_N = 64
+"""Most steps of a cycle: the unknowns of all steps are solved for together."""
+
+MAX_CASCADE = 6
+MAX_SEEDS = 1000
 
 
 def find_orbits(
@@ -130,6 +139,110 @@ def simulate(
     return walk(loaded, point, section_state(loaded.section, state), steps)
 
 
+def branches(
+    model: str | Path | Model,
+    vary: str,
+    range: tuple[float, float],
+    params: Mapping[str, float] | None = None,
+    *,
+    period_n: int = 1,
+    cascade: int = 0,
+    seeds: int = 12,
+    friction_limit: float | None = None,
+    search: SearchOptions | Mapping[str, Any] | None = None,
+    options: ArclengthOptions | Mapping[str, Any] | None = None,
+    backend: str | Backend | None = None,
+    progress: Callable[[str], None] | None = None,
+    **keywords: float,
+) -> Branches:
+    """All branches of limit cycles over one parameter, with their bifurcations and the ends of gaits.
+
+    Cycles are searched for at several values of the parameter; each branch is followed once, both ways,
+    around folds and through the ends of gaits, as far as the range, the period and the search box reach.
+
+    Parameters
+    ----------
+    model : str, path or Model
+        As for `find_orbits`.
+    vary : str
+        Name of the parameter that varies.
+    range : (float, float)
+        Its lowest and its highest value.
+    params : mapping of str to float, optional
+        The other parameters by name; what is not given comes from the preset.
+    period_n : int
+        Number of walking steps after which the cycles close.
+    cascade : int
+        How many doublings in a row are followed onto the branches of twice the period.
+    seeds : int
+        Number of values of the parameter at which cycles are searched for.
+    friction_limit : float, optional
+        Largest ratio of horizontal to vertical ground force of a gait.
+    search : SearchOptions or mapping, optional
+        By default 256 starts at each value.
+    options : ArclengthOptions or mapping, optional
+        Step control.
+    backend : str or Backend, optional
+        As for `find_orbits`.
+    progress : callable, optional
+        Takes a line that says what is being done.
+    **keywords : float
+        Parameters too.
+
+    Returns
+    -------
+    Branches
+
+    Raises
+    ------
+    InputError
+        For an unknown model or parameter, an empty range, or a value that is not allowed.
+
+    Examples
+    --------
+    >>> found = branches("simplest_walker", vary="slope", range=(0.001, 0.018))
+    >>> [(one.type, round(one.value, 9)) for one in found.special]
+    [('pd', 0.015088438)]
+    """
+    loaded = load(model)
+    given = joined(params, keywords)
+    low, high = _range(loaded, vary, range)
+    if vary in given:
+        raise InputError(
+            f"{vary} = {given[vary]!r} is fixed, but it is the parameter that varies; leave it out"
+        )
+    point = loaded.point({**given, vary: low})
+    _whole("period_n", period_n, 1, MAX_PERIOD_N)
+    _whole("cascade", cascade, 0, MAX_CASCADE)
+    _whole("seeds", seeds, 1, MAX_SEEDS)
+    if period_n * 2**cascade > MAX_PERIOD_N:
+        raise InputError(
+            f"cascade = {cascade} from period_n = {period_n} leads to cycles of {period_n * 2**cascade} steps; "
+            f"at most {MAX_PERIOD_N} are followed: lower one of them"
+        )
+    if friction_limit is not None and not (_is_number(friction_limit) and friction_limit > 0):
+        raise InputError(f"friction_limit = {friction_limit!r} is not allowed: a number above 0 is needed")
+    solver = Solver.for_model(loaded, named_backend(backend))
+    survey = Survey(
+        solver,
+        point,
+        vary,
+        low,
+        high,
+        period_n,
+        cascade,
+        seeds,
+        SearchOptions.from_mapping({"starts": 256} if search is None else search),
+        ArclengthOptions.from_mapping(options or {}),
+        GaitConditions(solver.kernels, friction_limit),
+        progress or _quiet,
+    )
+    fixed = {
+        name: value for name, value in zip(loaded.spec.names, point.tolist(), strict=True) if name != vary
+    }
+    return Branches(loaded, vary, (low, high), fixed, survey.branches())
+
+
 def joined(params: Mapping[str, float] | None, keywords: Mapping[str, float]) -> dict[str, float]:
     """Parameters given as a mapping and as keywords.
 
@@ -168,3 +281,41 @@ def section_state(names: tuple[str, ...], state: Mapping[str, Any]) -> NDArray[n
         ):
             raise InputError(f"{name} = {value!r} of the state is not a finite number")
     return np.array([float(state[name]) for name in names])
+
+
+def _quiet(line: str) -> None:
+    """Report nothing."""
+
+
+def _range(model: Model, vary: str, given: Any) -> tuple[float, float]:
+    """The two ends of the parameter's range, both of which must be allowed."""
+    if vary not in model.spec.names:
+        raise InputError(
+            f"{vary!r} is not a parameter of the model {model.name}; "
+            f"its parameters are {', '.join(model.spec.names)}"
+        )
+    try:
+        low, high = given
+    except (TypeError, ValueError):
+        raise InputError(
+            f"range = {given!r} is not understood; give its two ends, such as (0.1, 60)"
+        ) from None
+    for end in (low, high):
+        if not _is_number(end):
+            raise InputError(f"range = {given!r} is not allowed: {end!r} is not a finite number")
+    parameter = next(one for one in model.parameters if one.name == vary)
+    low, high = (parameter.check(float(end)) for end in (low, high))
+    if low >= high:
+        raise InputError(f"the range of {vary} from {low:g} to {high:g} is empty: the first must be lower")
+    return low, high
+
+
+def _is_number(value: Any) -> bool:
+    number = isinstance(value, int | float | np.number) and not isinstance(value, bool)
+    return bool(number and np.isfinite(value))
+
+
+def _whole(name: str, value: Any, low: int, high: int) -> None:
+    whole = isinstance(value, int | np.integer) and not isinstance(value, bool)
+    if not whole or not low <= value <= high:
+        raise InputError(f"{name} = {value!r} is not allowed: a whole number from {low} to {high} is needed")

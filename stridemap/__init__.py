@@ -25,12 +25,11 @@ if TYPE_CHECKING:
     from stridemap.paper.claim import Claim, Verdict
     from stridemap.paper.evaluate import claims
     from stridemap.quantities import QUANTITIES
-    from stridemap.solver.api import find_orbits, motion, simulate
+    from stridemap.solver.api import branches, find_orbits, motion, simulate
     from stridemap.solver.backends.base import Backend
     from stridemap.solver.backends.interpreter import Interpreter
     from stridemap.solver.backends.lanes import Lanes
     from stridemap.solver.backends.scalar import ScalarC
-    from stridemap.solver.branches.api import branches
     from stridemap.solver.branches.branches import Branches, SpecialPoint
     from stridemap.solver.cycles.gait import is_physical_gait
     from stridemap.solver.cycles.orbit import Orbit

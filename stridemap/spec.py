@@ -240,9 +240,9 @@ class Quantity:
         One of `REDUCTIONS`, for a quantity that a model file declares. Empty for those of the registry, which
         have functions of their own.
     over_steps : str
-        How the values of n walking steps become that of a cycle of n steps: "sum", "maximum", "minimum", their
-        mean weighted "by_length" or "by_time", "per_speed" (a sum divided by a speed), or "cycle" for what
-        belongs to the whole cycle. Where it is empty, a cycle of several steps lacks the quantity.
+        How the values of n walking steps become that of a cycle of n steps: "sum", "maximum", "minimum",
+        their mean weighted "by_length" or "by_time", "per_speed" (a sum divided by a speed), or "cycle" for
+        what belongs to the whole cycle. Where it is empty, a cycle of several steps lacks the quantity.
     """
 
     name: str

@@ -4,10 +4,10 @@
 
     <x - x1, tau> = ds,
 
-so that a fold, where the curve turns back in the parameter, is passed like any other point. The arclength step
-`ds` follows the number of Newton's corrections and the angle by which the tangent turns: large angles hide
-branch points, and lead onto other branches. Unlike `continuation`, which follows many branches to one value
-each, this follows a curve through its whole range, and keeps every point.
+so that a fold, where the curve turns back in the parameter, is passed like any other point. The arclength
+step `ds` follows the number of Newton's corrections and the angle by which the tangent turns: large angles
+hide branch points, and lead onto other branches. Unlike `continuation`, which follows many branches to one
+value each, this follows a curve through its whole range, and keeps every point.
 """
 
 from dataclasses import dataclass

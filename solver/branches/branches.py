@@ -190,9 +190,9 @@ class Branches(Sequence[Branch]):
     def to_frame(self) -> Any:
         """All points of all branches as a `pandas.DataFrame`, one row each.
 
-        Columns: ``branch, point, period_n, gait, arclength``, the parameters, the section point at the start of the
-        first step, ``period``, the multipliers (each followed by continuity along the branch), every measured
-        quantity over the whole cycle, and the unit tangent as ``tangent_<name>``.
+        Columns: ``branch, point, period_n, gait, arclength``, the parameters, the section point at the start
+        of the first step, ``period``, the multipliers (each followed by continuity along the branch), every
+        measured quantity over the whole cycle, and the unit tangent as ``tangent_<name>``.
         """
         import pandas as pd
 

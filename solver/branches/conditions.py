@@ -1,6 +1,7 @@
 """What makes a cycle a gait that a walker could walk: conditions that are positive where they hold.
 
-Each is a continuous function along a branch, so that the place where a gait ends is where one of them is zero.
+Each is a continuous function along a branch, so that the place where a gait ends is where one of them is
+zero.
 """
 
 from collections.abc import Sequence

@@ -158,7 +158,8 @@ class Curve:
         iterations : int
             Largest number of corrections.
         """
-        x, sizes = x.copy(), []
+        x = x.copy()
+        sizes: list[float] = []
         for _ in range(iterations + 1):
             matrix, residual = self.linearised(x, n_rk)
             error = float(np.abs(residual).max())

@@ -51,7 +51,8 @@ def gait_ends(
 ) -> Iterator[tuple[int, End]]:
     """Ends and beginnings of gaits between neighbouring points, each with the number of the point before it.
 
-    A condition that changes its sign where another one is broken on both sides neither ends nor begins a gait.
+    A condition that changes its sign where another one is broken on both sides neither ends nor begins a
+    gait.
 
     Parameters
     ----------

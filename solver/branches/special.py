@@ -10,11 +10,11 @@ lambda is a Floquet multiplier of the cycle where M(lambda) is singular. Bordere
     [ M  b ] [ w ]   [ 0 ]
     [ c' 0 ] [ g ] = [ 1 ]
 
-g is zero there and smooth, and its derivative is ``-psi' dM w`` with the solution psi of the transposed system
-(W. Govaerts, Numerical Methods for Bifurcations of Dynamical Equilibria, 2000, chapter 3). So ``R = 0, g = 0``
-is a regular system for a fold (lambda = 1), a period doubling (-1), and, with the angle as one more unknown and
-g complex, a torus (exp(i theta)). At a branch point the augmented system of H. D. Mittelmann and H. Weber (1980)
-is regular: ``R + mu psi = 0, DR' psi = 0, |psi| = 1``.
+g is zero there and smooth, and its derivative is ``-psi' dM w`` with the solution psi of the transposed
+system (W. Govaerts, Numerical Methods for Bifurcations of Dynamical Equilibria, 2000, chapter 3). So ``R = 0,
+g = 0`` is a regular system for a fold (lambda = 1), a period doubling (-1), and, with the angle as one more
+unknown and g complex, a torus (exp(i theta)). At a branch point the augmented system of H. D. Mittelmann and
+H. Weber (1980) is regular: ``R + mu psi = 0, DR' psi = 0, |psi| = 1``.
 """
 
 import itertools
@@ -275,7 +275,7 @@ def _real_multiplier(kind: SpecialType, value: float) -> Callable[[Curve, CurveP
                 x += change
                 tangent = curve.tangent(matrix, guess.tangent)
                 if kind == SpecialType.FOLD:
-                    slope = _fold_curvature(curve, x, w, solution, n_rk)
+                    slope = _fold_curvature(curve, x, np.real(w), solution, n_rk)
                 else:  # M w = 0 along the curve: the multiplier's change is psi' dM w / psi' W w
                     slope = float(-(gradient @ tangent) / (solution.psi @ wrap(curve) @ w))
                 multipliers = curve.chain.multipliers(matrix[None, :, :-1])[0]
@@ -287,7 +287,7 @@ def _real_multiplier(kind: SpecialType, value: float) -> Callable[[Curve, CurveP
 
 
 def _fold_curvature(curve: Curve, x: Array, w: Array, solution: Bordered, n_rk: int) -> float:
-    """Change of the tangent's parameter per arclength at a fold: not zero where the curve truly turns back."""
+    """Change of the tangent's parameter per arclength at a fold: not zero where the curve turns back."""
     v = np.append(w, 0.0) / curve.norm(np.append(w, 0.0))
     along = curve.linearised(x, n_rk)[0][:, -1]
     bend = curve.second(x, v, n_rk) @ v

@@ -1,4 +1,4 @@
-"""All branches of cycles over one parameter: seeds at several values, each branch followed once, both ways."""
+"""All branches of cycles over one parameter: seeds at several values, each branch followed once."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -172,7 +172,8 @@ class Survey:
 
     def _leaving(self, found: list[Branch], number: int, doublings: bool) -> list[Branch]:
         """Branches that leave a branch at its doublings and branch points."""
-        branch, new = found[number], []
+        branch = found[number]
+        new: list[Branch] = []
         for place, (_, special) in enumerate(branch.specials):
             for switched in self._switched(branch, special, place):
                 if special.type == SpecialType.PD and not doublings:

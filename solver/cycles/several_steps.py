@@ -1,8 +1,8 @@
 """All cycles at a point of parameter space that close after n walking steps, and not before.
 
 They are looked for by a search of their own: a cycle of several steps need not lie on a branch that leaves a
-cycle of one step. Guesses are chains of steps that were really walked: from many section points, the touchdown
-is found and the walker put down, n times.
+cycle of one step. Guesses are chains of steps that were really walked: from many section points, the
+touchdown is found and the walker put down, n times.
 """
 
 from dataclasses import dataclass, replace

@@ -38,8 +38,8 @@ MARKERS = {
 def branch_diagram(branches: Branches, y: str = "period", *, gaits_only: bool = False) -> "Figure":
     """Draw a bifurcation diagram.
 
-    Stable cycles are solid, unstable ones dashed, and cycles that are not gaits thin and grey. Bifurcations and
-    ends of gaits have markers.
+    Stable cycles are solid, unstable ones dashed, and cycles that are not gaits thin and grey. Bifurcations
+    and ends of gaits have markers.
 
     Parameters
     ----------
