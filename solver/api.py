@@ -217,8 +217,8 @@ def branches(
     _whole("seeds", seeds, 1, MAX_SEEDS)
     if period_n * 2**cascade > MAX_PERIOD_N:
         raise InputError(
-            f"cascade = {cascade} from period_n = {period_n} leads to cycles of {period_n * 2**cascade} steps; "
-            f"at most {MAX_PERIOD_N} are followed: lower one of them"
+            f"cascade = {cascade} from period_n = {period_n} leads to cycles of {period_n * 2**cascade} "
+            f"steps; at most {MAX_PERIOD_N} are followed: lower one of them"
         )
     if friction_limit is not None and not (_is_number(friction_limit) and friction_limit > 0):
         raise InputError(f"friction_limit = {friction_limit!r} is not allowed: a number above 0 is needed")
