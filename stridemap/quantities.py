@@ -149,7 +149,12 @@ _ENTRIES = (
         "Lowest height of the swing foot; negative where it scuffs, which compass models ignore.",
     ),
     Quantity(
-        "peaks", "number", "peaks", "Local maxima of the stance angle's rate within the step.", type="int"
+        "peaks",
+        "number",
+        "peaks",
+        "Local minima within the step of the speed at which the stance leg turns over: local maxima of the stance "
+        "angle's rate, where the angle is counted positive leaning back.",
+        type="int",
     ),
     Quantity(
         "x_zero_crossings",

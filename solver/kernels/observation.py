@@ -13,7 +13,7 @@ OBSERVABLES = ("d", "vertical_force", "friction", "foot_height", "peak", "touchd
 """Row order of the observables.
 
 `d`, stance foot minus zero moment point; vertical ground force; horizontal over vertical ground force;
-height of the swing foot; acceleration of the stance angle (its falling zeros are peaks of the rate);
+height of the swing foot; acceleration of the stance angle (zero where its rate is extreme);
 touchdown condition; position of the wobbling mass. Zero where a model has no such angle or mass. The power
 of each motor follows, then the torque of each.
 """

@@ -224,8 +224,13 @@ def speed(cycles: Cycles) -> Array:
 
 @_measure
 def peaks(cycles: Cycles) -> NDArray[np.int64]:
-    """Local maxima of the stance angle's rate: falling zeros of its acceleration."""
-    return count_zeros(cycles.trace, "peak", falling_only=True)
+    """Minima of the speed at which the stance leg turns over: zeros of its angle's acceleration."""
+    index = cycles.model.stance_index
+    if index is None:
+        return np.zeros(len(cycles.u), dtype=np.int64)
+    # Where the angle falls on the whole, its rate is largest where the leg is slowest.
+    falls = cycles.end["q"][:, index] < cycles.start["q"][:, index]
+    return count_zeros(cycles.trace, "peak", falling=falls)
 
 
 @_measure

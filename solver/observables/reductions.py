@@ -82,11 +82,20 @@ def _work_of(trace: Trace, observable: str, column: int) -> tuple[Array, Array]:
     return total, net
 
 
-def count_zeros(trace: Trace, name: str, falling_only: bool = False) -> NDArray[np.int64]:
-    """Number of zeros of an observable strictly within a step, shape (n,)."""
+def count_zeros(trace: Trace, name: str, falling: NDArray[np.bool_] | None = None) -> NDArray[np.int64]:
+    """Number of zeros of an observable strictly within a step, shape (n,).
+
+    Parameters
+    ----------
+    trace : Trace
+    name : str
+        One of `observables`.
+    falling : ndarray of bool, shape (n,), optional
+        Whether falling or rising zeros are counted; both if it is left out.
+    """
     found = brackets(trace, name)
-    if falling_only:
-        found = found.take(found.f_lower > found.f_upper)
+    if falling is not None:
+        found = found.take((found.f_lower > found.f_upper) == falling[found.orbit])
     return np.bincount(found.orbit, minlength=len(trace.period))
 
 
