@@ -75,10 +75,15 @@ def _same_term(walker: Declaration, u: sp.Expr, w: sp.Expr) -> sp.Expr | None:
 
 def _split(term: sp.Expr, moving: set[sp.Symbol]) -> tuple[sp.Expr, sp.Expr]:
     """The factors of a term that stay the same during a step, and those that do not."""
-    factors = sp.Mul.make_args(term)
+    factors = [x for factor in sp.Mul.make_args(term) for x in _with_sign(factor)]
     still = [f for f in factors if not f.free_symbols & moving]
     rest = [f for f in factors if f.free_symbols & moving]
     return sp.Mul(*still), sp.Mul(*rest)
+
+
+def _with_sign(factor: sp.Expr) -> list[sp.Expr]:
+    """A difference with its sign in front, so that it is the same whichever way round it is written."""
+    return [sp.S.NegativeOne, -factor] if factor.is_Add and factor.could_extract_minus_sign() else [factor]
 
 
 # -- by their values -------------------------------------------------------------------------------------
@@ -157,7 +162,8 @@ class _Trials:
             for i in range(self.count):
                 state, constants = self._point(i)
                 change = self._change(state, constants, k)
-                elsewhere = self._change([state[0], *(x + 0.1 for x in state[1:])], constants, k)
+                moved = [state[0], *(x + 0.1 / (j + 1) for j, x in enumerate(state[1:]))]
+                elsewhere = self._change(moved, constants, k)
                 if change is None or elsewhere is None:
                     continue
                 constant &= all(_equal(a, b) for a, b in zip(change, elsewhere, strict=True))

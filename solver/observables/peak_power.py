@@ -60,7 +60,7 @@ def peak_power(trace: Trace) -> Array:
     if len(motors) == 1:
         return extreme(trace, power(motors[0]), np.absolute)
     each = [extreme(Signed.of_powers(trace, signs), TOTAL, np.absolute) for signs in _signs(trace)]
-    peak: Array = np.max(each, axis=0)
+    peak: Array = np.max([np.zeros(len(trace.period)), *each], axis=0)
     return peak
 
 
