@@ -119,7 +119,9 @@ class Functions:
         """Torques of the controller."""
         motors = self.walker.actuators
         names = ", ".join(motor.name for motor in motors)
-        out = Output("u", self.mechanics.applied_torques, f"torque of the motor{'s' * (len(motors) > 1)} {names}")
+        out = Output(
+            "u", self.mechanics.applied_torques, f"torque of the motor{'s' * (len(motors) > 1)} {names}"
+        )
         summary = "Torque of the controller" if len(motors) == 1 else "Torques of the controller"
         return self._builder().close("controller_torque", summary, self._source("controller_torque"), [out])
 
@@ -413,8 +415,12 @@ class Functions:
     def step_length(self) -> Program:
         """Length of the step that ended with a touchdown."""
         outputs = [
-            Output("length", self.mechanics.step_length, "from the old stance foot to the new, along the ground"),
-            Output("rise", self.mechanics.step_rise, "from the old stance foot to the new, away from the ground"),
+            Output(
+                "length", self.mechanics.step_length, "from the old stance foot to the new, along the ground"
+            ),
+            Output(
+                "rise", self.mechanics.step_rise, "from the old stance foot to the new, away from the ground"
+            ),
         ]
         summary = "Length of the step from the coordinates just after touchdown"
         return self._builder().close("step_length", summary, "geometry of the legs", outputs)

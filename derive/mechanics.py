@@ -147,8 +147,8 @@ class Mechanics:
         mass = self.walker.massless.mass if self.walker.massless is not None else None
         raise InputError(
             f"model {self.walker.name}: the equation of {coordinate.name} does not vanish with {mass} (there "
-            f"remains {rest}), so it has no massless limit; a torque or a spring on {coordinate.name} must have "
-            f"{mass} as a factor"
+            f"remains {rest}), so it has no massless limit; a torque or a spring on {coordinate.name} must "
+            f"have {mass} as a factor"
         )
 
     def without_massless(self, expr: sp.Matrix | sp.Expr) -> sp.Matrix | sp.Expr:
@@ -196,7 +196,9 @@ class Mechanics:
     @cached_property
     def driven(self) -> sp.Matrix:
         """What each motor drives, an angle or a length, in the swing phase, shape (n_motors, 1)."""
-        return sp.Matrix(len(self.walker.actuators), 1, [self.on_stance(m.drives) for m in self.walker.actuators])
+        return sp.Matrix(
+            len(self.walker.actuators), 1, [self.on_stance(m.drives) for m in self.walker.actuators]
+        )
 
     @cached_property
     def motor_jacobian(self) -> sp.Matrix:
@@ -229,7 +231,9 @@ class Mechanics:
         for j, motor in enumerate(self.walker.actuators):
             first = motor.torque.diff(mass).subs(mass, 0)
             rows = jacobian[j, :].T
-            divided = sp.Matrix([e if c in light else 0 for e, c in zip(rows, self.walker.coordinates, strict=True)])
+            divided = sp.Matrix(
+                [e if c in light else 0 for e, c in zip(rows, self.walker.coordinates, strict=True)]
+            )
             columns += [(torques[j], rows - divided), (first, divided)]
         for i, coordinate in enumerate(self.walker.coordinates):
             if coordinate in light and (rest := sp.simplify((jacobian[:, i].T * torques)[0])):

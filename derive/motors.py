@@ -16,7 +16,7 @@ def kind_of(walker: Declaration, motor: Motor) -> Literal["torque", "force"]:
     """Whether a motor drives an angle, with a torque, or a length, with a force.
 
     Where the declaration does not say it, units tell for what is linear in the coordinates, and else whether
-    what it drives grows with the walker's lengths; where the model's lengths are plain numbers, the form does.
+    what it drives grows with the walker's lengths; where the lengths are plain numbers, the form tells.
 
     Parameters
     ----------

@@ -72,8 +72,8 @@ _ENTRIES = (
         "work",
         "energy",
         "work",
-        "Absolute work of the motors over a step: the sum over motors of the integral of the absolute value of "
-        "the power, which is the torque times the rate of what it drives.",
+        "Absolute work of the motors over a step: the sum over motors of the integral of the absolute value "
+        "of the power, which is the torque times the rate of what it drives.",
         r"\sum_j \int |P_j| dt",
     ),
     Quantity(
@@ -152,8 +152,8 @@ _ENTRIES = (
         "peaks",
         "number",
         "peaks",
-        "Local minima within the step of the speed at which the stance leg turns over: local maxima of the stance "
-        "angle's rate, where the angle is counted positive leaning back.",
+        "Local minima within the step of the speed at which the stance leg turns over: local maxima of the "
+        "stance angle's rate, where the angle is counted positive leaning back.",
         type="int",
     ),
     Quantity(
@@ -213,7 +213,10 @@ def _of_motor(motor: Motor, several: bool) -> Iterator[Quantity]:
     if several:
         power = f"the power of the motor {name}"
         yield Quantity(
-            f"work_{name}", "energy", f"work of {name}", f"Integral of the absolute value of {power} over a step."
+            f"work_{name}",
+            "energy",
+            f"work of {name}",
+            f"Integral of the absolute value of {power} over a step.",
         )
         yield Quantity(
             f"work_positive_{name}",
@@ -242,6 +245,6 @@ def _of_motor(motor: Motor, several: bool) -> Iterator[Quantity]:
 
 
 def measured_on(spec: ModelSpec) -> dict[str, Quantity]:
-    """What is measured on a model by name: the registry's quantities, its motors' own, and the model file's."""
+    """What is measured on a model by name: the registry's quantities, the motors' own, the model file's."""
     own = (*motor_quantities(spec.motors), *spec.quantities)
     return {name: QUANTITIES[name] for name in MEASURED} | {one.name: one for one in own}

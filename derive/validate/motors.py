@@ -49,8 +49,8 @@ def _names(walker: Declaration) -> None:
         if not isinstance(name, str) or not name.isidentifier() or not name.isascii() or name.startswith("_"):
             refuse(
                 walker,
-                f"the motor {name!r} cannot be a part of a column's name; use letters, digits and underscores, "
-                "and begin with a letter",
+                f"the motor {name!r} cannot be a part of a column's name; use letters, digits and "
+                "underscores, and begin with a letter",
             )
         if name in seen:
             plain = name in {c.name for c in walker.torques}
@@ -65,7 +65,8 @@ def _numbers(walker: Declaration, motor: Motor) -> None:
     if limit is not None and not (_is_number(limit) and limit > 0):
         refuse(
             walker,
-            f"the limit of the motor {motor.name} is {limit!r}; it must be a number above 0, or None for no limit",
+            f"the limit of the motor {motor.name} is {limit!r}; it must be a number above 0, or None for "
+            "no limit",
         )
     if not (_is_number(share) and 0 < share <= 1):
         refuse(
@@ -73,7 +74,9 @@ def _numbers(walker: Declaration, motor: Motor) -> None:
             f"the efficiency of the motor {motor.name} is {share!r}; it must be a number above 0 and up to 1",
         )
     if motor.kind not in (None, "torque", "force"):
-        refuse(walker, f'the kind of the motor {motor.name} is {motor.kind!r}; it must be "torque" or "force"')
+        refuse(
+            walker, f'the kind of the motor {motor.name} is {motor.kind!r}; it must be "torque" or "force"'
+        )
 
 
 def _is_number(value: object) -> bool:
@@ -85,8 +88,8 @@ def _moves(walker: Declaration, motor: Motor) -> None:
     if walker.phase is not None and walker.phase.symbol in motor.drives.free_symbols:
         refuse(
             walker,
-            f"the motor {motor.name} drives {walker.phase.name}, the clock's phase, which is not a motion; give "
-            "it an angle or a length to drive",
+            f"the motor {motor.name} drives {walker.phase.name}, the clock's phase, which is not a motion; "
+            "give it an angle or a length to drive",
         )
     if not motor.drives.free_symbols & {*walker.q, *STANCE_FOOT}:
         angles = ", ".join(body.name for body in motor.bodies if body.angle == 0)
@@ -122,24 +125,24 @@ def _bodies(walker: Declaration, motor: Motor) -> None:
         if body.name not in angles or angles[body.name] != body.angle:
             refuse(
                 walker,
-                f"the motor {motor.name} acts on a body {body.name} with the angle {body.angle}, which is not one "
-                "of the walker's bodies; declare the motor with the walker's own",
+                f"the motor {motor.name} acts on a body {body.name} with the angle {body.angle}, which is "
+                "not one of the walker's bodies; declare the motor with the walker's own",
             )
     senses = [_sense(walker, body.angle) for body in motor.bodies]
     for body, sense in zip(motor.bodies, senses, strict=True):
         if sense is not None and abs(abs(sense) - 1) > TOLERANCE:
             refuse(
                 walker,
-                f"the angle {body.angle} of the body {body.name} changes by {sense:.6g} when the walker is turned "
-                "by 1 rad, so it is not the body's orientation; correct angle",
+                f"the angle {body.angle} of the body {body.name} changes by {sense:.6g} when the walker is "
+                "turned by 1 rad, so it is not the body's orientation; correct angle",
             )
     if len(senses) == 2 and None not in senses and senses[0] != senses[1]:
         one, other = motor.bodies
         refuse(
             walker,
-            f"the bodies {one.name} and {other.name} count their angles in opposite senses, so the difference is "
-            f"not what the motor {motor.name} drives; write drives={one.angle + other.angle}, or turn the sense "
-            "of one",
+            f"the bodies {one.name} and {other.name} count their angles in opposite senses, so the "
+            f"difference is not what the motor {motor.name} drives; write "
+            f"drives={one.angle + other.angle}, or turn the sense of one",
         )
 
 

@@ -47,8 +47,8 @@ def _refuse(walker: Declaration, one: Coordinate, other: Coordinate, factor: sp.
     drives = one.symbol + factor * other.symbol
     refuse(
         walker,
-        f"the same torque acts on {one.name} and, times {factor}, on {other.name}: it is the torque of one motor, "
-        "whose power is not the sum over the coordinates; declare it as a motor, "
+        f"the same torque acts on {one.name} and, times {factor}, on {other.name}: it is the torque of one "
+        "motor, whose power is not the sum over the coordinates; declare it as a motor, "
         f'motors=(Motor("{one.name}_motor", torque, drives={drives}),), and leave it out of torques',
     )
 
@@ -103,8 +103,8 @@ def _same_values(walker: Declaration, acting: Mapping[Coordinate, sp.Expr]) -> N
     if names := _dependent(table, [c.name for c in coordinates]):
         refuse(
             walker,
-            f"the torques on {', '.join(names)} depend on each other, so fewer motors act than coordinates have "
-            "torques, and power and work are those of what each motor drives; declare them as motors, "
+            f"the torques on {', '.join(names)} depend on each other, so fewer motors act than coordinates "
+            "have torques, and power and work are those of what each motor drives; declare them as motors, "
             "motors=(Motor(name, torque, drives=...), ...), and leave them out of torques",
         )
 

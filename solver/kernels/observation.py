@@ -35,7 +35,7 @@ def declared(quantity: str) -> str:
 
 
 def observables(model: Model) -> tuple[str, ...]:
-    """Names of the rows: `OBSERVABLES`, powers, then torques of the motors, and what the model file declares."""
+    """Names of the rows: `OBSERVABLES`, powers and torques of the motors, what the model file declares."""
     motors = (*map(power, model.actuated), *map(torque, model.actuated))
     return (*OBSERVABLES, *motors, *(declared(one.name) for one in model.spec.quantities))
 

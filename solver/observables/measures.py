@@ -15,8 +15,8 @@ from numpy.typing import NDArray
 from stridemap.quantities import MEASURED
 from stridemap.solver.kernels.observation import declared, power, torque
 from stridemap.solver.model.model import Model
-from stridemap.solver.observables.events import Trace
 from stridemap.solver.observables import peak_power as powers
+from stridemap.solver.observables.events import Trace
 from stridemap.solver.observables.reductions import Works, count_zeros, extreme, works
 from stridemap.spec import Quantity
 
@@ -84,12 +84,16 @@ class Cycles:
     @cached_property
     def torques(self) -> Array:
         """Largest absolute torque, or force, of each motor, shape (m, n_motors)."""
-        return self._of_motors([extreme(self.trace, torque(name), np.absolute) for name in self.model.actuated])
+        return self._of_motors(
+            [extreme(self.trace, torque(name), np.absolute) for name in self.model.actuated]
+        )
 
     @cached_property
     def powers(self) -> Array:
         """Largest absolute power of each motor, shape (m, n_motors)."""
-        return self._of_motors([extreme(self.trace, power(name), np.absolute) for name in self.model.actuated])
+        return self._of_motors(
+            [extreme(self.trace, power(name), np.absolute) for name in self.model.actuated]
+        )
 
     def _of_motors(self, columns: list[Array]) -> Array:
         return np.stack(columns, axis=1) if columns else np.zeros((len(self.u), 0))
@@ -141,7 +145,9 @@ def _of_each_motor(cycles: Cycles) -> dict[str, Any]:
     columns |= {"work_net": cycles.works.net, "peak_power": cycles.powers}
     columns |= {"peak_torque": cycles.torques, "peak_force": cycles.torques}
     names = cycles.model.actuated
-    return {f"{what}_{name}": column[:, i] for what, column in columns.items() for i, name in enumerate(names)}
+    return {
+        f"{what}_{name}": column[:, i] for what, column in columns.items() for i, name in enumerate(names)
+    }
 
 
 def _reduced(trace: Trace, quantity: Quantity) -> Array:

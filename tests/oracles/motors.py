@@ -1,8 +1,8 @@
 """Walkers whose motors act between bodies, and what independent programs found for them.
 
-The compass walker with both legs from the vertical is the built-in one. The torso-driven rimless wheel has the
-masses of a published robot's model; its gait comes from a floating-base Lagrangian, DOP853 at 1e-12 with events,
-and Newton's method on the step map.
+The compass walker with both legs from the vertical is the built-in one. The torso-driven rimless wheel has
+the masses of a published robot's model; its gait comes from a floating-base Lagrangian, DOP853 at 1e-12 with
+events, and Newton's method on the step map.
 """
 
 import sympy as sp

@@ -11,7 +11,17 @@ from unittest import mock
 import numpy as np
 import sympy as sp
 
-from stridemap.derive import Coordinate, Massless, Motor, Touchdown, Walker, emit, functions, mechanics, program
+from stridemap.derive import (
+    Coordinate,
+    Massless,
+    Motor,
+    Touchdown,
+    Walker,
+    emit,
+    functions,
+    mechanics,
+    program,
+)
 from stridemap.derive.printers.python import Python
 from stridemap.solver.backends.interpreter import Interpreter
 from stridemap.solver.cycles.search import continued
@@ -154,9 +164,13 @@ class _Rewriting:
             equations = [e.xreplace(out) for e, s in fixed.items() if s in kind]
             for equation in equations:
                 equation = equation.xreplace(out)
-                wanted = [x for x in reversed(list(unknowns)) if x not in out and sp.expand(equation).diff(x) != 0]
+                wanted = [
+                    x for x in reversed(list(unknowns)) if x not in out and sp.expand(equation).diff(x) != 0
+                ]
                 own = next(
-                    x for x in wanted if not sp.expand(equation).diff(x).free_symbols and x != self._stance_symbol
+                    x
+                    for x in wanted
+                    if not sp.expand(equation).diff(x).free_symbols and x != self._stance_symbol
                 )
                 out[own] = sp.expand(sp.solve(equation, own)[0])
         return out
@@ -194,7 +208,9 @@ def light_model(walker):
         equations = emit.equations(walker, "tests")
     text = Python().text(equations).encode()
     contents = {equations_file(walker.name): text}
-    return Model(InMemory({**contents, MANIFEST: manifest(emit.specification(equations), contents)}, "-"), "-")
+    return Model(
+        InMemory({**contents, MANIFEST: manifest(emit.specification(equations), contents)}, "-"), "-"
+    )
 
 
 def carried_over(orbits, change, model):

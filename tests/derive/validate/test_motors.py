@@ -5,7 +5,7 @@ import sympy as sp
 
 from stridemap.derive import STANCE_FOOT, TIME, Body, Clock, Coordinate, Motor, Parameter, Touchdown, Walker
 from stridemap.errors import InputError
-from tests.oracles.motors import A, ABSOLUTE, B, FEEDBACK, GAIN, TORSO_WHEEL, a, b, k, oscillation
+from tests.oracles.motors import ABSOLUTE, FEEDBACK, GAIN, TORSO_WHEEL, A, B, a, b, k, oscillation
 
 pytestmark = pytest.mark.quick
 
@@ -60,7 +60,11 @@ def test_two_motors_are_two(u, w):
 def test_more_torques_than_motors():
     c = Coordinate("torso", "rad", "torso from the vertical")
     left, right = -k * sp.sin(a - c.symbol), -k2 * sp.tanh(b - c.symbol)
-    torso = Body("torso", sp.Integer(1), STANCE_FOOT + sp.Matrix([-sp.sin(a), sp.cos(a)]) + sp.Matrix([-sp.sin(c.symbol), sp.cos(c.symbol)]))
+    torso = Body(
+        "torso",
+        sp.Integer(1),
+        STANCE_FOOT + sp.Matrix([-sp.sin(a), sp.cos(a)]) + sp.Matrix([-sp.sin(c.symbol), sp.cos(c.symbol)]),
+    )
     with pytest.raises(InputError, match=r"(the same torque acts on|depend on each other)"):
         ABSOLUTE.with_(
             motors=(),
@@ -79,19 +83,37 @@ MOTOR = Motor("hip", FEEDBACK, a - b)
 @pytest.mark.parametrize(
     ("motors", "said"),
     [
-        ((Motor("hip", FEEDBACK, a - b, limit=0),), "the limit of the motor hip is 0; it must be a number above 0"),
+        (
+            (Motor("hip", FEEDBACK, a - b, limit=0),),
+            "the limit of the motor hip is 0; it must be a number above 0",
+        ),
         ((Motor("hip", FEEDBACK, a - b, limit=k),), "the limit of the motor hip is k; it must be a number"),
-        ((Motor("hip", FEEDBACK, a - b, efficiency=1.5),), "the efficiency of the motor hip is 1.5; it must be"),
+        (
+            (Motor("hip", FEEDBACK, a - b, efficiency=1.5),),
+            "the efficiency of the motor hip is 1.5; it must be",
+        ),
         ((Motor("hip", FEEDBACK, a - b, efficiency=0),), "the efficiency of the motor hip is 0; it must be"),
         ((Motor("hip", FEEDBACK, a - b, kind="work"),), "the kind of the motor hip is 'work'; it must be"),
-        ((Motor("hip", FEEDBACK, k),), "the motor hip drives k, which does not move; give an angle or a length"),
+        (
+            (Motor("hip", FEEDBACK, k),),
+            "the motor hip drives k, which does not move; give an angle or a length",
+        ),
         ((Motor("hip", FEEDBACK, A.rate),), "the drive of the motor hip has the symbol dstance"),
         ((Motor("hip", FEEDBACK, a * TIME),), "the drive of the motor hip has the symbol t"),
-        ((Motor("hip", sp.Symbol("x"), a),), "the torque of the motor hip has the symbol x, which is not a parameter"),
+        (
+            (Motor("hip", sp.Symbol("x"), a),),
+            "the torque of the motor hip has the symbol x, which is not a parameter",
+        ),
         ((Motor("a hip", FEEDBACK, a),), "the motor 'a hip' cannot be a part of a column's name"),
         ((MOTOR, MOTOR), "there are two motors called hip; rename one of them"),
-        ((MOTOR, Motor("net", FEEDBACK, a)), "the motor net has a column work_net, which is the name of a column"),
-        ((Motor("positive", FEEDBACK, a), MOTOR), "the motor positive has a column work_positive, which is the name"),
+        (
+            (MOTOR, Motor("net", FEEDBACK, a)),
+            "the motor net has a column work_net, which is the name of a column",
+        ),
+        (
+            (Motor("positive", FEEDBACK, a), MOTOR),
+            "the motor positive has a column work_positive, which is the name",
+        ),
         (
             (MOTOR, Motor("net_hip", FEEDBACK, a)),
             "the motor net_hip has a column work_net_hip, which is the name of a column of the motor hip",
@@ -117,13 +139,17 @@ def test_a_parameter_cannot_bear_the_name_of_a_motors_column():
 def test_torques_and_motors_stand_side_by_side_under_different_names():
     walker = ABSOLUTE.with_(torques={A: ankle.subs(k2, 1)})
     assert [m.name for m in walker.actuators] == ["stance", "hip"]
-    with pytest.raises(InputError, match="there are a torque on stance and a motor stance; rename one of them"):
+    with pytest.raises(
+        InputError, match="there are a torque on stance and a motor stance; rename one of them"
+    ):
         ABSOLUTE.with_(torques={A: ankle.subs(k2, 1)}, motors=(Motor("stance", FEEDBACK, a - b),))
 
 
 def test_the_clocks_phase_is_not_driven():
     clock = Clock(oscillation, resets=False)
-    with pytest.raises(InputError, match="the motor hip drives phase, the clock's phase, which is not a motion"):
+    with pytest.raises(
+        InputError, match="the motor hip drives phase, the clock's phase, which is not a motion"
+    ):
         ABSOLUTE.with_(clock=clock, motors=(Motor("hip", FEEDBACK, clock.phase),))
     with pytest.raises(InputError, match="the motor phase drives phase, the clock's phase"):
         ABSOLUTE.with_(clock=clock, motors=(), torques={clock.coordinate: FEEDBACK})
@@ -160,10 +186,14 @@ def test_what_is_no_body_of_the_walker_is_refused():
     with pytest.raises(InputError, match="acts on a body torso with the angle 2\\*phi, which is not one of"):
         between(Body("torso", sp.S.One, TORSO.position, angle=2 * TORSO.angle), None)
     relative = Body("torso", TORSO.mass, TORSO.position, TORSO.inertia, TORSO.angle + WHEEL.angle)
-    with pytest.raises(InputError, match="changes by 0 when the walker is turned by 1 rad, so it is not the body's"):
+    with pytest.raises(
+        InputError, match="changes by 0 when the walker is turned by 1 rad, so it is not the body's"
+    ):
         between(relative, None, (WHEEL, relative))
     point = Body("torso", TORSO.mass, TORSO.position)
-    with pytest.raises(InputError, match=r"does not move; give angle= to the bodies it acts between \(torso has none\)"):
+    with pytest.raises(
+        InputError, match=r"does not move; give angle= to the bodies it acts between \(torso has none\)"
+    ):
         between(point, None, (WHEEL, point))
 
 
