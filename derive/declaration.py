@@ -19,6 +19,7 @@ from stridemap.derive.parts import (
     Line,
     Massless,
     Measured,
+    Motor,
     Parameter,
     Touchdown,
 )
@@ -42,6 +43,7 @@ class Declaration:
     gravity: sp.Matrix = DOWN
     potentials: Mapping[str, sp.Expr] = field(default_factory=dict)
     dissipation: sp.Expr = sp.S.Zero
+    motors: tuple[Motor, ...] = ()
     torques: Mapping[Coordinate, sp.Expr] = field(default_factory=dict)
     clock: Clock | None = None
     stance: sp.Matrix = ORIGIN
@@ -71,6 +73,12 @@ class Declaration:
     def phase(self) -> Coordinate | None:
         """The phase of a clock that is not reset: the one coordinate that describes no motion."""
         return self.clock.coordinate if self.clock is not None and not self.clock.resets else None
+
+    @property
+    def actuators(self) -> tuple[Motor, ...]:
+        """Every motor: one per entry of `torques`, which bears its coordinate's name, then `motors`."""
+        plain = (Motor(c.name, torque, c.symbol, c.meaning) for c, torque in self.torques.items())
+        return (*plain, *self.motors)
 
     @property
     def section_names(self) -> tuple[str, ...]:

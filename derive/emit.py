@@ -10,6 +10,7 @@ import sympy as sp
 from stridemap import spec
 from stridemap.derive.declaration import Declaration
 from stridemap.derive.functions import Functions
+from stridemap.derive.motors import record
 from stridemap.derive.parts import STANCE_FOOT, Body, Line, Measured
 from stridemap.derive.printers.c import C
 from stridemap.derive.printers.docs import example, readme
@@ -115,7 +116,7 @@ def specification(written: Equations) -> ModelSpec:
         units=walker.units,
         masses=tuple(_mass(walker, body) for body in walker.bodies),
         lines=tuple(_line(line) for line in walker.drawing),
-        actuated=tuple(c.name for c in walker.torques),
+        motors=tuple(record(walker, motor) for motor in walker.actuators),
         stance_angle=walker.stance_angle.name if walker.stance_angle else None,
         wobbling=walker.wobbling.name if walker.wobbling else None,
         phase=walker.phase.name if walker.phase else None,

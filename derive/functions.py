@@ -14,6 +14,7 @@ DEFAULT_SOURCES = {
     "mass_matrix": "M ddq + h + v = Q",
     "bias_forces": "M ddq + h + v = Q",
     "controller_torque": "the model's declaration",
+    "motor_rates": "the model's declaration",
     "state_derivative": "M ddq + h + v = Q",
     "touchdown_condition": "the model's declaration",
     "impact_map": "plastic impact: Me (v+ - v-) = J^T Lambda, J v+ = 0, "
@@ -54,8 +55,9 @@ class Functions:
         """All programs, in the order in which they are printed."""
         yield self.mass_matrix()
         yield self.bias_forces()
-        if self.walker.torques:
+        if self.walker.actuators:
             yield self.controller_torque()
+            yield self.motor_rates()
         yield self.state_derivative()
         yield from self.state_derivative_jacobians()
         yield self.touchdown_condition()
@@ -115,10 +117,23 @@ class Functions:
 
     def controller_torque(self) -> Program:
         """Torques of the controller."""
-        names = ", ".join(c.name for c in self.walker.torques)
-        out = Output("u", self.mechanics.applied_torques, f"torque on {names}")
-        summary = "Torque of the controller" if len(self.walker.torques) == 1 else "Torques of the controller"
+        motors = self.walker.actuators
+        names = ", ".join(motor.name for motor in motors)
+        out = Output(
+            "u", self.mechanics.applied_torques, f"torque of the motor{'s' * (len(motors) > 1)} {names}"
+        )
+        summary = "Torque of the controller" if len(motors) == 1 else "Torques of the controller"
         return self._builder().close("controller_torque", summary, self._source("controller_torque"), [out])
+
+    def motor_rates(self) -> Program:
+        """What the motors drive, and its rates."""
+        names = ", ".join(motor.name for motor in self.walker.actuators)
+        outputs = [
+            Output("driven", self.mechanics.driven, f"angle or length that each motor drives: {names}"),
+            Output("rate", self.mechanics.motor_rates, "its rate; times the torque it is the motor's power"),
+        ]
+        summary = "What each motor drives, with its rate"
+        return self._builder().close("motor_rates", summary, self._source("motor_rates"), outputs)
 
     def _force(self, torques: Iterable[sp.Expr]) -> sp.Matrix:
         m = self.mechanics
@@ -287,6 +302,7 @@ class Functions:
                 self.mechanics.tangential_weight,
                 "component of the weight along the ground, in walking direction",
             ),
+            Output("press", self.mechanics.normal_weight, "component of the weight into the ground"),
         ]
         summary = "Mass and weight of the whole walker"
         return self._builder().close("total_mass", summary, "sum over the bodies", outputs)
@@ -306,16 +322,23 @@ class Functions:
         """Force of the ground on the stance foot."""
         b = self._builder()
         acceleration, _ = self._acceleration(b)
-        force = self.mechanics.ground_force(acceleration)
+        force = self._ground_force(b, acceleration)
         out = Output("force", force, "force on the stance foot, horizontal and vertical")
         source = "the two floating-base rows that hold the stance foot"
         return b.close("ground_force", "Force of the ground on the stance foot", source, [out])
+
+    def _ground_force(self, b: Builder, acceleration: sp.Matrix) -> sp.Matrix:
+        m = self.mechanics
+        torques = m.applied_torques
+        if not m.motor_base_jacobian.is_zero_matrix:  # else none of them reaches the ground but by the foot
+            torques = b.let_vector("applied", torques)
+        return m.ground_force(acceleration, torques)
 
     def zmp(self) -> Program:
         """Zero moment point and its signed distance from the stance foot."""
         b = self._builder()
         acceleration, _ = self._acceleration(b)
-        fx, fy = b.let_vector("ground", self.mechanics.ground_force(acceleration))
+        fx, fy = b.let_vector("ground", self._ground_force(b, acceleration))
         com_x, com_y = b.let_vector("com", self.mechanics.centre_of_mass)
         point = b.let("point", com_x - fx / fy * com_y - self.walker.stance[0])
         outputs = [
@@ -391,9 +414,16 @@ class Functions:
 
     def step_length(self) -> Program:
         """Length of the step that ended with a touchdown."""
-        out = Output("length", self.mechanics.step_length, "from the old stance foot to the new")
+        outputs = [
+            Output(
+                "length", self.mechanics.step_length, "from the old stance foot to the new, along the ground"
+            ),
+            Output(
+                "rise", self.mechanics.step_rise, "from the old stance foot to the new, away from the ground"
+            ),
+        ]
         summary = "Length of the step from the coordinates just after touchdown"
-        return self._builder().close("step_length", summary, "geometry of the legs", [out])
+        return self._builder().close("step_length", summary, "geometry of the legs", outputs)
 
     def spring_mode(self) -> Program:
         """Natural frequency that names the solution groups."""

@@ -7,11 +7,12 @@ two rows of the held foot give the ground force, and releasing it gives the impa
 from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cache, cached_property
+from typing import NoReturn
 
 import sympy as sp
 
 from stridemap.derive.declaration import Declaration
-from stridemap.derive.parts import STANCE_FOOT
+from stridemap.derive.parts import STANCE_FOOT, Coordinate
 from stridemap.errors import InputError
 
 BASE = 2
@@ -137,13 +138,18 @@ class Mechanics:
                 if coordinate not in massless.coordinates:
                     continue
                 if rest := sp.simplify(result[i, j]):
-                    raise InputError(
-                        f"model {self.walker.name}: the equation of {coordinate.name} does not vanish with "
-                        f"{massless.mass} (there remains {rest}), so it has no massless limit; a torque or a "
-                        f"spring on {coordinate.name} must have {massless.mass} as a factor"
-                    )
+                    self._refuse_limit(coordinate, rest)
                 result[i, j] = entry.coeff(massless.mass, 1)
         return result
+
+    def _refuse_limit(self, coordinate: Coordinate, rest: sp.Expr) -> NoReturn:
+        """Raise an InputError for an equation that does not vanish with the mass."""
+        mass = self.walker.massless.mass if self.walker.massless is not None else None
+        raise InputError(
+            f"model {self.walker.name}: the equation of {coordinate.name} does not vanish with {mass} (there "
+            f"remains {rest}), so it has no massless limit; a torque or a spring on {coordinate.name} must "
+            f"have {mass} as a factor"
+        )
 
     def without_massless(self, expr: sp.Matrix | sp.Expr) -> sp.Matrix | sp.Expr:
         """`expr` with the mass that vanishes, where nothing is divided by it, set to zero."""
@@ -187,21 +193,76 @@ class Mechanics:
         """Force of the dampers, on the left-hand side of the equation of motion, shape (n, 1)."""
         return self._gradient(self.walker.dissipation, self.walker.v)
 
-    def torque_vector(self, torques: Iterable[sp.Expr]) -> sp.Matrix:
-        """Generalised force of the actuators' torques, in the order of the declaration, shape (n, 1)."""
-        acting = dict(zip(self.walker.torques, torques, strict=True))
-        return sp.Matrix([acting.get(c, sp.S.Zero) for c in self.walker.coordinates])
+    @cached_property
+    def driven(self) -> sp.Matrix:
+        """What each motor drives, an angle or a length, in the swing phase, shape (n_motors, 1)."""
+        return sp.Matrix(
+            len(self.walker.actuators), 1, [self.on_stance(m.drives) for m in self.walker.actuators]
+        )
+
+    @cached_property
+    def motor_jacobian(self) -> sp.Matrix:
+        """Rate of what each motor drives per unit of each rate, shape (n_motors, n)."""
+        return self._derivatives(self.driven, self.walker.q)
+
+    @cached_property
+    def motor_rates(self) -> sp.Matrix:
+        """Rate of what each motor drives, shape (n_motors, 1)."""
+        return self.motor_jacobian * self.walker.v
 
     @cached_property
     def applied_torques(self) -> sp.Matrix:
-        """Torques of the actuators, shape (n_actuators, 1)."""
-        return sp.Matrix([self.without_massless(u) for u in self.walker.torques.values()])
+        """Torques of the motors, shape (n_motors, 1)."""
+        torques = [self.without_massless(motor.torque) for motor in self.walker.actuators]
+        return sp.Matrix(len(torques), 1, torques)
 
     @cached_property
+    def _control(self) -> tuple[sp.Matrix, sp.Matrix]:
+        """Torques as the equation of motion needs them, and the map from them to generalised forces.
+
+        Virtual work makes the map the transpose of `motor_jacobian`. A massless row is divided by its mass:
+        there a torque acts with its part of first order in the mass, everywhere else with that of order zero.
+        """
+        jacobian, torques = self.motor_jacobian, self.applied_torques
+        if self.walker.massless is None:
+            return torques, jacobian.T
+        mass, light = self.walker.massless.mass, self.walker.massless.coordinates
+        columns = []
+        for j, motor in enumerate(self.walker.actuators):
+            first = motor.torque.diff(mass).subs(mass, 0)
+            rows = jacobian[j, :].T
+            divided = sp.Matrix(
+                [e if c in light else 0 for e, c in zip(rows, self.walker.coordinates, strict=True)]
+            )
+            columns += [(torques[j], rows - divided), (first, divided)]
+        for i, coordinate in enumerate(self.walker.coordinates):
+            if coordinate in light and (rest := sp.simplify((jacobian[:, i].T * torques)[0])):
+                self._refuse_limit(coordinate, rest)
+        columns = [(u, column) for u, column in columns if u != 0 and not column.is_zero_matrix]
+        if not columns:
+            return sp.zeros(0, 1), sp.zeros(len(self.walker.coordinates), 0)
+        return sp.Matrix([u for u, _ in columns]), sp.Matrix.hstack(*(column for _, column in columns))
+
+    @property
     def controller(self) -> sp.Matrix:
         """Torques as they stand in the equation of motion, where a massless row is divided by its mass."""
-        rows = self._limit(self.torque_vector(self.walker.torques.values()))
-        return sp.Matrix([rows[self.walker.coordinates.index(c)] for c in self.walker.torques])
+        return self._control[0]
+
+    def torque_vector(self, torques: Iterable[sp.Expr]) -> sp.Matrix:
+        """Generalised force of the motors, for torques in the order of `controller`, shape (n, 1)."""
+        torques = list(torques)
+        return self._control[1] * sp.Matrix(len(torques), 1, torques)
+
+    @cached_property
+    def motor_base_jacobian(self) -> sp.Matrix:
+        """Rate of what each motor drives per velocity of the stance foot alone, shape (n_motors, 2)."""
+        drives = sp.Matrix(len(self.walker.actuators), 1, [m.drives for m in self.walker.actuators])
+        return self.on_stance(self._derivatives(drives, STANCE_FOOT))
+
+    @staticmethod
+    def _derivatives(values: sp.Matrix, wrt: sp.Matrix) -> sp.Matrix:
+        """Jacobian, also of no values."""
+        return values.jacobian(wrt).applyfunc(simplified) if len(values) else sp.zeros(0, len(wrt))
 
     def passive_force(self) -> sp.Matrix:
         """Right-hand side of the equation of motion but for the actuators, shape (n, 1)."""
@@ -211,8 +272,17 @@ class Mechanics:
             + sum(self.conservative_forces.values(), sp.zeros(len(self.walker.coordinates), 1))
         )
 
-    def ground_force(self, acceleration: sp.Matrix) -> sp.Matrix:
-        """Force on the stance foot for given accelerations of the coordinates, shape (2, 1)."""
+    def ground_force(self, acceleration: sp.Matrix, torques: sp.Matrix) -> sp.Matrix:
+        """Force on the stance foot, shape (2, 1).
+
+        Parameters
+        ----------
+        acceleration : sympy.Matrix, shape (n, 1)
+            Of the coordinates.
+        torques : sympy.Matrix, shape (n_motors, 1)
+            Of the motors. They and the springs count where they act between the walker and a place on the
+            ground other than the foot.
+        """
         inertia = self.on_stance(self.floating_mass_matrix[:BASE, BASE:]) * acceleration
         if self._rolls:
             rolling = self.stance_jacobian * acceleration
@@ -220,6 +290,8 @@ class Mechanics:
             inertia += self.floating_mass_matrix[:BASE, :BASE] * rolling
         weight = -self.walker.gravity * sum(body.mass for body in self.walker.bodies)
         total = inertia + self.floating_velocity_terms[:BASE, :] + weight
+        springs = sp.Matrix([sum(self.walker.potentials.values(), sp.S.Zero)]).jacobian(STANCE_FOOT).T
+        total += self.on_stance(springs) - self.motor_base_jacobian.T * torques
         return self.without_massless(total).applyfunc(simplified)
 
     # -- what is measured --------------------------------------------------------------------------------
@@ -248,6 +320,11 @@ class Mechanics:
     def tangential_weight(self) -> sp.Expr:
         """Component of the weight along the ground, in the direction of walking."""
         return simplified(self.total_mass * self.walker.gravity[0])
+
+    @cached_property
+    def normal_weight(self) -> sp.Expr:
+        """Component of the weight into the ground."""
+        return simplified(-self.total_mass * self.walker.gravity[1])
 
     @cached_property
     def centre_of_mass(self) -> sp.Matrix:
@@ -297,9 +374,18 @@ class Mechanics:
     @cached_property
     def step_length(self) -> sp.Expr:
         """How far the step that ended with a touchdown led, in terms of the coordinates after it."""
+        return simplified(sp.expand_trig(simplified(self._step[0])))
+
+    @cached_property
+    def step_rise(self) -> sp.Expr:
+        """How much higher the step that ended with a touchdown led, in terms of the coordinates after it."""
+        return simplified(self._step[1])
+
+    @cached_property
+    def _step(self) -> sp.Matrix:
+        """From the old stance foot to the new, in terms of the coordinates after touchdown, shape (2, 1)."""
         before = dict(zip(self.walker.q, self.before_touchdown, strict=True))
-        landed = self.swing_foot[0].subs(before, simultaneous=True)
-        return simplified(sp.expand_trig(simplified(landed - self.walker.stance[0])))
+        return self.swing_foot.subs(before, simultaneous=True) - self.walker.stance
 
     # The impact holds the swing foot as the stance foot was held, and releases the stance foot. Velocities
     # that the ground then allows are `after_release * w`, with any rates w in the new names; the impulse does

@@ -1,12 +1,13 @@
-"""The parts that a declaration consists of: coordinates, parameters, bodies, touchdown, clock, lines."""
+"""The parts that a declaration consists of: coordinates, parameters, bodies, motors, touchdown, lines."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, Literal
 
 import sympy as sp
 
 from stridemap import spec
+from stridemap.errors import InputError
 from stridemap.spec import UnitNames
 
 STANCE_FOOT = sp.Matrix(sp.symbols("stance_x stance_y", real=True))
@@ -85,7 +86,8 @@ class Body:
     inertia : sympy.Expr
         Moment of inertia about the centre of mass.
     angle : sympy.Expr
-        Its orientation, in terms of the coordinates; only its rate matters.
+        Its orientation, in terms of the coordinates; only its rate matters. The bodies of one motor
+        (`Motor.between`) count their angles in the same sense.
     """
 
     name: str
@@ -93,6 +95,79 @@ class Body:
     position: sp.Matrix
     inertia: sp.Expr = sp.S.Zero
     angle: sp.Expr = sp.S.Zero
+
+
+@dataclass(frozen=True)
+class Motor:
+    """A motor: a torque, and the angle that it drives; or a force, and the length that it drives.
+
+    Its power is the torque times the rate of what it drives, and the generalised forces follow from virtual
+    work, so that they are right in any coordinates.
+
+    Parameters
+    ----------
+    name : str
+        Of its columns (``work_<name>``), where a walker has several motors.
+    torque : sympy.Expr
+        In terms of coordinates, rates, parameters and the clock's phase (or `TIME`). A positive one makes
+        what it drives grow.
+    drives : sympy.Expr
+        The angle or length that it drives, in terms of coordinates, parameters and `STANCE_FOOT`: between two
+        bodies of the walker (see `between`), or between one and the ground. Only its rate matters.
+    meaning : str
+        One line for the documentation of generated functions.
+    limit : float or None
+        The largest absolute torque that it can give, which the column ``limit_use`` compares with.
+    efficiency : float
+        Mechanical work that it gives per unit of energy drawn, above 0 and up to 1. Work that is done on
+        it is counted at its absolute value: nothing is recovered.
+    kind : {"torque", "force"} or None
+        Whether it drives an angle or a length; None finds it out from units and form of `drives`.
+    bodies : tuple of Body
+        The bodies that it acts between, where `between` made it.
+    """
+
+    name: str
+    torque: sp.Expr
+    drives: sp.Expr
+    meaning: str = ""
+    limit: float | None = None
+    efficiency: float = 1.0
+    kind: Literal["torque", "force"] | None = None
+    bodies: tuple[Body, ...] = ()
+
+    @classmethod
+    def between(
+        cls, name: str, torque: sp.Expr, body: Body, other: Body | None = None, **options: Any
+    ) -> "Motor":
+        """A motor between two bodies of the walker, or between one and the ground.
+
+        It drives the angle of `body` minus that of `other`: a positive torque turns `body` towards a larger
+        angle, and `other` the other way.
+
+        Parameters
+        ----------
+        name : str
+        torque : sympy.Expr
+        body : Body
+        other : Body or None
+            None is the ground.
+        **options
+            `meaning`, `limit` and `efficiency`.
+
+        Raises
+        ------
+        InputError
+            When one of them is not a Body.
+        """
+        bodies = (body,) if other is None else (body, other)
+        for one in bodies:
+            if not isinstance(one, Body):
+                raise InputError(
+                    f"motor {name}: {one!r} is not a Body; give the bodies themselves, or an angle as drives"
+                )
+        drives = sp.sympify(body.angle) - (sp.S.Zero if other is None else sp.sympify(other.angle))
+        return cls(name, torque, drives, bodies=bodies, kind="torque", **options)
 
 
 @dataclass(frozen=True)
@@ -239,6 +314,9 @@ def exact(value: Any) -> Any:
         return sp.ImmutableMatrix(value.applyfunc(exact))
     if isinstance(value, sp.Basic):
         return sp.nsimplify(value, rational=True) if value.has(sp.Float) else value
+    if isinstance(value, Motor):  # limit and efficiency stay numbers
+        parts = {name: _exact_number(name, getattr(value, name)) for name in ("torque", "drives", "bodies")}
+        return replace(value, **parts)
     if isinstance(value, Body | Touchdown | Clock | Line | Measured):
         return replace(value, **{name: _exact_number(name, v) for name, v in vars(value).items()})
     if isinstance(value, tuple):

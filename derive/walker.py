@@ -13,6 +13,7 @@ import sympy as sp
 from stridemap.derive.declaration import Declaration
 from stridemap.derive.parts import Clock, exact
 from stridemap.derive.validate.mechanics import validate_mechanics
+from stridemap.derive.validate.motors import validate_motors
 from stridemap.derive.validate.names import validate_names
 
 
@@ -47,9 +48,11 @@ class Walker(Declaration):
     dissipation : sympy.Expr
         Rayleigh's dissipation function (half the power that dampers take), in terms of coordinates and
         rates.
+    motors : tuple of Motor
+        Each a torque with the angle, or a force with the length, that it drives.
     torques : dict of Coordinate to sympy.Expr
-        Generalised force of each actuator, in terms of coordinates, rates, parameters and the clock's phase
-        (or `TIME`).
+        Short for motors that drive one coordinate each, and bear its name: the torque on each of these
+        coordinates, in terms of coordinates, rates, parameters and the clock's phase (or `TIME`).
     clock : Clock or None
     stance : sympy.Matrix, shape (2, 1)
         Where `STANCE_FOOT` is during the swing phase: the origin for a point foot, `rolling_arc` for a foot
@@ -89,6 +92,7 @@ class Walker(Declaration):
         if isinstance(self.clock, Clock) and not self.clock.resets:
             self._add_clock(self.clock)
         validate_names(self)
+        validate_motors(self)
         validate_mechanics(self)
 
     def _add_clock(self, clock: Clock) -> None:

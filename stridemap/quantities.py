@@ -2,13 +2,13 @@ r"""The registry of everything that is measured on a limit cycle: one entry each
 
 Tables, JSON, `Orbit`, units, the report and the page of definitions read their columns, labels and meanings
 here. To add a quantity, write its entry below and a function of its name in
-`stridemap.solver.observables.measures`; nothing else needs an edit. A model file may declare quantities of
-its own (`stridemap.derive.Measured`).
+`stridemap.solver.observables.measures`; nothing else needs an edit. Each of several motors has quantities of
+its own, and a model file may declare more (`stridemap.derive.Measured`).
 """
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 
-from stridemap.spec import ModelSpec, Quantity
+from stridemap.spec import ModelSpec, Motor, Quantity
 
 KINDS: Mapping[str, tuple[str, str]] = {
     "number": ("1", "1"),
@@ -92,39 +92,68 @@ _ENTRIES = (
         "work",
         "energy",
         "work",
-        "Integral of the absolute power of the motors over a step.",
-        r"\int |P| dt",
+        "Absolute work of the motors over a step: the sum over motors of the integral of the absolute value "
+        "of the power, which is the torque times the rate of what it drives.",
+        r"\sum_j \int |P_j| dt",
         over_steps="sum",
     ),
     Quantity(
         "work_positive",
         "energy",
         "positive work",
-        "Integral of the positive part of the motors' power over a step.",
-        r"\int \max(P, 0) dt",
+        "Sum over motors of the integral of the positive part of the power over a step.",
+        r"\sum_j \int \max(P_j, 0) dt",
         over_steps="sum",
     ),
     Quantity(
         "work_net",
         "energy",
         "net work",
-        "Integral of the motors' power over a step.",
-        r"\int P dt",
+        "Sum over motors of the integral of the power over a step.",
+        r"\sum_j \int P_j dt",
         differentiable=True,
         over_steps="sum",
+    ),
+    Quantity(
+        "peak_torque",
+        "torque",
+        "peak torque",
+        "Largest absolute torque of any motor that drives an angle during the step; 0 without one.",
+        r"\max_{j, t} |u_j(t)|",
+        over_steps="maximum",
+    ),
+    Quantity(
+        "peak_power",
+        "power",
+        "peak power",
+        "Largest sum over motors of the absolute power at one instant of the step.",
+        r"\max_t \sum_j |P_j(t)|",
+        over_steps="maximum",
+    ),
+    Quantity(
+        "limit_use",
+        "number",
+        "use of the limits",
+        "Largest ratio of a motor's absolute torque or force to its declared limit during the step; above 1 "
+        "the gait asks a motor for more than it can give.",
+        r"\max_{j, t} |u_j(t)| / u_{j,\max}",
+        optional=True,
+        over_steps="maximum",
     ),
     Quantity(
         "cot",
         "number",
         "cost of transport",
-        "Work, plus the energy that gravity supplies downhill, per unit of weight and step length.",
+        "Energy that the motors draw (positive work over the motor's efficiency, plus the absolute value of "
+        "negative work), plus the energy that gravity supplies where the step leads down, per unit of weight "
+        "and absolute step length.",
         over_steps="by_length",
     ),
     Quantity(
         "cot_per_speed",
         "time",
         "cost per speed",
-        "Work per weight and mean speed: the formula that the paper prints.",
+        "The same energy per unit of weight and absolute mean speed: the formula that the paper prints.",
         over_steps="per_speed",
     ),
     Quantity(
@@ -154,7 +183,8 @@ _ENTRIES = (
         "peaks",
         "number",
         "peaks",
-        "Local maxima of the stance angle's rate within the step.",
+        "Local minima within the step of the speed at which the stance leg turns over: local maxima of the "
+        "stance angle's rate, where the angle is counted positive leaning back.",
         type="int",
         over_steps="sum",
     ),
@@ -206,6 +236,53 @@ MEASURED: tuple[str, ...] = tuple(name for name in QUANTITIES if name not in SOL
 """Names of the quantities that are measured on every model, in order."""
 
 
+def motor_quantities(motors: Sequence[Motor]) -> tuple[Quantity, ...]:
+    """What is measured on each motor of a model; of the only one the quantities of all motors say it.
+
+    Parameters
+    ----------
+    motors : sequence of Motor
+    """
+    return tuple(quantity for motor in motors for quantity in _of_motor(motor, len(motors) > 1))
+
+
+def _of_motor(motor: Motor, several: bool) -> Iterator[Quantity]:
+    name = motor.name
+    if several:
+        power = f"the power of the motor {name}"
+        yield Quantity(
+            f"work_{name}",
+            "energy",
+            f"work of {name}",
+            f"Integral of the absolute value of {power} over a step.",
+        )
+        yield Quantity(
+            f"work_positive_{name}",
+            "energy",
+            f"positive work of {name}",
+            f"Integral of the positive part of {power} over a step.",
+        )
+        yield Quantity(
+            f"work_net_{name}",
+            "energy",
+            f"net work of {name}",
+            f"Integral of {power} over a step.",
+            differentiable=True,
+        )
+    if several or motor.kind == "force":  # of which the peak torque of all motors does not speak
+        yield Quantity(
+            f"peak_{motor.kind}_{name}",
+            motor.kind,
+            f"peak {motor.kind} of {name}",
+            f"Largest absolute {motor.kind} of the motor {name} during the step.",
+        )
+    if several:
+        yield Quantity(
+            f"peak_power_{name}", "power", f"peak power of {name}", f"Largest absolute value of {power}."
+        )
+
+
 def measured_on(spec: ModelSpec) -> dict[str, Quantity]:
-    """What is measured on a model by name: the registry's quantities, then those that its file declares."""
-    return {name: QUANTITIES[name] for name in MEASURED} | {one.name: one for one in spec.quantities}
+    """What is measured on a model by name: the registry's quantities, the motors' own, the model file's."""
+    own = (*motor_quantities(spec.motors), *spec.quantities)
+    return {name: QUANTITIES[name] for name in MEASURED} | {one.name: one for one in own}

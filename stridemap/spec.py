@@ -12,7 +12,7 @@ from typing import Any, Literal
 
 from stridemap.errors import InputError
 
-FORMAT = 3
+FORMAT = 4
 """Of ``manifest.json``."""
 
 
@@ -192,6 +192,35 @@ class Line:
 
 
 @dataclass(frozen=True)
+class Motor:
+    """A motor: a torque and the angle that it drives, or a force and the length.
+
+    Parameters
+    ----------
+    name : str
+        Of its columns, where the model has several motors.
+    kind : {"torque", "force"}
+    unit : str
+        Of its torque or force.
+    meaning : str
+    drives : str
+        What it drives, in terms of coordinates and parameters.
+    limit : float or None
+        The largest absolute torque that it can give; None where none is declared.
+    efficiency : float
+        Mechanical work that it gives per unit of energy drawn.
+    """
+
+    name: str
+    kind: Literal["torque", "force"]
+    unit: str
+    meaning: str
+    drives: str
+    limit: float | None = None
+    efficiency: float = 1.0
+
+
+@dataclass(frozen=True)
 class UnitNames:
     """Names of the units that a model is written in.
 
@@ -208,6 +237,20 @@ class UnitNames:
     def rate(self, unit: str) -> str:
         """Unit of a coordinate's rate."""
         return f"{unit} sqrt(g/L)" if self.time == "sqrt(L/g)" else f"{unit}/{self.time}"
+
+    def of_motor(self, kind: str) -> str:
+        """Unit of a torque or a force.
+
+        Parameters
+        ----------
+        kind : {"torque", "force"}
+        """
+        if self.energy == "J":
+            return {"torque": "N m", "force": "N"}[kind]
+        if kind == "torque":
+            return self.energy
+        per_length = self.energy.removesuffix(f" {self.length}")
+        return per_length if per_length != self.energy else f"{self.energy}/{self.length}"
 
 
 REDUCTIONS = ("maximum", "minimum", "amplitude", "final")
@@ -280,8 +323,8 @@ class ModelSpec:
     masses : tuple of Mass
         The bodies.
     lines : tuple of Line
-    actuated : tuple of str
-        Coordinates that a motor acts on.
+    motors : tuple of Motor
+        In the order of their torques in ``controller_torque``.
     stance_angle, wobbling, phase : str or None
         Coordinates of these roles, where the model has them.
     functions : dict of str to Function
@@ -306,7 +349,7 @@ class ModelSpec:
     units: UnitNames
     masses: tuple[Mass, ...]
     lines: tuple[Line, ...]
-    actuated: tuple[str, ...]
+    motors: tuple[Motor, ...]
     stance_angle: str | None
     wobbling: str | None
     phase: str | None
@@ -340,6 +383,11 @@ class ModelSpec:
     def names(self) -> tuple[str, ...]:
         """Names of the parameters, in order."""
         return tuple(a.name for a in self.parameters)
+
+    @property
+    def actuated(self) -> tuple[str, ...]:
+        """Names of the motors, in order."""
+        return tuple(motor.name for motor in self.motors)
 
     @property
     def scales(self) -> tuple[float, ...]:
@@ -377,7 +425,7 @@ class ModelSpec:
                 "units": UnitNames(**data["units"]),
                 "masses": tuple(Mass(**one) for one in data["masses"]),
                 "lines": tuple(Line(**one) for one in data["lines"]),
-                "actuated": tuple(data["actuated"]),
+                "motors": tuple(Motor(**one) for one in data["motors"]),
                 "functions": {name: _function(one) for name, one in data["functions"].items()},
                 "quantities": tuple(Quantity(**one) for one in data["quantities"]),
             }

@@ -257,7 +257,8 @@ class Units:
                 f"{orbit.model.name} is written in units of {names.mass}, {names.length} and {names.time}, "
                 "which have nothing to do with a robot's size; convert them by hand"
             )
-        kinds = {**MEASURE_KINDS, **{one.name: one.kind for one in orbit.model.spec.quantities}}
+        own = {name: one.kind for name, one in orbit.model.measured.items() if one.type == "float"}
+        kinds = {**MEASURE_KINDS, **own}
         return {
             name: getattr(orbit, name) * (1.0 if in_si else self.unit(kind))
             for name, kind in kinds.items()

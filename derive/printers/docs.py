@@ -2,6 +2,8 @@
 
 from collections.abc import Iterable
 
+from stridemap.derive.declaration import Declaration
+from stridemap.derive.motors import record
 from stridemap.derive.printers.c import banner, signature
 from stridemap.derive.printers.printer import Equations
 from stridemap.derive.program import Program
@@ -123,6 +125,7 @@ def readme(equations: Equations) -> str:
         f"| `z[{len(walker.section_names)}]` | {_list(walker.section_names)} (just after touchdown) |",
         "| `t` | time since touchdown |",
         "",
+        *_motors(walker),
         "## Functions",
         "",
         "| function | operations | what it computes | what it reads |",
@@ -138,6 +141,28 @@ def readme(equations: Equations) -> str:
         "",
     ]
     return "\n".join(lines)
+
+
+def _motors(walker: Declaration) -> list[str]:
+    """What the entries of ``u`` are."""
+    if not walker.actuators:
+        return []
+    rows = []
+    for i, motor in enumerate(record(walker, one) for one in walker.actuators):
+        limit = "none" if motor.limit is None else f"{motor.limit:g} {motor.unit}"
+        cells = (f"`u[{i}]`", motor.name, f"{motor.kind} in {motor.unit}", f"`{motor.drives}`", limit)
+        rows.append(f"| {' | '.join(cells)} | {motor.efficiency:g} | {motor.meaning} |")
+    return [
+        "## Motors",
+        "",
+        f"The torques `u` are those of `{walker.name}_controller_torque`; times the rates of what they",
+        f"drive, from `{walker.name}_motor_rates`, they are the motors' powers.",
+        "",
+        "| entry | motor | what it gives | what it drives | limit | efficiency | meaning |",
+        "| --- | --- | --- | --- | --- | --- | --- |",
+        *rows,
+        "",
+    ]
 
 
 def _list(names: Iterable[str]) -> str:

@@ -85,7 +85,7 @@ def _inertia(walker: Declaration, values: Mapping[sp.Symbol, float]) -> None:
     if massless is not None:
         values = {**values, massless.mass: 0.1}
     phase = walker.coordinates.index(walker.phase) if walker.phase else None
-    for position in _points(walker, values):
+    for position in trial_points(walker, values):
         matrix = mpmath.zeros(len(q))
         for mass, jacobian in parts:
             rows = mpmath.matrix(jacobian.subs({**values, **position}).evalf().tolist())
@@ -111,7 +111,7 @@ def _locks(walker: Declaration, values: Mapping[sp.Symbol, float]) -> None:
     jacobian = sp.Matrix(walker.locks).jacobian(list(walker.q))
     ranks = [
         jacobian.subs({**values, **position}).evalf(30).rank(iszerofunc=_nearly_zero)
-        for position in _points(walker, values)
+        for position in trial_points(walker, values)
     ]
     if max(ranks) < len(walker.locks):
         refuse(
@@ -131,12 +131,25 @@ def _on_stance(walker: Declaration, point: sp.Matrix) -> sp.Matrix:
     return point.subs(dict(zip(STANCE_FOOT, walker.stance, strict=True)))
 
 
-def _points(walker: Declaration, values: Mapping[sp.Symbol, float]) -> Iterator[dict[sp.Symbol, float]]:
-    """Some positions near the middle of the search box, always the same ones."""
+def trial_points(walker: Declaration, values: Mapping[sp.Symbol, float]) -> Iterator[dict[sp.Symbol, float]]:
+    """Some positions near the middle of the search box, always the same ones.
+
+    Parameters
+    ----------
+    walker : Walker
+    values : mapping of Symbol to float
+        Parameters.
+    """
+    boxes = {s: walker.search_box[s.name] for s in walker.q if s.name in walker.search_box}
+    middles = {**values, **{symbol: middle for symbol, (middle, _) in boxes.items()}}
+    for symbol in walker.q:
+        if symbol not in boxes:  # what the section fixes lies where the others have it
+            middle = sp.sympify(walker.section.get(symbol, 0)).subs(middles)
+            boxes[symbol] = (float(middle) if middle.is_number and middle.is_real else 0.0, 0.5)
     for i in range(1, TRIES + 1):
         position = {}
         for j, symbol in enumerate(walker.q):
-            middle, width = walker.search_box.get(symbol.name, (0.0, 0.5))
+            middle, width = boxes[symbol]
             # Fractions of multiples of the golden ratio fill an interval evenly.
             spread = math.modf(i * 0.6180339887498949 + j * 0.7548776662466927)[0]
             position[symbol] = middle + width * (2 * spread - 1) * 0.5 + 1e-3 * (j + 1)
@@ -168,7 +181,7 @@ def _zeros(
     gradient = sp.lambdify(q, list(sp.Matrix([guard]).jacobian(q)), "mpmath")
     side = sp.lambdify(q, region, "mpmath")
     back = _before(walker)
-    for after in _points(walker, values):
+    for after in trial_points(walker, values):
         # Starts lie around the state just after touchdown; before it, the legs had each other's names.
         position = [float(e.subs({**values, **after}).evalf()) for e in back]
         try:

@@ -19,6 +19,7 @@ from stridemap.derive.parts import (
     Line,
     Massless,
     Measured,
+    Motor,
     Parameter,
     Touchdown,
 )
@@ -61,7 +62,7 @@ def validate_names(walker: Declaration) -> None:
 def _kinds(walker: Declaration) -> None:
     """Fields hold what they are for; a lone entry in brackets without a comma is not a tuple."""
     lists = {"coordinates": Coordinate, "parameters": Parameter, "bodies": Body, "drawing": Line}
-    lists["quantities"] = Measured
+    lists |= {"quantities": Measured, "motors": Motor}
     for field, kind in lists.items():
         entries = getattr(walker, field)
         if not isinstance(entries, tuple):
@@ -100,6 +101,7 @@ def _texts(walker: Declaration) -> None:
     texts += [text for x in described for text in (x.unit, x.meaning)]
     texts += [body.name for body in walker.bodies]
     texts += [text for one in walker.quantities for text in (one.label, one.definition)]
+    texts += [motor.meaning for motor in walker.motors]
     for text in texts:
         if not isinstance(text, str) or not text.isprintable() or any(x in text for x in BREAKING):
             refuse(
@@ -246,6 +248,9 @@ def _scalars(walker: Declaration) -> Iterator[tuple[str, Any]]:
         yield f"the potential {name}", value
     for coordinate, value in walker.torques.items():
         yield f"the torque on {coordinate.name}", value
+    for motor in walker.motors:
+        yield f"the torque of the motor {motor.name}", motor.torque
+        yield f"the drive of the motor {motor.name}", motor.drives
     for symbol, value in walker.relabel.items():
         yield f"the new value of {symbol} in relabel", value
     for symbol, value in walker.section.items():
@@ -274,6 +279,7 @@ def _symbols(walker: Declaration) -> None:
         "potential": parameters | q | base | massless,
         "dissipation": parameters | q | v | massless,
         "torque": parameters | q | v | {TIME} | massless,
+        "drive": parameters | q | base,
         "touchdown": parameters | q,
         "new": parameters | q,
         "value": parameters | q | v,

@@ -13,15 +13,20 @@ OBSERVABLES = ("d", "vertical_force", "friction", "foot_height", "peak", "touchd
 """Row order of the observables.
 
 `d`, stance foot minus zero moment point; vertical ground force; horizontal over vertical ground force;
-height of the swing foot; acceleration of the stance angle (its falling zeros are peaks of the rate);
+height of the swing foot; acceleration of the stance angle (zero where its rate is extreme);
 touchdown condition; position of the wobbling mass. Zero where a model has no such angle or mass. The power
-of each motor follows.
+of each motor follows, then the torque of each.
 """
 
 
-def power(coordinate: str) -> str:
-    """Name of the row that holds the power of the motor on a coordinate."""
-    return f"power_{coordinate}"
+def power(motor: str) -> str:
+    """Name of the row that holds the power of a motor."""
+    return f"power_{motor}"
+
+
+def torque(motor: str) -> str:
+    """Name of the row that holds the torque, or the force, of a motor."""
+    return f"torque_{motor}"
 
 
 def declared(quantity: str) -> str:
@@ -30,8 +35,9 @@ def declared(quantity: str) -> str:
 
 
 def observables(model: Model) -> tuple[str, ...]:
-    """Names of the rows: `OBSERVABLES`, the power of each motor, and what the model file declares."""
-    return (*OBSERVABLES, *map(power, model.actuated), *(declared(one.name) for one in model.spec.quantities))
+    """Names of the rows: `OBSERVABLES`, powers and torques of the motors, what the model file declares."""
+    motors = (*map(power, model.actuated), *map(torque, model.actuated))
+    return (*OBSERVABLES, *motors, *(declared(one.name) for one in model.spec.quantities))
 
 
 @dataclass(frozen=True)
@@ -67,19 +73,23 @@ class Observation:
         }
         own = sm.call("quantities", **values) if spec.quantities else {}
         own_rows = [own[one.name] for one in spec.quantities]
-        return ca.vertcat(*[rows[name] for name in OBSERVABLES], self._powers(t, y, p), *own_rows)
+        torques = self._torques(t, y, p)
+        motors = [self._powers(torques, y, p), torques]
+        return ca.vertcat(*[rows[name] for name in OBSERVABLES], *motors, *own_rows)
 
-    def _powers_of(self, torque: ca.SX, y: ca.SX) -> ca.SX:
-        sm = self.step_map
-        rates = [y[sm.n + sm.model.coordinates.index(name)] for name in sm.model.actuated]
-        return torque * ca.vertcat(*rates)
-
-    def _powers(self, t: ca.SX, y: ca.SX, p: ca.SX) -> ca.SX:
-        """Power of each motor."""
+    def _torques(self, t: ca.SX, y: ca.SX, p: ca.SX) -> ca.SX:
+        """Torque of each motor."""
         sm = self.step_map
         if not sm.model.actuated:
             return ca.SX(0, 1)
-        return self._powers_of(sm.call("controller_torque", t=t, q=y[: sm.n], v=y[sm.n :], p=p)["u"], y)
+        return sm.call("controller_torque", t=t, q=y[: sm.n], v=y[sm.n :], p=p)["u"]
+
+    def _powers(self, torques: ca.SX, y: ca.SX, p: ca.SX) -> ca.SX:
+        """Power of each motor: its torque times the rate of what it drives."""
+        sm = self.step_map
+        if not sm.model.actuated:
+            return ca.SX(0, 1)
+        return torques * sm.call("motor_rates", q=y[: sm.n], v=y[sm.n :], p=p)["rate"]
 
     def _working_rate(self, phase: ca.SX, w: ca.SX, p: ca.SX) -> ca.SX:
         """Time derivative of the state and of each motor's net work."""
@@ -87,8 +97,8 @@ class Observation:
         y = w[: 2 * sm.n]
         if not sm.model.actuated:
             return sm.rate_at_phase(phase, y, p)
-        torque = sm.at_phase("controller_torque", phase, q=y[: sm.n], v=y[sm.n :], p=p)["u"]
-        return ca.vertcat(sm.rate_at_phase(phase, y, p), self._powers_of(torque, y))
+        torques = sm.at_phase("controller_torque", phase, q=y[: sm.n], v=y[sm.n :], p=p)["u"]
+        return ca.vertcat(sm.rate_at_phase(phase, y, p), self._powers(torques, y, p))
 
     @cached_property
     def observe(self) -> ca.Function:

@@ -93,7 +93,7 @@ class Model:
 
     @property
     def actuated(self) -> tuple[str, ...]:
-        """Names of the coordinates that a motor acts on."""
+        """Names of the motors, in the order of their torques; `ModelSpec.motors` says more of each."""
         return self.spec.actuated
 
     @property

@@ -13,10 +13,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stridemap.quantities import MEASURED
-from stridemap.solver.kernels.observation import declared
+from stridemap.solver.kernels.observation import declared, power, torque
 from stridemap.solver.model.model import Model
+from stridemap.solver.observables import peak_power as powers
 from stridemap.solver.observables.events import Trace
-from stridemap.solver.observables.reductions import count_zeros, extreme, works
+from stridemap.solver.observables.reductions import Works, count_zeros, extreme, works
 from stridemap.spec import Quantity
 
 Array = NDArray[np.float64]
@@ -76,14 +77,49 @@ class Cycles:
         return self.model.evaluate("total_mass", p=self.params)
 
     @cached_property
-    def works(self) -> tuple[Array, Array, Array]:
-        """Absolute, positive and net work of all motors over a step."""
+    def works(self) -> Works:
+        """Absolute, positive and net work of each motor over a step."""
         return works(self.trace)
 
     @cached_property
+    def torques(self) -> Array:
+        """Largest absolute torque, or force, of each motor, shape (m, n_motors)."""
+        return self._of_motors(
+            [extreme(self.trace, torque(name), np.absolute) for name in self.model.actuated]
+        )
+
+    @cached_property
+    def powers(self) -> Array:
+        """Largest absolute power of each motor, shape (m, n_motors)."""
+        return self._of_motors(
+            [extreme(self.trace, power(name), np.absolute) for name in self.model.actuated]
+        )
+
+    def _of_motors(self, columns: list[Array]) -> Array:
+        return np.stack(columns, axis=1) if columns else np.zeros((len(self.u), 0))
+
+    @cached_property
+    def drawn(self) -> Array:
+        """Energy that the motors draw: nothing of the work that is done on them is recovered."""
+        share = np.array([motor.efficiency for motor in self.model.spec.motors])
+        positive = self.works.positive
+        energy: Array = (positive / share + (self.works.absolute - positive)).sum(axis=1)
+        return energy
+
+    @cached_property
+    def drop(self) -> Array:
+        """Energy that gravity supplies per step.
+
+        The posture comes back, so the whole walker has moved as far as its foot: along the ground, and away
+        from it on stairs.
+        """
+        step = self.model.evaluate("step_length", **self.start, p=self.params)
+        return self.weights["pull"] * step["length"] - self.weights["press"] * step["rise"]
+
+    @cached_property
     def energy(self) -> Array:
-        """What a step costs: down a slope gravity supplies energy; uphill the motors' work has it already."""
-        return self["work"] + np.maximum(self.weights["pull"], 0.0) * self["step_length"]
+        """What a step costs; where it leads up, the motors' work has it already."""
+        return self.drawn + np.where(self.drop > 0, self.drop, 0.0)
 
     def where_in_contact(self, values: Array) -> Array:
         """NaN where the foot would lift: there the ground force's ratios run to infinity."""
@@ -97,7 +133,21 @@ MEASURES: dict[str, Callable[[Cycles], Any]] = {}
 def measured(cycles: Cycles) -> dict[str, Any]:
     """Every measured quantity by name, in order; None for those that the model lacks."""
     own = {one.name: _reduced(cycles.trace, one) for one in cycles.model.spec.quantities}
-    return {name: cycles[name] for name in MEASURED} | own
+    everything = {name: cycles[name] for name in MEASURED} | _of_each_motor(cycles) | own
+    return {name: everything[name] for name in cycles.model.measured}
+
+
+def _of_each_motor(cycles: Cycles) -> dict[str, Any]:
+    """The quantities of each motor, under all names that a model may have for them."""
+    if not any(name not in MEASURED for name in cycles.model.measured):
+        return {}
+    columns = {"work": cycles.works.absolute, "work_positive": cycles.works.positive}
+    columns |= {"work_net": cycles.works.net, "peak_power": cycles.powers}
+    columns |= {"peak_torque": cycles.torques, "peak_force": cycles.torques}
+    names = cycles.model.actuated
+    return {
+        f"{what}_{name}": column[:, i] for what, column in columns.items() for i, name in enumerate(names)
+    }
 
 
 def _reduced(trace: Trace, quantity: Quantity) -> Array:
@@ -180,8 +230,13 @@ def speed(cycles: Cycles) -> Array:
 
 @_measure
 def peaks(cycles: Cycles) -> NDArray[np.int64]:
-    """Local maxima of the stance angle's rate: falling zeros of its acceleration."""
-    return count_zeros(cycles.trace, "peak", falling_only=True)
+    """Minima of the speed at which the stance leg turns over: zeros of its angle's acceleration."""
+    index = cycles.model.stance_index
+    if index is None:
+        return np.zeros(len(cycles.u), dtype=np.int64)
+    # Where the angle falls on the whole, its rate is largest where the leg is slowest.
+    falls = cycles.end["q"][:, index] < cycles.start["q"][:, index]
+    return count_zeros(cycles.trace, "peak", falling=falls)
 
 
 @_measure
@@ -208,33 +263,56 @@ def touchdown_speed(cycles: Cycles) -> Array:
 
 @_measure
 def work(cycles: Cycles) -> Array:
-    """Integral of the motors' absolute power."""
-    return cycles.works[0]
+    """Integral of the motors' absolute powers."""
+    return cycles.works.absolute.sum(axis=1)
 
 
 @_measure
 def work_positive(cycles: Cycles) -> Array:
-    """Integral of the positive part of the motors' power."""
-    return cycles.works[1]
+    """Integral of the positive parts of the motors' powers."""
+    return cycles.works.positive.sum(axis=1)
 
 
 @_measure
 def work_net(cycles: Cycles) -> Array:
-    """Integral of the motors' power."""
-    return cycles.works[2]
+    """Integral of the motors' powers."""
+    return cycles.works.net.sum(axis=1)
+
+
+@_measure
+def peak_torque(cycles: Cycles) -> Array:
+    """Largest absolute torque of any motor that drives an angle."""
+    rotary = [motor.kind == "torque" for motor in cycles.model.spec.motors]
+    return cycles.torques[:, rotary].max(axis=1, initial=0.0)
+
+
+@_measure
+def peak_power(cycles: Cycles) -> Array:
+    """Largest sum of the motors' absolute powers."""
+    return powers.peak_power(cycles.trace)
+
+
+@_measure
+def limit_use(cycles: Cycles) -> Array | None:
+    """Largest ratio of a motor's torque to its limit; None without limits."""
+    limits = [np.inf if motor.limit is None else motor.limit for motor in cycles.model.spec.motors]
+    if not np.isfinite(limits).any():
+        return None
+    used: Array = (cycles.torques / limits).max(axis=1)
+    return used
 
 
 @_measure
 def cot(cycles: Cycles) -> Array:
     """Energy per weight and step length."""
-    cost: Array = cycles.energy / (cycles.weights["weight"] * cycles["step_length"])
+    cost: Array = cycles.energy / (cycles.weights["weight"] * np.abs(cycles["step_length"]))
     return cost
 
 
 @_measure
 def cot_per_speed(cycles: Cycles) -> Array:
     """Energy per weight and mean speed, as the paper has it."""
-    cost: Array = cycles.energy * cycles.period / (cycles.weights["weight"] * cycles["step_length"])
+    cost: Array = cycles.energy * cycles.period / (cycles.weights["weight"] * np.abs(cycles["step_length"]))
     return cost
 
 

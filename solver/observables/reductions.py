@@ -3,6 +3,8 @@
 Extrema include the ends of the step; the work is split at the zeros of the power.
 """
 
+from typing import NamedTuple
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -36,17 +38,27 @@ def extreme(trace: Trace, name: str, score: np.ufunc | None = None) -> Array:
     return best
 
 
-def works(trace: Trace) -> tuple[Array, Array, Array]:
-    """Absolute, positive and net work of all motors over a step, shape (n,) each."""
+class Works(NamedTuple):
+    """Work of each motor over a step; all have the shape (n, n_motors).
+
+    Parameters
+    ----------
+    absolute, positive, net : ndarray
+        Integrals of the power's absolute value, of its positive part, and of itself.
+    """
+
+    absolute: Array
+    positive: Array
+    net: Array
+
+
+def works(trace: Trace) -> Works:
+    """Absolute, positive and net work of each motor over a step."""
     model = trace.kernels.model
-    total, positive, net = (np.zeros(len(trace.period)) for _ in range(3))
+    absolute, net = (np.zeros((len(trace.period), len(model.actuated))) for _ in range(2))
     for i, name in enumerate(model.actuated):
-        column = 2 * len(model.coordinates) + i
-        one, done = _work_of(trace, power(name), column)
-        total += one
-        positive += 0.5 * (one + done)
-        net += done
-    return total, positive, net
+        absolute[:, i], net[:, i] = _work_of(trace, power(name), 2 * len(model.coordinates) + i)
+    return Works(absolute, 0.5 * (absolute + net), net)
 
 
 def _work_of(trace: Trace, observable: str, column: int) -> tuple[Array, Array]:
@@ -70,11 +82,20 @@ def _work_of(trace: Trace, observable: str, column: int) -> tuple[Array, Array]:
     return total, net
 
 
-def count_zeros(trace: Trace, name: str, falling_only: bool = False) -> NDArray[np.int64]:
-    """Number of zeros of an observable strictly within a step, shape (n,)."""
+def count_zeros(trace: Trace, name: str, falling: NDArray[np.bool_] | None = None) -> NDArray[np.int64]:
+    """Number of zeros of an observable strictly within a step, shape (n,).
+
+    Parameters
+    ----------
+    trace : Trace
+    name : str
+        One of `observables`.
+    falling : ndarray of bool, shape (n,), optional
+        Whether falling or rising zeros are counted; both if it is left out.
+    """
     found = brackets(trace, name)
-    if falling_only:
-        found = found.take(found.f_lower > found.f_upper)
+    if falling is not None:
+        found = found.take((found.f_lower > found.f_upper) == falling[found.orbit])
     return np.bincount(found.orbit, minlength=len(trace.period))
 
 

@@ -82,7 +82,9 @@ class Imaginary:
 
     def __init__(self, model, kernel, function):
         text = NUMBERS + model.text(kernels_file(model.name)) + CALL.replace("KERNEL", c_name(model, kernel))
-        library = compile_shared(f"{model.name}_{kernel.name}_complex.cpp", text, find_compiler(), FLAGS)
+        library = compile_shared(
+            f"{model.name}_{kernel.name}_complex.cpp", text, find_compiler(), [*FLAGS, "-O0"]
+        )
         self.call = ctypes.CDLL(str(library)).call
         self.n_in = [function.nnz_in(i) for i in range(function.n_in())]
         self.shapes = [function.size_out(i) for i in range(function.n_out())]

@@ -40,8 +40,10 @@ function chartsOf(samples) {
     });
   }
   if (has("torque")) {
-    const series = model.actuated.map((name, i) => named(name, (s) => s.torque[i], `series-${i}`));
-    charts.push({ title: series.length > 1 ? "torques of the motors" : "torque of the motor", unit: model.units.energy, series });
+    for (const [unit, members] of grouped(model.motors, (motor) => motor.unit)) {
+      const series = members.map((m, i) => named(m.symbol, (s) => s.torque[model.motors.indexOf(m)], `series-${i}`));
+      charts.push({ title: series.length > 1 ? "torques of the motors" : "torque of the motor", unit, series });
+    }
   }
   return charts;
 }

@@ -89,7 +89,7 @@ def _model(model: Model) -> dict[str, Any]:
         "section": [
             {"name": name, "symbol": _section_symbol(name, model.coordinates)} for name in model.section
         ],
-        "actuated": [symbol(name) for name in spec.actuated],
+        "motors": [{"symbol": symbol(motor.name), "unit": printed(motor.unit)} for motor in spec.motors],
         "units": units(spec.units),
         "masses": [asdict(mass) for mass in spec.masses],
         "lines": [asdict(line) for line in spec.lines],
