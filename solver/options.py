@@ -131,6 +131,8 @@ class SearchOptions(Options):
 class AcceptanceOptions(Options):
     """What a solution of Newton's method must satisfy to be accepted as a limit cycle.
 
+    Errors are in terms of the model's own length and time (see `stridemap.solver.model.scales`).
+
     Parameters
     ----------
     max_residual : float
@@ -138,8 +140,11 @@ class AcceptanceOptions(Options):
     max_integration_error : float
         A cycle whose integration error stays above it at the finest resolution is marked `inaccurate`.
     target_integration_error : float
-        Cycles are refined until the integration error is below it. It is lower than the limit, because near
-        a fold the cycle amplifies the error.
+        Cycles are refined until the integration error is below it.
+    max_state_error : float
+        Cycles are refined until the error of section point and period is below it as well; near a fold that
+        error is much larger than the integration error. A cycle for which it cannot be reached is marked
+        `inaccurate`.
     standing_angle : float
         Stance angle at touchdown below which the solution is a walker standing still, which closes with any
         period.
@@ -153,6 +158,7 @@ class AcceptanceOptions(Options):
     max_residual: float = 1e-11
     max_integration_error: float = 1e-9
     target_integration_error: float = 1e-11
+    max_state_error: float = 1e-10
     standing_angle: float = 1e-6
 
     def __post_init__(self) -> None:

@@ -42,7 +42,28 @@ _ENTRIES = (
         "Largest modulus of a Floquet multiplier; the cycle is stable below 1.",
         r"\max_i |\lambda_i|",
     ),
-    Quantity("stable", "number", "stable", "Whether the largest multiplier is below 1.", type="bool"),
+    Quantity(
+        "multiplier_error",
+        "number",
+        "error of the multipliers",
+        "Largest error of a Floquet multiplier, estimated from twice the resolution.",
+    ),
+    Quantity(
+        "stable",
+        "number",
+        "stable",
+        "Whether the largest multiplier is below 1; missing where its error does not tell.",
+        type="bool",
+        optional=True,
+    ),
+    Quantity(
+        "undecided",
+        "number",
+        "why not known",
+        "Why it is not known whether the cycle is stable; missing where it is known.",
+        type="str",
+        optional=True,
+    ),
     Quantity(
         "group",
         "number",
@@ -145,6 +166,13 @@ _ENTRIES = (
         differentiable=True,
     ),
     Quantity("residual", "number", "closing error", "Largest entry of the closing error."),
+    Quantity(
+        "state_error",
+        "number",
+        "error of the state",
+        "Largest error of an entry of the section point or of the period, estimated from twice the resolution; "
+        "in rad, and in terms of the model's own length and time.",
+    ),
     Quantity(
         "integration_error",
         "number",

@@ -86,7 +86,7 @@ class Orbit:
         if not self.status.found:
             return f"no limit cycle, {self.status.value}"
         kind = f"group {self.group}, " if self.group else ""
-        stable = "stable" if self.stable else "unstable"
+        stable = {True: "stable", False: "unstable", None: "stable or not"}[self.stable]
         return (
             f"limit cycle, {kind}period {self.period:.6g}, {stable} "
             f"(largest multiplier {self.spectral_radius:.4g})"

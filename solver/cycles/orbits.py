@@ -13,6 +13,7 @@ from stridemap.errors import InputError
 from stridemap.solver.cycles.orbit import Orbit, missing, plain
 from stridemap.solver.cycles.status import CODES, FOUND, STATUSES, Status
 from stridemap.solver.model.model import Model
+from stridemap.solver.observables.measures import decided
 from stridemap.spec import Quantity
 from stridemap.words import multiplier_columns
 
@@ -20,6 +21,9 @@ Array = NDArray[np.float64]
 Index = NDArray[np.int64]
 
 _DTYPES = {"float": np.float64, "int": np.int64, "bool": np.bool_, "str": object}
+NULLABLE = {"int": "Int64", "bool": "boolean"}
+"""Types of pandas for columns in which something may be missing."""
+
 _PLAIN = {"float": float, "int": int, "bool": bool, "str": str}
 
 
@@ -53,6 +57,14 @@ class Orbits(Sequence[Orbit]):
     jacobian: Array
     multipliers: NDArray[np.complex128]
     measures: Mapping[str, NDArray[Any]]
+
+    def __post_init__(self) -> None:
+        """Truths that are all known are an array of bool, as any mask."""
+        measures = dict(self.measures)
+        for name, quantity in self.model.measured.items():
+            if quantity.type == "bool" and measures[name].dtype == object:
+                measures[name] = as_mask(measures[name])
+        object.__setattr__(self, "measures", measures)
 
     # -- made --------------------------------------------------------------------------------------------
 
@@ -117,7 +129,8 @@ class Orbits(Sequence[Orbit]):
             if real in columns:
                 multipliers[:, i] = array(real) + 1j * array(imaginary)
         radius = np.abs(multipliers).max(axis=1, initial=0.0)
-        columns = {"spectral_radius": radius, "stable": radius < 1.0, **columns}
+        error = array("multiplier_error") if "multiplier_error" in columns else np.zeros(n)
+        columns = {"spectral_radius": radius, "stable": decided(radius, np.nan_to_num(error)), **columns}
         return cls(
             model,
             np.column_stack([array(name) for name in model.spec.names]),
@@ -132,6 +145,8 @@ class Orbits(Sequence[Orbit]):
         """A selection: by number, by a mask, or by a slice."""
         if not isinstance(index, slice):
             index = np.asarray(index)
+            if index.dtype == object:  # a mask with what is not known, which selects nothing
+                index = np.array([one is not None and bool(one) for one in index.tolist()], dtype=bool)
             index = index if index.size else index.astype(np.intp)  # an empty list is one of floats
         arrays = {name: getattr(self, name)[index] for name in _ARRAYS}
         return Orbits(
@@ -227,8 +242,8 @@ class Orbits(Sequence[Orbit]):
 
         frame = pd.DataFrame(self.columns())
         for name, quantity in self.model.measured.items():
-            if quantity.optional and quantity.type == "int":
-                frame[name] = frame[name].astype("Int64")
+            if quantity.optional and quantity.type in NULLABLE:
+                frame[name] = frame[name].astype(NULLABLE[quantity.type])
         return frame
 
     # -- shown -------------------------------------------------------------------------------------------
@@ -308,6 +323,11 @@ def column(quantity: Quantity, values: Any, n: int, at: Any = slice(None)) -> ND
         kind = _PLAIN[quantity.type]  # whole numbers with gaps may come as floats
         out[np.arange(n)[at][known]] = np.array([kind(value) for value in given[known]], dtype=object)
     return out
+
+
+def as_mask(truths: NDArray[Any]) -> NDArray[Any]:
+    """Truths as an array of bool where all are known; as they are, with None, where not."""
+    return truths.astype(np.bool_) if all(one is not None for one in truths.tolist()) else truths
 
 
 def _cell(value: Any) -> str:

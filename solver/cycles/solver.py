@@ -9,7 +9,7 @@ from stridemap.solver.backends.base import Backend, Kernels
 from stridemap.solver.backends.selection import load_kernels
 from stridemap.solver.cycles.acceptance import Candidates
 from stridemap.solver.cycles.orbits import Orbits
-from stridemap.solver.kernels.catalogue import CYCLE_N_RK
+from stridemap.solver.kernels.catalogue import CYCLE_N_RK, FINE_N_RK
 from stridemap.solver.kernels.resolution import Resolution, coarsest
 from stridemap.solver.kernels.runge_kutta import ORDER
 from stridemap.solver.model.model import Model
@@ -104,26 +104,39 @@ class Solver:
         """
         if not len(guesses):
             return Orbits.empty(self.model)
-        target = self.acceptance.target_integration_error
         u = guesses.copy()
         n_rk = self.resolution.cycle_n_rk(u[:, -1], params)
         parts, places = [], []
-        for n in CYCLE_N_RK:
-            at = np.flatnonzero(n_rk == n)
-            if not len(at):
-                continue
-            candidates = Candidates.solve(self.kernels, self.acceptance, n, u[at], params[at])
-            refine = candidates.closed & ~(candidates.integration_error <= target)
-            if n < CYCLE_N_RK[-1]:
-                # The error falls with the order's power of the resolution: go where it will be small enough.
-                error = np.nan_to_num(candidates.integration_error[refine], nan=1.0)
-                n_rk[at[refine]] = coarsest(
-                    n * np.maximum(1.1 * (error / target) ** (1 / ORDER), 1.01), CYCLE_N_RK
-                )
-                u[at[refine]] = candidates.u[refine]
-            else:
-                refine[:] = False
-            done = np.flatnonzero(~refine)
-            parts.append(candidates.take(done).orbits(period_range))
-            places.append(at[done])
+        for n in LEVELS:
+            waiting = np.flatnonzero(n_rk == n)
+            for at in batches(waiting, n):
+                candidates = Candidates.solve(self.kernels, self.acceptance, n, u[at], params[at])
+                excess, unresolved = candidates.excess(), candidates.unresolved()
+                refine = (excess > 1) | unresolved
+                if n < LEVELS[-1]:
+                    # The error falls with the order's power of the resolution: go where it will be small enough.
+                    factor = np.where(unresolved, 2.0, np.maximum(1.1 * excess ** (1 / ORDER), 1.01))
+                    n_rk[at[refine]] = coarsest(n * factor[refine], LEVELS)
+                    closed = refine & candidates.closed
+                    u[at[closed]] = candidates.u[closed]
+                else:
+                    refine[:] = False
+                done = np.flatnonzero(~refine)
+                parts.append(candidates.take(done).orbits(period_range, unresolved[done]))
+                places.append(at[done])
         return Orbits.concatenate(self.model, parts).take(np.argsort(np.concatenate(places)))
+
+
+LEVELS = (*CYCLE_N_RK, *FINE_N_RK)
+"""All resolutions of limit cycles."""
+
+BATCH = 400_000
+"""RK steps that are kept in memory at once at the fine resolutions, those of all points together."""
+
+
+def batches(points: NDArray[np.int64], n_rk: int) -> list[NDArray[np.int64]]:
+    """Points in batches that fit into memory; one batch at the resolutions that have kernels of their own."""
+    if not len(points):
+        return []
+    at_once = len(points) if n_rk <= CYCLE_N_RK[-1] else max(BATCH // n_rk, 1)
+    return [points[i : i + at_once] for i in range(0, len(points), at_once)]

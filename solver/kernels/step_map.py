@@ -162,6 +162,31 @@ class StepMap:
             "landing_with_derivative", [y, z, period, p], outputs, ["y", "z", "T", "p"], ["J", "R"]
         )
 
+    # -- pieces of which a step of any number of RK steps is chained ------------------------------------------
+
+    @cached_property
+    def begin(self) -> ca.Function:
+        """(u, p) -> the state with its tangents just after touchdown, shape (2 n, 1 + nz)."""
+        u, p = ca.MX.sym("u", self.nz + 1), ca.MX.sym("p", self.n_params)
+        y = ca.horzcat(*self.start(u[: self.nz], p))
+        return ca.Function(f"{self.model.name}_begin", [u, p], [y], ["u", "p"], ["y"])
+
+    @cached_property
+    def swing(self) -> ca.Function:
+        """`BLOCK` RK steps of size h of the state with its tangents: (t, h, y, p) -> y."""
+        t, h, p = ca.MX.sym("t"), ca.MX.sym("h"), ca.MX.sym("p", self.n_params)
+        y = ca.MX.sym("y", 2 * self.n, 1 + self.nz)
+        end = self._variational_block(y, t, self.phase_increments(h, p), h, p)
+        return ca.Function(f"{self.model.name}_swing", [t, h, y, p], [end], ["t", "h", "y", "p"], ["y_end"])
+
+    @cached_property
+    def end(self) -> ca.Function:
+        """The residual from the state with its tangents at the end of the step: (y, u, p) -> (dR/du, R)."""
+        y, p = ca.MX.sym("y", 2 * self.n, 1 + self.nz), ca.MX.sym("p", self.n_params)
+        u = ca.MX.sym("u", self.nz + 1)
+        outputs = self.landing_with_derivative(y, u[: self.nz], u[self.nz], p)
+        return ca.Function(f"{self.model.name}_end", [y, u, p], list(outputs), ["y", "u", "p"], ["J", "R"])
+
     # -- whole steps -------------------------------------------------------------------------------------
 
     def _block(self, rk_step: ca.Function) -> ca.Function:
