@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from stridemap.errors import InputError
 from stridemap.solver.cycles.orbit import Orbit, missing, plain
+from stridemap.solver.cycles.report import SearchReport
 from stridemap.solver.cycles.status import CODES, FOUND, STATUSES, Status
 from stridemap.solver.model.model import Model
 from stridemap.solver.observables.measures import decided
@@ -48,6 +49,8 @@ class Orbits(Sequence[Orbit]):
         NaN for a failure.
     measures : mapping of str to ndarray, shape (n,)
         Every measured quantity; an array of None where the model lacks it.
+    search : SearchReport or None
+        What the search did that found them, and what it threw away; None for a selection of them.
     """
 
     model: Model
@@ -57,6 +60,7 @@ class Orbits(Sequence[Orbit]):
     jacobian: Array
     multipliers: NDArray[np.complex128]
     measures: Mapping[str, NDArray[Any]]
+    search: SearchReport | None = None
 
     def __post_init__(self) -> None:
         """Truths that are all known are an array of bool, as any mask."""
