@@ -31,8 +31,8 @@ def multiplier_columns(index: int) -> tuple[str, str]:
 _MULTIPLIER = re.compile(r"multiplier_\d+(_(re|im))?")
 
 ATTRIBUTES = frozenset(
-    "animate codes columns concatenate count empty found from_columns index jacobian measures model motion "
-    "multipliers params period plot section_point simulate state status summary take to_dict to_frame "
+    "animate codes columns concatenate count empty found from_columns index jacobian known_stable measures model "
+    "motion multipliers params period plot search reason section_point simulate stability state status summary take to_dict to_frame "
     "u".split()
 )
 """Attributes of a limit cycle and of an array of them, which a quantity of that name would hide."""
@@ -40,7 +40,7 @@ ATTRIBUTES = frozenset(
 OPTION_WORDS = frozenset(
     # options of the command line
     "acceptance backend check claims config cycle folder fps group help json magnify model only out "
-    "resume search set size starts state steps sweeps thin workers "
+    "resume search search_box set size starts state steps sweeps thin workers "
     # arguments of public functions
     "data executor options orbit orbits params path progress samples source tile_cells titles".split()
 )

@@ -149,8 +149,8 @@ class Orbits(Sequence[Orbit]):
         """A selection: by number, by a mask, or by a slice."""
         if not isinstance(index, slice):
             index = np.asarray(index)
-            if index.dtype == object:  # a mask with what is not known, which selects nothing
-                index = np.array([one is not None and bool(one) for one in index.tolist()], dtype=bool)
+            if index.dtype == object:  # a mask with None for what is not known: that is not selected
+                index = np.array([one is not None and bool(one) for one in index.tolist()], dtype=np.bool_)
             index = index if index.size else index.astype(np.intp)  # an empty list is one of floats
         arrays = {name: getattr(self, name)[index] for name in _ARRAYS}
         return Orbits(
@@ -224,6 +224,11 @@ class Orbits(Sequence[Orbit]):
     def found(self) -> NDArray[np.bool_]:
         """Which of them are limit cycles, shape (n,)."""
         return np.isin(self.codes, FOUND)
+
+    @property
+    def known_stable(self) -> NDArray[np.bool_]:
+        """Which of them are stable for certain, shape (n,); `stable` is None where the error does not tell."""
+        return np.array([one is not None and bool(one) for one in self.stable.tolist()], dtype=np.bool_)
 
     @property
     def period(self) -> Array:
