@@ -156,7 +156,9 @@ class SearchOptions(Options):
         for name in model.section:
             middle, half = model.spec.search_box[name]
             low, high = given.get(name, (0.0, 0.0))
-            rows.append((0.5 * (low + high), 0.5 * (high - low)) if name in given else (middle, half * self.widen))
+            rows.append(
+                (0.5 * (low + high), 0.5 * (high - low)) if name in given else (middle, half * self.widen)
+            )
         return np.array(rows).reshape(len(rows), 2)
 
     @property
@@ -182,7 +184,9 @@ def _box(given: Any) -> tuple[tuple[str, tuple[float, float]], ...]:
     """
     entries = dict(given) if isinstance(given, Mapping | tuple) else None
     if entries is None:
-        raise InputError(f"search_box = {given!r} is not allowed: a mapping of names to (low, high) is needed")
+        raise InputError(
+            f"search_box = {given!r} is not allowed: a mapping of names to (low, high) is needed"
+        )
     out = []
     for name, ends in sorted(entries.items()):
         pair = list(ends) if isinstance(ends, list | tuple) else []
@@ -243,8 +247,8 @@ class AcceptanceOptions(Options):
 class ContinuationOptions(Options):
     """Step control of pseudo-arclength continuation.
 
-    Lengths are measured in a space where 1 is the distance between the two parameter points, or the
-    half-width of the search box.
+    Lengths are measured in a space where 1 is the distance between the two parameter points, the half-width
+    of the search box, or the model's scale of time.
 
     Parameters
     ----------

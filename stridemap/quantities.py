@@ -60,9 +60,8 @@ _ENTRIES = (
         "undecided",
         "number",
         "why not known",
-        "Why it is not known whether the cycle is stable; missing where it is known.",
+        "Why it is not known whether the cycle is stable; empty where it is known.",
         type="str",
-        optional=True,
     ),
     Quantity(
         "group",

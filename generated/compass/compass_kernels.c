@@ -24,12 +24,17 @@
 
 /* Add prefix to internal symbols */
 #define casadi_axpy CASADI_PREFIX(axpy)
+#define casadi_c0 CASADI_PREFIX(c0)
+#define casadi_c1 CASADI_PREFIX(c1)
 #define casadi_clear CASADI_PREFIX(clear)
 #define casadi_copy CASADI_PREFIX(copy)
 #define casadi_dot CASADI_PREFIX(dot)
 #define casadi_f0 CASADI_PREFIX(f0)
 #define casadi_f1 CASADI_PREFIX(f1)
 #define casadi_f10 CASADI_PREFIX(f10)
+#define casadi_f100 CASADI_PREFIX(f100)
+#define casadi_f101 CASADI_PREFIX(f101)
+#define casadi_f102 CASADI_PREFIX(f102)
 #define casadi_f11 CASADI_PREFIX(f11)
 #define casadi_f12 CASADI_PREFIX(f12)
 #define casadi_f13 CASADI_PREFIX(f13)
@@ -104,8 +109,29 @@
 #define casadi_f76 CASADI_PREFIX(f76)
 #define casadi_f77 CASADI_PREFIX(f77)
 #define casadi_f78 CASADI_PREFIX(f78)
+#define casadi_f79 CASADI_PREFIX(f79)
 #define casadi_f8 CASADI_PREFIX(f8)
+#define casadi_f80 CASADI_PREFIX(f80)
+#define casadi_f81 CASADI_PREFIX(f81)
+#define casadi_f82 CASADI_PREFIX(f82)
+#define casadi_f83 CASADI_PREFIX(f83)
+#define casadi_f84 CASADI_PREFIX(f84)
+#define casadi_f85 CASADI_PREFIX(f85)
+#define casadi_f86 CASADI_PREFIX(f86)
+#define casadi_f87 CASADI_PREFIX(f87)
+#define casadi_f88 CASADI_PREFIX(f88)
+#define casadi_f89 CASADI_PREFIX(f89)
 #define casadi_f9 CASADI_PREFIX(f9)
+#define casadi_f90 CASADI_PREFIX(f90)
+#define casadi_f91 CASADI_PREFIX(f91)
+#define casadi_f92 CASADI_PREFIX(f92)
+#define casadi_f93 CASADI_PREFIX(f93)
+#define casadi_f94 CASADI_PREFIX(f94)
+#define casadi_f95 CASADI_PREFIX(f95)
+#define casadi_f96 CASADI_PREFIX(f96)
+#define casadi_f97 CASADI_PREFIX(f97)
+#define casadi_f98 CASADI_PREFIX(f98)
+#define casadi_f99 CASADI_PREFIX(f99)
 #define casadi_fabs CASADI_PREFIX(fabs)
 #define casadi_fmax CASADI_PREFIX(fmax)
 #define casadi_house CASADI_PREFIX(house)
@@ -475,11 +501,16 @@ static const casadi_int casadi_s27[3] = {8, 1, 1};
 static const casadi_int casadi_s28[3] = {5, 12, 1};
 static const casadi_int casadi_s29[3] = {8, 12, 1};
 
+static const casadi_real casadi_c0[16] = 
+  {1., 1., 1., 5.0000000000000000e-01, 1., 1., 1., 5.0000000000000000e-01,
+  1., 1., 1., 5.0000000000000000e-01, 1., 1., 1., 5.0000000000000000e-01};
+static const casadi_real casadi_c1[4] = {1., 1., 1., 2.};
+
 static const casadi_real casadi_zeros[24] = 
   {0.};
 
 /* start:(z[3],p[6])->(y[4],dy_dz[4x3]) */
-static int casadi_f3(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1;
   a0=arg[0]? arg[0][0] : 0;
   if (res[0]!=0) res[0][0]=a0;
@@ -508,7 +539,7 @@ static int casadi_f3(const casadi_real** arg, casadi_real** res, casadi_int* iw,
 }
 
 /* turns:(h,p[6])->(turns[2x12]) */
-static int casadi_f4(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f6(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2, a3;
   a0=1.;
   if (res[0]!=0) res[0][0]=a0;
@@ -595,7 +626,7 @@ static int casadi_f4(const casadi_real** arg, casadi_real** res, casadi_int* iw,
 }
 
 /* phase:(t,p[6])->(phase[2]) */
-static int casadi_f6(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f8(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1;
   a0=arg[1]? arg[1][0] : 0;
   a1=arg[0]? arg[0][0] : 0;
@@ -608,7 +639,7 @@ static int casadi_f6(const casadi_real** arg, casadi_real** res, casadi_int* iw,
 }
 
 /* variational_step:(y[4x4],phase[2],turns[2x12],h,p[6])->(y_end[4x4]) */
-static int casadi_f7(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f9(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a000, a001, a002, a003, a004, a005, a006, a007, a008, a009, a010, a011;
   casadi_real a012, a013, a014, a015, a016, a017, a018, a019, a020, a021, a022, a023;
   casadi_real a024, a025, a026, a027, a028, a029, a030, a031, a032, a033, a034, a035;
@@ -4550,7 +4581,7 @@ static int casadi_f7(const casadi_real** arg, casadi_real** res, casadi_int* iw,
 }
 
 /* variational_steps:(y[4x4],t,turns[2x12],h,p[6])->(y_end[4x4]) */
-static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f7(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *w0=w+227, w1, *w2=w+243, *w3=w+249, w5, *w6=w+251, w7;
   const casadi_real **arg1=arg+5, *wr0, *wr4;
   /* #0: @0 = input[0][0] */
@@ -4563,7 +4594,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w1);
   arg1[1]=w2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = input[2][0] */
   wr4 = arg[2] ? arg[2] : casadi_zeros;
   /* #5: @5 = input[3][0] */
@@ -4575,14 +4606,14 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=w2;
   res1[0]=w6;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
   /* #7: @7 = (@1+@5) */
   w7  = (w1+w5);
   /* #8: @3 = phase(@7, @2) */
   arg1[0]=(&w7);
   arg1[1]=w2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #9: @0 = variational_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -4590,7 +4621,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
   /* #10: @7 = (2.*@5) */
   w7 = (2.* w5 );
   /* #11: @7 = (@1+@7) */
@@ -4599,7 +4630,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w7);
   arg1[1]=w2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #13: @6 = variational_step(@0, @3, @4, @5, @2) */
   arg1[0]=w0;
   arg1[1]=w3;
@@ -4607,7 +4638,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=w2;
   res1[0]=w6;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
   /* #14: @7 = 3 */
   w7 = 3.;
   /* #15: @7 = (@7*@5) */
@@ -4618,7 +4649,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w7);
   arg1[1]=w2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #18: @0 = variational_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -4626,7 +4657,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
   /* #19: @7 = 4 */
   w7 = 4.;
   /* #20: @7 = (@7*@5) */
@@ -4637,7 +4668,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w7);
   arg1[1]=w2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #23: @6 = variational_step(@0, @3, @4, @5, @2) */
   arg1[0]=w0;
   arg1[1]=w3;
@@ -4645,7 +4676,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=w2;
   res1[0]=w6;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
   /* #24: @7 = 5 */
   w7 = 5.;
   /* #25: @7 = (@7*@5) */
@@ -4656,7 +4687,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w7);
   arg1[1]=w2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #28: @0 = variational_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -4664,7 +4695,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
   /* #29: @7 = 6 */
   w7 = 6.;
   /* #30: @7 = (@7*@5) */
@@ -4675,7 +4706,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w7);
   arg1[1]=w2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #33: @6 = variational_step(@0, @3, @4, @5, @2) */
   arg1[0]=w0;
   arg1[1]=w3;
@@ -4683,7 +4714,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=w2;
   res1[0]=w6;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
   /* #34: @7 = 7 */
   w7 = 7.;
   /* #35: @7 = (@7*@5) */
@@ -4694,7 +4725,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w7);
   arg1[1]=w2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #38: @0 = variational_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -4702,7 +4733,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
   /* #39: @7 = 8 */
   w7 = 8.;
   /* #40: @7 = (@7*@5) */
@@ -4713,7 +4744,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w7);
   arg1[1]=w2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #43: @6 = variational_step(@0, @3, @4, @5, @2) */
   arg1[0]=w0;
   arg1[1]=w3;
@@ -4721,7 +4752,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=w2;
   res1[0]=w6;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
   /* #44: @7 = 9 */
   w7 = 9.;
   /* #45: @7 = (@7*@5) */
@@ -4732,7 +4763,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w7);
   arg1[1]=w2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #48: @0 = variational_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -4740,7 +4771,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
   /* #49: @7 = 10 */
   w7 = 10.;
   /* #50: @7 = (@7*@5) */
@@ -4751,7 +4782,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w7);
   arg1[1]=w2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #53: @6 = variational_step(@0, @3, @4, @5, @2) */
   arg1[0]=w0;
   arg1[1]=w3;
@@ -4759,7 +4790,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=w2;
   res1[0]=w6;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
   /* #54: @7 = 11 */
   w7 = 11.;
   /* #55: @7 = (@7*@5) */
@@ -4770,7 +4801,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w1);
   arg1[1]=w2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #58: @0 = variational_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -4778,14 +4809,14 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
   /* #59: output[0][0] = @0 */
   casadi_copy(w0, 16, res[0]);
   return 0;
 }
 
 /* landing_with_derivative:(y[4x4],z[3],T,p[6])->(J[4x4],R[4]) */
-static int casadi_f8(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   a00=arg[0]? arg[0][4] : 0;
@@ -4965,7 +4996,7 @@ static int casadi_f8(const casadi_real** arg, casadi_real** res, casadi_int* iw,
 }
 
 /* compass_jacobian_12:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f2(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f4(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+307, *w04=w+311, *w05=w+323, w06, w07, w08, *w09=w+339;
   casadi_real *w10=w+363;
@@ -4981,7 +5012,7 @@ static int casadi_f2(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[1]=w02;
   res1[0]=w03;
   res1[1]=w04;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @5 = horzcat(@3, @4) */
   rr=w05;
   for (i=0, cs=w03; i<4; ++i) *rr++ = *cs++;
@@ -4998,7 +5029,7 @@ static int casadi_f2(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w08);
   arg1[1]=w02;
   res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
   arg1[0]=w05;
   arg1[1]=(&w06);
@@ -5006,7 +5037,7 @@ static int casadi_f2(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #11: {@5, @0} = landing_with_derivative(@10, @1, @7, @2) */
   arg1[0]=w10;
   arg1[1]=w01;
@@ -5014,7 +5045,7 @@ static int casadi_f2(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=w02;
   res1[0]=w05;
   res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @5 */
   casadi_copy(w05, 16, res[0]);
   /* #13: output[1][0] = @0 */
@@ -5022,8 +5053,42 @@ static int casadi_f2(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   return 0;
 }
 
+/* scaled_jacobian_12:(u[4],p[6])->(J[4x4],R[4]) */
+static int casadi_f3(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_int i;
+  casadi_real **res1=res+2, *rr, *w0=w+382, *w1=w+398, *w2=w+402, *w3=w+408, *w4=w+424;
+  const casadi_real **arg1=arg+2, *cr, *cs, *wr0;
+  /* #0: @0 = 
+  [[1, 1, 1, 1], 
+   [1, 1, 1, 1], 
+   [1, 1, 1, 1], 
+   [0.5, 0.5, 0.5, 0.5]] */
+  wr0 = casadi_c0;
+  /* #1: @1 = input[0][0] */
+  casadi_copy(arg[0], 4, w1);
+  /* #2: @2 = input[1][0] */
+  casadi_copy(arg[1], 6, w2);
+  /* #3: {@3, @4} = compass_jacobian_12(@1, @2) */
+  arg1[0]=w1;
+  arg1[1]=w2;
+  res1[0]=w3;
+  res1[1]=w4;
+  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  /* #4: @0 = (@0*@3) */
+  for (i=0, rr=w0, cr=wr0, cs=w3; i<16; ++i) (*rr++)  = ((*cr++)*(*cs++));
+  /* #5: output[0][0] = @0 */
+  casadi_copy(w0, 16, res[0]);
+  /* #6: @1 = [1, 1, 1, 2] */
+  casadi_copy(casadi_c1, 4, w1);
+  /* #7: @4 = (@4/@1) */
+  for (i=0, rr=w4, cs=w1; i<4; ++i) (*rr++) /= (*cs++);
+  /* #8: output[1][0] = @4 */
+  casadi_copy(w4, 4, res[1]);
+  return 0;
+}
+
 /* newton_12:(u0[4],p[6])->(u[4]) */
-static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f2(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 4;
@@ -5049,7 +5114,7 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f2(arg+2, res+1, iw, w+56, 0)) return 1;
+    if (casadi_f3(arg+2, res+1, iw, w+56, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -5057,8 +5122,26 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   return 0;
 }
 
+/* scaled_newton_12:(i0[4],i1[6])->(o0[4]) */
+static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *w0=w+492, *w1=w+496, *w2=w+502;
+  const casadi_real **arg1=arg+2;
+  /* #0: @0 = input[0][0] */
+  casadi_copy(arg[0], 4, w0);
+  /* #1: @1 = input[1][0] */
+  casadi_copy(arg[1], 6, w1);
+  /* #2: @2 = newton_12(@0, @1) */
+  arg1[0]=w0;
+  arg1[1]=w1;
+  res1[0]=w2;
+  if (casadi_f2(arg1, res1, iw, w, 0)) return 1;
+  /* #3: output[0][0] = @2 */
+  casadi_copy(w2, 4, res[0]);
+  return 0;
+}
+
 /* plain_step:(y[4],phase[2],turns[2x12],h,p[6])->(y_end[4]) */
-static int casadi_f11(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f13(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
@@ -6286,7 +6369,7 @@ static int casadi_f11(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* plain_steps:(y[4],t,turns[2x12],h,p[6])->(y_end[4]) */
-static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f12(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *w0=w+75, w1, *w2=w+79, *w3=w+85, w5, *w6=w+87, w7;
   const casadi_real **arg1=arg+5, *wr4;
   /* #0: @0 = input[0][0] */
@@ -6299,7 +6382,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w1);
   arg1[1]=w2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = input[2][0] */
   wr4 = arg[2] ? arg[2] : casadi_zeros;
   /* #5: @5 = input[3][0] */
@@ -6311,14 +6394,14 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=w2;
   res1[0]=w6;
-  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
   /* #7: @7 = (@1+@5) */
   w7  = (w1+w5);
   /* #8: @3 = phase(@7, @2) */
   arg1[0]=(&w7);
   arg1[1]=w2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #9: @0 = plain_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -6326,7 +6409,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
   /* #10: @7 = (2.*@5) */
   w7 = (2.* w5 );
   /* #11: @7 = (@1+@7) */
@@ -6335,7 +6418,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w7);
   arg1[1]=w2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #13: @6 = plain_step(@0, @3, @4, @5, @2) */
   arg1[0]=w0;
   arg1[1]=w3;
@@ -6343,7 +6426,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=w2;
   res1[0]=w6;
-  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
   /* #14: @7 = 3 */
   w7 = 3.;
   /* #15: @7 = (@7*@5) */
@@ -6354,7 +6437,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w7);
   arg1[1]=w2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #18: @0 = plain_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -6362,7 +6445,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
   /* #19: @7 = 4 */
   w7 = 4.;
   /* #20: @7 = (@7*@5) */
@@ -6373,7 +6456,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w7);
   arg1[1]=w2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #23: @6 = plain_step(@0, @3, @4, @5, @2) */
   arg1[0]=w0;
   arg1[1]=w3;
@@ -6381,7 +6464,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=w2;
   res1[0]=w6;
-  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
   /* #24: @7 = 5 */
   w7 = 5.;
   /* #25: @7 = (@7*@5) */
@@ -6392,7 +6475,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w7);
   arg1[1]=w2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #28: @0 = plain_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -6400,7 +6483,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
   /* #29: @7 = 6 */
   w7 = 6.;
   /* #30: @7 = (@7*@5) */
@@ -6411,7 +6494,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w7);
   arg1[1]=w2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #33: @6 = plain_step(@0, @3, @4, @5, @2) */
   arg1[0]=w0;
   arg1[1]=w3;
@@ -6419,7 +6502,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=w2;
   res1[0]=w6;
-  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
   /* #34: @7 = 7 */
   w7 = 7.;
   /* #35: @7 = (@7*@5) */
@@ -6430,7 +6513,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w7);
   arg1[1]=w2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #38: @0 = plain_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -6438,7 +6521,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
   /* #39: @7 = 8 */
   w7 = 8.;
   /* #40: @7 = (@7*@5) */
@@ -6449,7 +6532,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w7);
   arg1[1]=w2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #43: @6 = plain_step(@0, @3, @4, @5, @2) */
   arg1[0]=w0;
   arg1[1]=w3;
@@ -6457,7 +6540,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=w2;
   res1[0]=w6;
-  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
   /* #44: @7 = 9 */
   w7 = 9.;
   /* #45: @7 = (@7*@5) */
@@ -6468,7 +6551,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w7);
   arg1[1]=w2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #48: @0 = plain_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -6476,7 +6559,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
   /* #49: @7 = 10 */
   w7 = 10.;
   /* #50: @7 = (@7*@5) */
@@ -6487,7 +6570,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w7);
   arg1[1]=w2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #53: @6 = plain_step(@0, @3, @4, @5, @2) */
   arg1[0]=w0;
   arg1[1]=w3;
@@ -6495,7 +6578,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=w2;
   res1[0]=w6;
-  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
   /* #54: @7 = 11 */
   w7 = 11.;
   /* #55: @7 = (@7*@5) */
@@ -6506,7 +6589,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w1);
   arg1[1]=w2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #58: @0 = plain_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -6514,14 +6597,14 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
   /* #59: output[0][0] = @0 */
   casadi_copy(w0, 4, res[0]);
   return 0;
 }
 
 /* landing:(y[4],z[3],p[6])->(R[4]) */
-static int casadi_f12(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f14(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2, a3, a4, a5, a6, a7;
   a0=arg[0]? arg[0][0] : 0;
   a1=arg[0]? arg[0][1] : 0;
@@ -6562,7 +6645,7 @@ static int casadi_f12(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* compass_residual_12:(u[4],p[6])->(R[4]) */
-static int casadi_f9(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f11(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, *w3=w+131, w4, w5, w6, *w7=w+135;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
@@ -6576,7 +6659,7 @@ static int casadi_f9(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[1]=w2;
   res1[0]=w3;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = 0 */
   w4 = 0.;
   /* #5: @5 = @0[3] */
@@ -6589,7 +6672,7 @@ static int casadi_f9(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w5);
   arg1[1]=w2;
   res1[0]=w7;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #9: @0 = plain_steps(@3, @4, @7, @5, @2) */
   arg1[0]=w3;
   arg1[1]=(&w4);
@@ -6597,13 +6680,13 @@ static int casadi_f9(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #10: @3 = landing(@0, @1, @2) */
   arg1[0]=w0;
   arg1[1]=w1;
   arg1[2]=w2;
   res1[0]=w3;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #11: output[0][0] = @3 */
   casadi_copy(w3, 4, res[0]);
   return 0;
@@ -6611,13 +6694,13 @@ static int casadi_f9(const casadi_real** arg, casadi_real** res, casadi_int* iw,
 
 /* compass_search_12:(u0[4],p[6])->(u[4],R[4]) */
 static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+2, *w0=w+446, *w1=w+450, *w2=w+456;
+  casadi_real **res1=res+2, *w0=w+506, *w1=w+510, *w2=w+516;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w0);
   /* #1: @1 = input[1][0] */
   casadi_copy(arg[1], 6, w1);
-  /* #2: @2 = newton_12(@0, @1) */
+  /* #2: @2 = scaled_newton_12(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w2;
@@ -6628,7 +6711,7 @@ static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=w2;
   arg1[1]=w1;
   res1[0]=w0;
-  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @0 */
   casadi_copy(w0, 4, res[1]);
   return 0;
@@ -6694,23 +6777,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* compass_search_12_sparsity_out(casadi_int
 }
 
 CASADI_SYMBOL_EXPORT int compass_search_12_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 16;
-  if (sz_res) *sz_res = 7;
+  if (sz_arg) *sz_arg = 20;
+  if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 460;
+  if (sz_w) *sz_w = 520;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int compass_search_12_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 16*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 7*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 20*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 460*sizeof(casadi_real);
+  if (sz_w) *sz_w = 520*sizeof(casadi_real);
   return 0;
 }
 
 /* compass_jacobian_24:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f15(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+307, *w04=w+311, *w05=w+323, w06, w07, w08, *w09=w+339;
   casadi_real *w10=w+363;
@@ -6726,7 +6809,7 @@ static int casadi_f15(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w02;
   res1[0]=w03;
   res1[1]=w04;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @5 = horzcat(@3, @4) */
   rr=w05;
   for (i=0, cs=w03; i<4; ++i) *rr++ = *cs++;
@@ -6743,7 +6826,7 @@ static int casadi_f15(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w08);
   arg1[1]=w02;
   res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
   arg1[0]=w05;
   arg1[1]=(&w06);
@@ -6751,7 +6834,7 @@ static int casadi_f15(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #11: @6 = 0.5 */
   w06 = 5.0000000000000000e-01;
   /* #12: @6 = (@6*@7) */
@@ -6763,7 +6846,7 @@ static int casadi_f15(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #14: {@10, @0} = landing_with_derivative(@5, @1, @7, @2) */
   arg1[0]=w05;
   arg1[1]=w01;
@@ -6771,7 +6854,7 @@ static int casadi_f15(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=w02;
   res1[0]=w10;
   res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #15: output[0][0] = @10 */
   casadi_copy(w10, 16, res[0]);
   /* #16: output[1][0] = @0 */
@@ -6779,8 +6862,42 @@ static int casadi_f15(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
+/* scaled_jacobian_24:(u[4],p[6])->(J[4x4],R[4]) */
+static int casadi_f18(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_int i;
+  casadi_real **res1=res+2, *rr, *w0=w+382, *w1=w+398, *w2=w+402, *w3=w+408, *w4=w+424;
+  const casadi_real **arg1=arg+2, *cr, *cs, *wr0;
+  /* #0: @0 = 
+  [[1, 1, 1, 1], 
+   [1, 1, 1, 1], 
+   [1, 1, 1, 1], 
+   [0.5, 0.5, 0.5, 0.5]] */
+  wr0 = casadi_c0;
+  /* #1: @1 = input[0][0] */
+  casadi_copy(arg[0], 4, w1);
+  /* #2: @2 = input[1][0] */
+  casadi_copy(arg[1], 6, w2);
+  /* #3: {@3, @4} = compass_jacobian_24(@1, @2) */
+  arg1[0]=w1;
+  arg1[1]=w2;
+  res1[0]=w3;
+  res1[1]=w4;
+  if (casadi_f19(arg1, res1, iw, w, 0)) return 1;
+  /* #4: @0 = (@0*@3) */
+  for (i=0, rr=w0, cr=wr0, cs=w3; i<16; ++i) (*rr++)  = ((*cr++)*(*cs++));
+  /* #5: output[0][0] = @0 */
+  casadi_copy(w0, 16, res[0]);
+  /* #6: @1 = [1, 1, 1, 2] */
+  casadi_copy(casadi_c1, 4, w1);
+  /* #7: @4 = (@4/@1) */
+  for (i=0, rr=w4, cs=w1; i<4; ++i) (*rr++) /= (*cs++);
+  /* #8: output[1][0] = @4 */
+  casadi_copy(w4, 4, res[1]);
+  return 0;
+}
+
 /* newton_24:(u0[4],p[6])->(u[4]) */
-static int casadi_f14(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f17(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 4;
@@ -6806,7 +6923,7 @@ static int casadi_f14(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f15(arg+2, res+1, iw, w+56, 0)) return 1;
+    if (casadi_f18(arg+2, res+1, iw, w+56, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -6814,8 +6931,26 @@ static int casadi_f14(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* compass_residual_24:(u[4],p[6])->(R[4]) */
+/* scaled_newton_24:(i0[4],i1[6])->(o0[4]) */
 static int casadi_f16(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *w0=w+492, *w1=w+496, *w2=w+502;
+  const casadi_real **arg1=arg+2;
+  /* #0: @0 = input[0][0] */
+  casadi_copy(arg[0], 4, w0);
+  /* #1: @1 = input[1][0] */
+  casadi_copy(arg[1], 6, w1);
+  /* #2: @2 = newton_24(@0, @1) */
+  arg1[0]=w0;
+  arg1[1]=w1;
+  res1[0]=w2;
+  if (casadi_f17(arg1, res1, iw, w, 0)) return 1;
+  /* #3: output[0][0] = @2 */
+  casadi_copy(w2, 4, res[0]);
+  return 0;
+}
+
+/* compass_residual_24:(u[4],p[6])->(R[4]) */
+static int casadi_f20(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, *w3=w+131, w4, w5, w6, *w7=w+135;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
@@ -6829,7 +6964,7 @@ static int casadi_f16(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w2;
   res1[0]=w3;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = 0 */
   w4 = 0.;
   /* #5: @5 = @0[3] */
@@ -6842,7 +6977,7 @@ static int casadi_f16(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w6);
   arg1[1]=w2;
   res1[0]=w7;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #9: @0 = plain_steps(@3, @4, @7, @6, @2) */
   arg1[0]=w3;
   arg1[1]=(&w4);
@@ -6850,7 +6985,7 @@ static int casadi_f16(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #10: @4 = 0.5 */
   w4 = 5.0000000000000000e-01;
   /* #11: @4 = (@4*@5) */
@@ -6862,45 +6997,45 @@ static int casadi_f16(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #13: @0 = landing(@3, @1, @2) */
   arg1[0]=w3;
   arg1[1]=w1;
   arg1[2]=w2;
   res1[0]=w0;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #14: output[0][0] = @0 */
   casadi_copy(w0, 4, res[0]);
   return 0;
 }
 
 /* compass_search_24:(u0[4],p[6])->(u[4],R[4]) */
-static int casadi_f13(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+2, *w0=w+446, *w1=w+450, *w2=w+456;
+static int casadi_f15(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+2, *w0=w+506, *w1=w+510, *w2=w+516;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w0);
   /* #1: @1 = input[1][0] */
   casadi_copy(arg[1], 6, w1);
-  /* #2: @2 = newton_24(@0, @1) */
+  /* #2: @2 = scaled_newton_24(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w2;
-  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f16(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 4, res[0]);
   /* #4: @0 = compass_residual_24(@2, @1) */
   arg1[0]=w2;
   arg1[1]=w1;
   res1[0]=w0;
-  if (casadi_f16(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f20(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @0 */
   casadi_copy(w0, 4, res[1]);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int compass_search_24(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f13(arg, res, iw, w, mem);
+  return casadi_f15(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_search_24_checkout(void) {
@@ -6959,23 +7094,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* compass_search_24_sparsity_out(casadi_int
 }
 
 CASADI_SYMBOL_EXPORT int compass_search_24_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 16;
-  if (sz_res) *sz_res = 7;
+  if (sz_arg) *sz_arg = 20;
+  if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 460;
+  if (sz_w) *sz_w = 520;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int compass_search_24_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 16*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 7*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 20*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 460*sizeof(casadi_real);
+  if (sz_w) *sz_w = 520*sizeof(casadi_real);
   return 0;
 }
 
 /* compass_jacobian_48:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f25(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+307, *w04=w+311, *w05=w+323, w06, w07, w08, *w09=w+339;
   casadi_real *w10=w+363;
@@ -6991,7 +7126,7 @@ static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w02;
   res1[0]=w03;
   res1[1]=w04;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @5 = horzcat(@3, @4) */
   rr=w05;
   for (i=0, cs=w03; i<4; ++i) *rr++ = *cs++;
@@ -7008,7 +7143,7 @@ static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w08);
   arg1[1]=w02;
   res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
   arg1[0]=w05;
   arg1[1]=(&w06);
@@ -7016,7 +7151,7 @@ static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #11: @6 = 0.25 */
   w06 = 2.5000000000000000e-01;
   /* #12: @6 = (@6*@7) */
@@ -7028,7 +7163,7 @@ static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #14: @6 = 0.5 */
   w06 = 5.0000000000000000e-01;
   /* #15: @6 = (@6*@7) */
@@ -7040,7 +7175,7 @@ static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #17: @6 = 0.75 */
   w06 = 7.5000000000000000e-01;
   /* #18: @6 = (@6*@7) */
@@ -7052,7 +7187,7 @@ static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #20: {@10, @0} = landing_with_derivative(@5, @1, @7, @2) */
   arg1[0]=w05;
   arg1[1]=w01;
@@ -7060,7 +7195,7 @@ static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=w02;
   res1[0]=w10;
   res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #21: output[0][0] = @10 */
   casadi_copy(w10, 16, res[0]);
   /* #22: output[1][0] = @0 */
@@ -7068,8 +7203,42 @@ static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
+/* scaled_jacobian_48:(u[4],p[6])->(J[4x4],R[4]) */
+static int casadi_f24(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_int i;
+  casadi_real **res1=res+2, *rr, *w0=w+382, *w1=w+398, *w2=w+402, *w3=w+408, *w4=w+424;
+  const casadi_real **arg1=arg+2, *cr, *cs, *wr0;
+  /* #0: @0 = 
+  [[1, 1, 1, 1], 
+   [1, 1, 1, 1], 
+   [1, 1, 1, 1], 
+   [0.5, 0.5, 0.5, 0.5]] */
+  wr0 = casadi_c0;
+  /* #1: @1 = input[0][0] */
+  casadi_copy(arg[0], 4, w1);
+  /* #2: @2 = input[1][0] */
+  casadi_copy(arg[1], 6, w2);
+  /* #3: {@3, @4} = compass_jacobian_48(@1, @2) */
+  arg1[0]=w1;
+  arg1[1]=w2;
+  res1[0]=w3;
+  res1[1]=w4;
+  if (casadi_f25(arg1, res1, iw, w, 0)) return 1;
+  /* #4: @0 = (@0*@3) */
+  for (i=0, rr=w0, cr=wr0, cs=w3; i<16; ++i) (*rr++)  = ((*cr++)*(*cs++));
+  /* #5: output[0][0] = @0 */
+  casadi_copy(w0, 16, res[0]);
+  /* #6: @1 = [1, 1, 1, 2] */
+  casadi_copy(casadi_c1, 4, w1);
+  /* #7: @4 = (@4/@1) */
+  for (i=0, rr=w4, cs=w1; i<4; ++i) (*rr++) /= (*cs++);
+  /* #8: output[1][0] = @4 */
+  casadi_copy(w4, 4, res[1]);
+  return 0;
+}
+
 /* newton_48:(u0[4],p[6])->(u[4]) */
-static int casadi_f18(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f23(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 4;
@@ -7095,7 +7264,7 @@ static int casadi_f18(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f19(arg+2, res+1, iw, w+56, 0)) return 1;
+    if (casadi_f24(arg+2, res+1, iw, w+56, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -7103,8 +7272,26 @@ static int casadi_f18(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
+/* scaled_newton_48:(i0[4],i1[6])->(o0[4]) */
+static int casadi_f22(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *w0=w+492, *w1=w+496, *w2=w+502;
+  const casadi_real **arg1=arg+2;
+  /* #0: @0 = input[0][0] */
+  casadi_copy(arg[0], 4, w0);
+  /* #1: @1 = input[1][0] */
+  casadi_copy(arg[1], 6, w1);
+  /* #2: @2 = newton_48(@0, @1) */
+  arg1[0]=w0;
+  arg1[1]=w1;
+  res1[0]=w2;
+  if (casadi_f23(arg1, res1, iw, w, 0)) return 1;
+  /* #3: output[0][0] = @2 */
+  casadi_copy(w2, 4, res[0]);
+  return 0;
+}
+
 /* compass_residual_48:(u[4],p[6])->(R[4]) */
-static int casadi_f20(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f26(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, *w3=w+131, w4, w5, w6, *w7=w+135;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
@@ -7118,7 +7305,7 @@ static int casadi_f20(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w2;
   res1[0]=w3;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = 0 */
   w4 = 0.;
   /* #5: @5 = @0[3] */
@@ -7131,7 +7318,7 @@ static int casadi_f20(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w6);
   arg1[1]=w2;
   res1[0]=w7;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #9: @0 = plain_steps(@3, @4, @7, @6, @2) */
   arg1[0]=w3;
   arg1[1]=(&w4);
@@ -7139,7 +7326,7 @@ static int casadi_f20(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #10: @4 = 0.25 */
   w4 = 2.5000000000000000e-01;
   /* #11: @4 = (@4*@5) */
@@ -7151,7 +7338,7 @@ static int casadi_f20(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #13: @4 = 0.5 */
   w4 = 5.0000000000000000e-01;
   /* #14: @4 = (@4*@5) */
@@ -7163,7 +7350,7 @@ static int casadi_f20(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #16: @4 = 0.75 */
   w4 = 7.5000000000000000e-01;
   /* #17: @4 = (@4*@5) */
@@ -7175,45 +7362,45 @@ static int casadi_f20(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #19: @0 = landing(@3, @1, @2) */
   arg1[0]=w3;
   arg1[1]=w1;
   arg1[2]=w2;
   res1[0]=w0;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][0] = @0 */
   casadi_copy(w0, 4, res[0]);
   return 0;
 }
 
 /* compass_search_48:(u0[4],p[6])->(u[4],R[4]) */
-static int casadi_f17(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+2, *w0=w+446, *w1=w+450, *w2=w+456;
+static int casadi_f21(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+2, *w0=w+506, *w1=w+510, *w2=w+516;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w0);
   /* #1: @1 = input[1][0] */
   casadi_copy(arg[1], 6, w1);
-  /* #2: @2 = newton_48(@0, @1) */
+  /* #2: @2 = scaled_newton_48(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w2;
-  if (casadi_f18(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f22(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 4, res[0]);
   /* #4: @0 = compass_residual_48(@2, @1) */
   arg1[0]=w2;
   arg1[1]=w1;
   res1[0]=w0;
-  if (casadi_f20(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f26(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @0 */
   casadi_copy(w0, 4, res[1]);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int compass_search_48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f17(arg, res, iw, w, mem);
+  return casadi_f21(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_search_48_checkout(void) {
@@ -7272,23 +7459,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* compass_search_48_sparsity_out(casadi_int
 }
 
 CASADI_SYMBOL_EXPORT int compass_search_48_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 16;
-  if (sz_res) *sz_res = 7;
+  if (sz_arg) *sz_arg = 20;
+  if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 460;
+  if (sz_w) *sz_w = 520;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int compass_search_48_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 16*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 7*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 20*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 460*sizeof(casadi_real);
+  if (sz_w) *sz_w = 520*sizeof(casadi_real);
   return 0;
 }
 
 /* coarse_jacobian_24:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f23(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f31(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+382, *w1=w+386, *w2=w+392, *w3=w+408;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
@@ -7300,21 +7487,55 @@ static int casadi_f23(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f2(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 16, res[0]);
   /* #4: @3 = compass_residual_24(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w3;
-  if (casadi_f16(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f20(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 4, res[1]);
   return 0;
 }
 
+/* scaled_jacobian_24:(u[4],p[6])->(J[4x4],R[4]) */
+static int casadi_f30(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_int i;
+  casadi_real **res1=res+2, *rr, *w0=w+412, *w1=w+428, *w2=w+432, *w3=w+438, *w4=w+454;
+  const casadi_real **arg1=arg+2, *cr, *cs, *wr0;
+  /* #0: @0 = 
+  [[1, 1, 1, 1], 
+   [1, 1, 1, 1], 
+   [1, 1, 1, 1], 
+   [0.5, 0.5, 0.5, 0.5]] */
+  wr0 = casadi_c0;
+  /* #1: @1 = input[0][0] */
+  casadi_copy(arg[0], 4, w1);
+  /* #2: @2 = input[1][0] */
+  casadi_copy(arg[1], 6, w2);
+  /* #3: {@3, @4} = coarse_jacobian_24(@1, @2) */
+  arg1[0]=w1;
+  arg1[1]=w2;
+  res1[0]=w3;
+  res1[1]=w4;
+  if (casadi_f31(arg1, res1, iw, w, 0)) return 1;
+  /* #4: @0 = (@0*@3) */
+  for (i=0, rr=w0, cr=wr0, cs=w3; i<16; ++i) (*rr++)  = ((*cr++)*(*cs++));
+  /* #5: output[0][0] = @0 */
+  casadi_copy(w0, 16, res[0]);
+  /* #6: @1 = [1, 1, 1, 2] */
+  casadi_copy(casadi_c1, 4, w1);
+  /* #7: @4 = (@4/@1) */
+  for (i=0, rr=w4, cs=w1; i<4; ++i) (*rr++) /= (*cs++);
+  /* #8: output[1][0] = @4 */
+  casadi_copy(w4, 4, res[1]);
+  return 0;
+}
+
 /* newton_24:(u0[4],p[6])->(u[4]) */
-static int casadi_f22(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f29(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 4;
@@ -7340,7 +7561,7 @@ static int casadi_f22(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f23(arg+2, res+1, iw, w+56, 0)) return 1;
+    if (casadi_f30(arg+2, res+1, iw, w+56, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -7348,9 +7569,9 @@ static int casadi_f22(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* compass_limit_cycle_24:(u0[4],p[6])->(u[4],J[4x4],R[4]) */
-static int casadi_f21(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+3, *w0=w+476, *w1=w+480, *w2=w+486, *w3=w+490;
+/* scaled_newton_24:(i0[4],i1[6])->(o0[4]) */
+static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *w0=w+522, *w1=w+526, *w2=w+532;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w0);
@@ -7360,7 +7581,25 @@ static int casadi_f21(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w2;
-  if (casadi_f22(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f29(arg1, res1, iw, w, 0)) return 1;
+  /* #3: output[0][0] = @2 */
+  casadi_copy(w2, 4, res[0]);
+  return 0;
+}
+
+/* compass_limit_cycle_24:(u0[4],p[6])->(u[4],J[4x4],R[4]) */
+static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+3, *w0=w+536, *w1=w+540, *w2=w+546, *w3=w+550;
+  const casadi_real **arg1=arg+2;
+  /* #0: @0 = input[0][0] */
+  casadi_copy(arg[0], 4, w0);
+  /* #1: @1 = input[1][0] */
+  casadi_copy(arg[1], 6, w1);
+  /* #2: @2 = scaled_newton_24(@0, @1) */
+  arg1[0]=w0;
+  arg1[1]=w1;
+  res1[0]=w2;
+  if (casadi_f28(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 4, res[0]);
   /* #4: {@3, @0} = compass_jacobian_24(@2, @1) */
@@ -7368,7 +7607,7 @@ static int casadi_f21(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f15(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f19(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 16, res[1]);
   /* #6: output[2][0] = @0 */
@@ -7377,7 +7616,7 @@ static int casadi_f21(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_24(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f21(arg, res, iw, w, mem);
+  return casadi_f27(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_24_checkout(void) {
@@ -7438,23 +7677,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* compass_limit_cycle_24_sparsity_out(casad
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_24_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18;
-  if (sz_res) *sz_res = 10;
+  if (sz_arg) *sz_arg = 22;
+  if (sz_res) *sz_res = 13;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 506;
+  if (sz_w) *sz_w = 566;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_24_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 22*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 13*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 506*sizeof(casadi_real);
+  if (sz_w) *sz_w = 566*sizeof(casadi_real);
   return 0;
 }
 
 /* compass_residual_36:(u[4],p[6])->(R[4]) */
-static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f37(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, *w3=w+131, w4, w5, w6, *w7=w+135;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
@@ -7468,7 +7707,7 @@ static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w2;
   res1[0]=w3;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = 0 */
   w4 = 0.;
   /* #5: @5 = @0[3] */
@@ -7481,7 +7720,7 @@ static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w6);
   arg1[1]=w2;
   res1[0]=w7;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #9: @0 = plain_steps(@3, @4, @7, @6, @2) */
   arg1[0]=w3;
   arg1[1]=(&w4);
@@ -7489,7 +7728,7 @@ static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #10: @4 = 0.333333 */
   w4 = 3.3333333333333331e-01;
   /* #11: @4 = (@4*@5) */
@@ -7501,7 +7740,7 @@ static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #13: @4 = 0.666667 */
   w4 = 6.6666666666666663e-01;
   /* #14: @4 = (@4*@5) */
@@ -7513,20 +7752,20 @@ static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #16: @3 = landing(@0, @1, @2) */
   arg1[0]=w0;
   arg1[1]=w1;
   arg1[2]=w2;
   res1[0]=w3;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #17: output[0][0] = @3 */
   casadi_copy(w3, 4, res[0]);
   return 0;
 }
 
 /* coarse_jacobian_36:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f26(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+382, *w1=w+386, *w2=w+392, *w3=w+408;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
@@ -7538,21 +7777,55 @@ static int casadi_f26(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f2(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 16, res[0]);
   /* #4: @3 = compass_residual_36(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w3;
-  if (casadi_f27(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f37(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 4, res[1]);
   return 0;
 }
 
+/* scaled_jacobian_36:(u[4],p[6])->(J[4x4],R[4]) */
+static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_int i;
+  casadi_real **res1=res+2, *rr, *w0=w+412, *w1=w+428, *w2=w+432, *w3=w+438, *w4=w+454;
+  const casadi_real **arg1=arg+2, *cr, *cs, *wr0;
+  /* #0: @0 = 
+  [[1, 1, 1, 1], 
+   [1, 1, 1, 1], 
+   [1, 1, 1, 1], 
+   [0.5, 0.5, 0.5, 0.5]] */
+  wr0 = casadi_c0;
+  /* #1: @1 = input[0][0] */
+  casadi_copy(arg[0], 4, w1);
+  /* #2: @2 = input[1][0] */
+  casadi_copy(arg[1], 6, w2);
+  /* #3: {@3, @4} = coarse_jacobian_36(@1, @2) */
+  arg1[0]=w1;
+  arg1[1]=w2;
+  res1[0]=w3;
+  res1[1]=w4;
+  if (casadi_f36(arg1, res1, iw, w, 0)) return 1;
+  /* #4: @0 = (@0*@3) */
+  for (i=0, rr=w0, cr=wr0, cs=w3; i<16; ++i) (*rr++)  = ((*cr++)*(*cs++));
+  /* #5: output[0][0] = @0 */
+  casadi_copy(w0, 16, res[0]);
+  /* #6: @1 = [1, 1, 1, 2] */
+  casadi_copy(casadi_c1, 4, w1);
+  /* #7: @4 = (@4/@1) */
+  for (i=0, rr=w4, cs=w1; i<4; ++i) (*rr++) /= (*cs++);
+  /* #8: output[1][0] = @4 */
+  casadi_copy(w4, 4, res[1]);
+  return 0;
+}
+
 /* newton_36:(u0[4],p[6])->(u[4]) */
-static int casadi_f25(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f34(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 4;
@@ -7578,7 +7851,7 @@ static int casadi_f25(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f26(arg+2, res+1, iw, w+56, 0)) return 1;
+    if (casadi_f35(arg+2, res+1, iw, w+56, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -7586,8 +7859,26 @@ static int casadi_f25(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
+/* scaled_newton_36:(i0[4],i1[6])->(o0[4]) */
+static int casadi_f33(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *w0=w+522, *w1=w+526, *w2=w+532;
+  const casadi_real **arg1=arg+2;
+  /* #0: @0 = input[0][0] */
+  casadi_copy(arg[0], 4, w0);
+  /* #1: @1 = input[1][0] */
+  casadi_copy(arg[1], 6, w1);
+  /* #2: @2 = newton_36(@0, @1) */
+  arg1[0]=w0;
+  arg1[1]=w1;
+  res1[0]=w2;
+  if (casadi_f34(arg1, res1, iw, w, 0)) return 1;
+  /* #3: output[0][0] = @2 */
+  casadi_copy(w2, 4, res[0]);
+  return 0;
+}
+
 /* compass_jacobian_36:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f38(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+307, *w04=w+311, *w05=w+323, w06, w07, w08, *w09=w+339;
   casadi_real *w10=w+363;
@@ -7603,7 +7894,7 @@ static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w02;
   res1[0]=w03;
   res1[1]=w04;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @5 = horzcat(@3, @4) */
   rr=w05;
   for (i=0, cs=w03; i<4; ++i) *rr++ = *cs++;
@@ -7620,7 +7911,7 @@ static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w08);
   arg1[1]=w02;
   res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
   arg1[0]=w05;
   arg1[1]=(&w06);
@@ -7628,7 +7919,7 @@ static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #11: @6 = 0.333333 */
   w06 = 3.3333333333333331e-01;
   /* #12: @6 = (@6*@7) */
@@ -7640,7 +7931,7 @@ static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #14: @6 = 0.666667 */
   w06 = 6.6666666666666663e-01;
   /* #15: @6 = (@6*@7) */
@@ -7652,7 +7943,7 @@ static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #17: {@5, @0} = landing_with_derivative(@10, @1, @7, @2) */
   arg1[0]=w10;
   arg1[1]=w01;
@@ -7660,7 +7951,7 @@ static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=w02;
   res1[0]=w05;
   res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #18: output[0][0] = @5 */
   casadi_copy(w05, 16, res[0]);
   /* #19: output[1][0] = @0 */
@@ -7669,18 +7960,18 @@ static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* compass_limit_cycle_36:(u0[4],p[6])->(u[4],J[4x4],R[4]) */
-static int casadi_f24(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+3, *w0=w+476, *w1=w+480, *w2=w+486, *w3=w+490;
+static int casadi_f32(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+3, *w0=w+536, *w1=w+540, *w2=w+546, *w3=w+550;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w0);
   /* #1: @1 = input[1][0] */
   casadi_copy(arg[1], 6, w1);
-  /* #2: @2 = newton_36(@0, @1) */
+  /* #2: @2 = scaled_newton_36(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w2;
-  if (casadi_f25(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f33(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 4, res[0]);
   /* #4: {@3, @0} = compass_jacobian_36(@2, @1) */
@@ -7688,7 +7979,7 @@ static int casadi_f24(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f28(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f38(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 16, res[1]);
   /* #6: output[2][0] = @0 */
@@ -7697,7 +7988,7 @@ static int casadi_f24(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_36(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f24(arg, res, iw, w, mem);
+  return casadi_f32(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_36_checkout(void) {
@@ -7758,23 +8049,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* compass_limit_cycle_36_sparsity_out(casad
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_36_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18;
-  if (sz_res) *sz_res = 10;
+  if (sz_arg) *sz_arg = 22;
+  if (sz_res) *sz_res = 13;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 506;
+  if (sz_w) *sz_w = 566;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_36_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 22*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 13*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 506*sizeof(casadi_real);
+  if (sz_w) *sz_w = 566*sizeof(casadi_real);
   return 0;
 }
 
 /* coarse_jacobian_48:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f31(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f43(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+382, *w1=w+386, *w2=w+392, *w3=w+408;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
@@ -7786,21 +8077,55 @@ static int casadi_f31(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f15(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f19(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 16, res[0]);
   /* #4: @3 = compass_residual_48(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w3;
-  if (casadi_f20(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f26(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 4, res[1]);
   return 0;
 }
 
+/* scaled_jacobian_48:(u[4],p[6])->(J[4x4],R[4]) */
+static int casadi_f42(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_int i;
+  casadi_real **res1=res+2, *rr, *w0=w+412, *w1=w+428, *w2=w+432, *w3=w+438, *w4=w+454;
+  const casadi_real **arg1=arg+2, *cr, *cs, *wr0;
+  /* #0: @0 = 
+  [[1, 1, 1, 1], 
+   [1, 1, 1, 1], 
+   [1, 1, 1, 1], 
+   [0.5, 0.5, 0.5, 0.5]] */
+  wr0 = casadi_c0;
+  /* #1: @1 = input[0][0] */
+  casadi_copy(arg[0], 4, w1);
+  /* #2: @2 = input[1][0] */
+  casadi_copy(arg[1], 6, w2);
+  /* #3: {@3, @4} = coarse_jacobian_48(@1, @2) */
+  arg1[0]=w1;
+  arg1[1]=w2;
+  res1[0]=w3;
+  res1[1]=w4;
+  if (casadi_f43(arg1, res1, iw, w, 0)) return 1;
+  /* #4: @0 = (@0*@3) */
+  for (i=0, rr=w0, cr=wr0, cs=w3; i<16; ++i) (*rr++)  = ((*cr++)*(*cs++));
+  /* #5: output[0][0] = @0 */
+  casadi_copy(w0, 16, res[0]);
+  /* #6: @1 = [1, 1, 1, 2] */
+  casadi_copy(casadi_c1, 4, w1);
+  /* #7: @4 = (@4/@1) */
+  for (i=0, rr=w4, cs=w1; i<4; ++i) (*rr++) /= (*cs++);
+  /* #8: output[1][0] = @4 */
+  casadi_copy(w4, 4, res[1]);
+  return 0;
+}
+
 /* newton_48:(u0[4],p[6])->(u[4]) */
-static int casadi_f30(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 4;
@@ -7826,7 +8151,7 @@ static int casadi_f30(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f31(arg+2, res+1, iw, w+56, 0)) return 1;
+    if (casadi_f42(arg+2, res+1, iw, w+56, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -7834,9 +8159,9 @@ static int casadi_f30(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* compass_limit_cycle_48:(u0[4],p[6])->(u[4],J[4x4],R[4]) */
-static int casadi_f29(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+3, *w0=w+476, *w1=w+480, *w2=w+486, *w3=w+490;
+/* scaled_newton_48:(i0[4],i1[6])->(o0[4]) */
+static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *w0=w+522, *w1=w+526, *w2=w+532;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w0);
@@ -7846,7 +8171,25 @@ static int casadi_f29(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w2;
-  if (casadi_f30(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f41(arg1, res1, iw, w, 0)) return 1;
+  /* #3: output[0][0] = @2 */
+  casadi_copy(w2, 4, res[0]);
+  return 0;
+}
+
+/* compass_limit_cycle_48:(u0[4],p[6])->(u[4],J[4x4],R[4]) */
+static int casadi_f39(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+3, *w0=w+536, *w1=w+540, *w2=w+546, *w3=w+550;
+  const casadi_real **arg1=arg+2;
+  /* #0: @0 = input[0][0] */
+  casadi_copy(arg[0], 4, w0);
+  /* #1: @1 = input[1][0] */
+  casadi_copy(arg[1], 6, w1);
+  /* #2: @2 = scaled_newton_48(@0, @1) */
+  arg1[0]=w0;
+  arg1[1]=w1;
+  res1[0]=w2;
+  if (casadi_f40(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 4, res[0]);
   /* #4: {@3, @0} = compass_jacobian_48(@2, @1) */
@@ -7854,7 +8197,7 @@ static int casadi_f29(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f19(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f25(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 16, res[1]);
   /* #6: output[2][0] = @0 */
@@ -7863,7 +8206,7 @@ static int casadi_f29(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f29(arg, res, iw, w, mem);
+  return casadi_f39(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_48_checkout(void) {
@@ -7924,23 +8267,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* compass_limit_cycle_48_sparsity_out(casad
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_48_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18;
-  if (sz_res) *sz_res = 10;
+  if (sz_arg) *sz_arg = 22;
+  if (sz_res) *sz_res = 13;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 506;
+  if (sz_w) *sz_w = 566;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_48_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 22*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 13*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 506*sizeof(casadi_real);
+  if (sz_w) *sz_w = 566*sizeof(casadi_real);
   return 0;
 }
 
 /* compass_residual_72:(u[4],p[6])->(R[4]) */
-static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f49(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, *w3=w+131, w4, w5, w6, *w7=w+135;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
@@ -7954,7 +8297,7 @@ static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w2;
   res1[0]=w3;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = 0 */
   w4 = 0.;
   /* #5: @5 = @0[3] */
@@ -7967,7 +8310,7 @@ static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w6);
   arg1[1]=w2;
   res1[0]=w7;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #9: @0 = plain_steps(@3, @4, @7, @6, @2) */
   arg1[0]=w3;
   arg1[1]=(&w4);
@@ -7975,7 +8318,7 @@ static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #10: @4 = 0.166667 */
   w4 = 1.6666666666666666e-01;
   /* #11: @4 = (@4*@5) */
@@ -7987,7 +8330,7 @@ static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #13: @4 = 0.333333 */
   w4 = 3.3333333333333331e-01;
   /* #14: @4 = (@4*@5) */
@@ -7999,7 +8342,7 @@ static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #16: @4 = 0.5 */
   w4 = 5.0000000000000000e-01;
   /* #17: @4 = (@4*@5) */
@@ -8011,7 +8354,7 @@ static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #19: @4 = 0.666667 */
   w4 = 6.6666666666666663e-01;
   /* #20: @4 = (@4*@5) */
@@ -8023,7 +8366,7 @@ static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #22: @4 = 0.833333 */
   w4 = 8.3333333333333337e-01;
   /* #23: @4 = (@4*@5) */
@@ -8035,20 +8378,20 @@ static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #25: @0 = landing(@3, @1, @2) */
   arg1[0]=w3;
   arg1[1]=w1;
   arg1[2]=w2;
   res1[0]=w0;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #26: output[0][0] = @0 */
   casadi_copy(w0, 4, res[0]);
   return 0;
 }
 
 /* coarse_jacobian_72:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f34(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+382, *w1=w+386, *w2=w+392, *w3=w+408;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
@@ -8060,21 +8403,55 @@ static int casadi_f34(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f28(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f38(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 16, res[0]);
   /* #4: @3 = compass_residual_72(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w3;
-  if (casadi_f35(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f49(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 4, res[1]);
   return 0;
 }
 
+/* scaled_jacobian_72:(u[4],p[6])->(J[4x4],R[4]) */
+static int casadi_f47(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_int i;
+  casadi_real **res1=res+2, *rr, *w0=w+412, *w1=w+428, *w2=w+432, *w3=w+438, *w4=w+454;
+  const casadi_real **arg1=arg+2, *cr, *cs, *wr0;
+  /* #0: @0 = 
+  [[1, 1, 1, 1], 
+   [1, 1, 1, 1], 
+   [1, 1, 1, 1], 
+   [0.5, 0.5, 0.5, 0.5]] */
+  wr0 = casadi_c0;
+  /* #1: @1 = input[0][0] */
+  casadi_copy(arg[0], 4, w1);
+  /* #2: @2 = input[1][0] */
+  casadi_copy(arg[1], 6, w2);
+  /* #3: {@3, @4} = coarse_jacobian_72(@1, @2) */
+  arg1[0]=w1;
+  arg1[1]=w2;
+  res1[0]=w3;
+  res1[1]=w4;
+  if (casadi_f48(arg1, res1, iw, w, 0)) return 1;
+  /* #4: @0 = (@0*@3) */
+  for (i=0, rr=w0, cr=wr0, cs=w3; i<16; ++i) (*rr++)  = ((*cr++)*(*cs++));
+  /* #5: output[0][0] = @0 */
+  casadi_copy(w0, 16, res[0]);
+  /* #6: @1 = [1, 1, 1, 2] */
+  casadi_copy(casadi_c1, 4, w1);
+  /* #7: @4 = (@4/@1) */
+  for (i=0, rr=w4, cs=w1; i<4; ++i) (*rr++) /= (*cs++);
+  /* #8: output[1][0] = @4 */
+  casadi_copy(w4, 4, res[1]);
+  return 0;
+}
+
 /* newton_72:(u0[4],p[6])->(u[4]) */
-static int casadi_f33(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 4;
@@ -8100,7 +8477,7 @@ static int casadi_f33(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f34(arg+2, res+1, iw, w+56, 0)) return 1;
+    if (casadi_f47(arg+2, res+1, iw, w+56, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -8108,8 +8485,26 @@ static int casadi_f33(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
+/* scaled_newton_72:(i0[4],i1[6])->(o0[4]) */
+static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *w0=w+522, *w1=w+526, *w2=w+532;
+  const casadi_real **arg1=arg+2;
+  /* #0: @0 = input[0][0] */
+  casadi_copy(arg[0], 4, w0);
+  /* #1: @1 = input[1][0] */
+  casadi_copy(arg[1], 6, w1);
+  /* #2: @2 = newton_72(@0, @1) */
+  arg1[0]=w0;
+  arg1[1]=w1;
+  res1[0]=w2;
+  if (casadi_f46(arg1, res1, iw, w, 0)) return 1;
+  /* #3: output[0][0] = @2 */
+  casadi_copy(w2, 4, res[0]);
+  return 0;
+}
+
 /* compass_jacobian_72:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+307, *w04=w+311, *w05=w+323, w06, w07, w08, *w09=w+339;
   casadi_real *w10=w+363;
@@ -8125,7 +8520,7 @@ static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w02;
   res1[0]=w03;
   res1[1]=w04;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @5 = horzcat(@3, @4) */
   rr=w05;
   for (i=0, cs=w03; i<4; ++i) *rr++ = *cs++;
@@ -8142,7 +8537,7 @@ static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w08);
   arg1[1]=w02;
   res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
   arg1[0]=w05;
   arg1[1]=(&w06);
@@ -8150,7 +8545,7 @@ static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #11: @6 = 0.166667 */
   w06 = 1.6666666666666666e-01;
   /* #12: @6 = (@6*@7) */
@@ -8162,7 +8557,7 @@ static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #14: @6 = 0.333333 */
   w06 = 3.3333333333333331e-01;
   /* #15: @6 = (@6*@7) */
@@ -8174,7 +8569,7 @@ static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #17: @6 = 0.5 */
   w06 = 5.0000000000000000e-01;
   /* #18: @6 = (@6*@7) */
@@ -8186,7 +8581,7 @@ static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #20: @6 = 0.666667 */
   w06 = 6.6666666666666663e-01;
   /* #21: @6 = (@6*@7) */
@@ -8198,7 +8593,7 @@ static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #23: @6 = 0.833333 */
   w06 = 8.3333333333333337e-01;
   /* #24: @6 = (@6*@7) */
@@ -8210,7 +8605,7 @@ static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #26: {@10, @0} = landing_with_derivative(@5, @1, @7, @2) */
   arg1[0]=w05;
   arg1[1]=w01;
@@ -8218,7 +8613,7 @@ static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=w02;
   res1[0]=w10;
   res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #27: output[0][0] = @10 */
   casadi_copy(w10, 16, res[0]);
   /* #28: output[1][0] = @0 */
@@ -8227,18 +8622,18 @@ static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* compass_limit_cycle_72:(u0[4],p[6])->(u[4],J[4x4],R[4]) */
-static int casadi_f32(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+3, *w0=w+476, *w1=w+480, *w2=w+486, *w3=w+490;
+static int casadi_f44(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+3, *w0=w+536, *w1=w+540, *w2=w+546, *w3=w+550;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w0);
   /* #1: @1 = input[1][0] */
   casadi_copy(arg[1], 6, w1);
-  /* #2: @2 = newton_72(@0, @1) */
+  /* #2: @2 = scaled_newton_72(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w2;
-  if (casadi_f33(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f45(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 4, res[0]);
   /* #4: {@3, @0} = compass_jacobian_72(@2, @1) */
@@ -8246,7 +8641,7 @@ static int casadi_f32(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f36(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f50(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 16, res[1]);
   /* #6: output[2][0] = @0 */
@@ -8255,7 +8650,7 @@ static int casadi_f32(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_72(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f32(arg, res, iw, w, mem);
+  return casadi_f44(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_72_checkout(void) {
@@ -8316,23 +8711,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* compass_limit_cycle_72_sparsity_out(casad
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_72_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18;
-  if (sz_res) *sz_res = 10;
+  if (sz_arg) *sz_arg = 22;
+  if (sz_res) *sz_res = 13;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 506;
+  if (sz_w) *sz_w = 566;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_72_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 22*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 13*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 506*sizeof(casadi_real);
+  if (sz_w) *sz_w = 566*sizeof(casadi_real);
   return 0;
 }
 
 /* compass_residual_96:(u[4],p[6])->(R[4]) */
-static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, *w3=w+131, w4, w5, w6, *w7=w+135;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
@@ -8346,7 +8741,7 @@ static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w2;
   res1[0]=w3;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = 0 */
   w4 = 0.;
   /* #5: @5 = @0[3] */
@@ -8359,7 +8754,7 @@ static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w6);
   arg1[1]=w2;
   res1[0]=w7;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #9: @0 = plain_steps(@3, @4, @7, @6, @2) */
   arg1[0]=w3;
   arg1[1]=(&w4);
@@ -8367,7 +8762,7 @@ static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #10: @4 = 0.125 */
   w4 = 1.2500000000000000e-01;
   /* #11: @4 = (@4*@5) */
@@ -8379,7 +8774,7 @@ static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #13: @4 = 0.25 */
   w4 = 2.5000000000000000e-01;
   /* #14: @4 = (@4*@5) */
@@ -8391,7 +8786,7 @@ static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #16: @4 = 0.375 */
   w4 = 3.7500000000000000e-01;
   /* #17: @4 = (@4*@5) */
@@ -8403,7 +8798,7 @@ static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #19: @4 = 0.5 */
   w4 = 5.0000000000000000e-01;
   /* #20: @4 = (@4*@5) */
@@ -8415,7 +8810,7 @@ static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #22: @4 = 0.625 */
   w4 = 6.2500000000000000e-01;
   /* #23: @4 = (@4*@5) */
@@ -8427,7 +8822,7 @@ static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #25: @4 = 0.75 */
   w4 = 7.5000000000000000e-01;
   /* #26: @4 = (@4*@5) */
@@ -8439,7 +8834,7 @@ static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #28: @4 = 0.875 */
   w4 = 8.7500000000000000e-01;
   /* #29: @4 = (@4*@5) */
@@ -8451,20 +8846,20 @@ static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #31: @0 = landing(@3, @1, @2) */
   arg1[0]=w3;
   arg1[1]=w1;
   arg1[2]=w2;
   res1[0]=w0;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][0] = @0 */
   casadi_copy(w0, 4, res[0]);
   return 0;
 }
 
 /* coarse_jacobian_96:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f39(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+382, *w1=w+386, *w2=w+392, *w3=w+408;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
@@ -8476,21 +8871,55 @@ static int casadi_f39(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f19(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f25(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 16, res[0]);
   /* #4: @3 = compass_residual_96(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w3;
-  if (casadi_f40(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f56(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 4, res[1]);
   return 0;
 }
 
+/* scaled_jacobian_96:(u[4],p[6])->(J[4x4],R[4]) */
+static int casadi_f54(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_int i;
+  casadi_real **res1=res+2, *rr, *w0=w+412, *w1=w+428, *w2=w+432, *w3=w+438, *w4=w+454;
+  const casadi_real **arg1=arg+2, *cr, *cs, *wr0;
+  /* #0: @0 = 
+  [[1, 1, 1, 1], 
+   [1, 1, 1, 1], 
+   [1, 1, 1, 1], 
+   [0.5, 0.5, 0.5, 0.5]] */
+  wr0 = casadi_c0;
+  /* #1: @1 = input[0][0] */
+  casadi_copy(arg[0], 4, w1);
+  /* #2: @2 = input[1][0] */
+  casadi_copy(arg[1], 6, w2);
+  /* #3: {@3, @4} = coarse_jacobian_96(@1, @2) */
+  arg1[0]=w1;
+  arg1[1]=w2;
+  res1[0]=w3;
+  res1[1]=w4;
+  if (casadi_f55(arg1, res1, iw, w, 0)) return 1;
+  /* #4: @0 = (@0*@3) */
+  for (i=0, rr=w0, cr=wr0, cs=w3; i<16; ++i) (*rr++)  = ((*cr++)*(*cs++));
+  /* #5: output[0][0] = @0 */
+  casadi_copy(w0, 16, res[0]);
+  /* #6: @1 = [1, 1, 1, 2] */
+  casadi_copy(casadi_c1, 4, w1);
+  /* #7: @4 = (@4/@1) */
+  for (i=0, rr=w4, cs=w1; i<4; ++i) (*rr++) /= (*cs++);
+  /* #8: output[1][0] = @4 */
+  casadi_copy(w4, 4, res[1]);
+  return 0;
+}
+
 /* newton_96:(u0[4],p[6])->(u[4]) */
-static int casadi_f38(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f53(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 4;
@@ -8516,7 +8945,7 @@ static int casadi_f38(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f39(arg+2, res+1, iw, w+56, 0)) return 1;
+    if (casadi_f54(arg+2, res+1, iw, w+56, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -8524,8 +8953,26 @@ static int casadi_f38(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
+/* scaled_newton_96:(i0[4],i1[6])->(o0[4]) */
+static int casadi_f52(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *w0=w+522, *w1=w+526, *w2=w+532;
+  const casadi_real **arg1=arg+2;
+  /* #0: @0 = input[0][0] */
+  casadi_copy(arg[0], 4, w0);
+  /* #1: @1 = input[1][0] */
+  casadi_copy(arg[1], 6, w1);
+  /* #2: @2 = newton_96(@0, @1) */
+  arg1[0]=w0;
+  arg1[1]=w1;
+  res1[0]=w2;
+  if (casadi_f53(arg1, res1, iw, w, 0)) return 1;
+  /* #3: output[0][0] = @2 */
+  casadi_copy(w2, 4, res[0]);
+  return 0;
+}
+
 /* compass_jacobian_96:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f57(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+307, *w04=w+311, *w05=w+323, w06, w07, w08, *w09=w+339;
   casadi_real *w10=w+363;
@@ -8541,7 +8988,7 @@ static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w02;
   res1[0]=w03;
   res1[1]=w04;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @5 = horzcat(@3, @4) */
   rr=w05;
   for (i=0, cs=w03; i<4; ++i) *rr++ = *cs++;
@@ -8558,7 +9005,7 @@ static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w08);
   arg1[1]=w02;
   res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
   arg1[0]=w05;
   arg1[1]=(&w06);
@@ -8566,7 +9013,7 @@ static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #11: @6 = 0.125 */
   w06 = 1.2500000000000000e-01;
   /* #12: @6 = (@6*@7) */
@@ -8578,7 +9025,7 @@ static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #14: @6 = 0.25 */
   w06 = 2.5000000000000000e-01;
   /* #15: @6 = (@6*@7) */
@@ -8590,7 +9037,7 @@ static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #17: @6 = 0.375 */
   w06 = 3.7500000000000000e-01;
   /* #18: @6 = (@6*@7) */
@@ -8602,7 +9049,7 @@ static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #20: @6 = 0.5 */
   w06 = 5.0000000000000000e-01;
   /* #21: @6 = (@6*@7) */
@@ -8614,7 +9061,7 @@ static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #23: @6 = 0.625 */
   w06 = 6.2500000000000000e-01;
   /* #24: @6 = (@6*@7) */
@@ -8626,7 +9073,7 @@ static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #26: @6 = 0.75 */
   w06 = 7.5000000000000000e-01;
   /* #27: @6 = (@6*@7) */
@@ -8638,7 +9085,7 @@ static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #29: @6 = 0.875 */
   w06 = 8.7500000000000000e-01;
   /* #30: @6 = (@6*@7) */
@@ -8650,7 +9097,7 @@ static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #32: {@10, @0} = landing_with_derivative(@5, @1, @7, @2) */
   arg1[0]=w05;
   arg1[1]=w01;
@@ -8658,7 +9105,7 @@ static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=w02;
   res1[0]=w10;
   res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #33: output[0][0] = @10 */
   casadi_copy(w10, 16, res[0]);
   /* #34: output[1][0] = @0 */
@@ -8667,18 +9114,18 @@ static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* compass_limit_cycle_96:(u0[4],p[6])->(u[4],J[4x4],R[4]) */
-static int casadi_f37(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+3, *w0=w+476, *w1=w+480, *w2=w+486, *w3=w+490;
+static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+3, *w0=w+536, *w1=w+540, *w2=w+546, *w3=w+550;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w0);
   /* #1: @1 = input[1][0] */
   casadi_copy(arg[1], 6, w1);
-  /* #2: @2 = newton_96(@0, @1) */
+  /* #2: @2 = scaled_newton_96(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w2;
-  if (casadi_f38(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f52(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 4, res[0]);
   /* #4: {@3, @0} = compass_jacobian_96(@2, @1) */
@@ -8686,7 +9133,7 @@ static int casadi_f37(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f41(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f57(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 16, res[1]);
   /* #6: output[2][0] = @0 */
@@ -8695,7 +9142,7 @@ static int casadi_f37(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_96(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f37(arg, res, iw, w, mem);
+  return casadi_f51(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_96_checkout(void) {
@@ -8756,23 +9203,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* compass_limit_cycle_96_sparsity_out(casad
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_96_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18;
-  if (sz_res) *sz_res = 10;
+  if (sz_arg) *sz_arg = 22;
+  if (sz_res) *sz_res = 13;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 506;
+  if (sz_w) *sz_w = 566;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_96_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 22*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 13*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 506*sizeof(casadi_real);
+  if (sz_w) *sz_w = 566*sizeof(casadi_real);
   return 0;
 }
 
 /* compass_residual_144:(u[4],p[6])->(R[4]) */
-static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, *w3=w+131, w4, w5, w6, *w7=w+135;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
@@ -8786,7 +9233,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w2;
   res1[0]=w3;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = 0 */
   w4 = 0.;
   /* #5: @5 = @0[3] */
@@ -8799,7 +9246,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w6);
   arg1[1]=w2;
   res1[0]=w7;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #9: @0 = plain_steps(@3, @4, @7, @6, @2) */
   arg1[0]=w3;
   arg1[1]=(&w4);
@@ -8807,7 +9254,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #10: @4 = 0.0833333 */
   w4 = 8.3333333333333329e-02;
   /* #11: @4 = (@4*@5) */
@@ -8819,7 +9266,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #13: @4 = 0.166667 */
   w4 = 1.6666666666666666e-01;
   /* #14: @4 = (@4*@5) */
@@ -8831,7 +9278,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #16: @4 = 0.25 */
   w4 = 2.5000000000000000e-01;
   /* #17: @4 = (@4*@5) */
@@ -8843,7 +9290,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #19: @4 = 0.333333 */
   w4 = 3.3333333333333331e-01;
   /* #20: @4 = (@4*@5) */
@@ -8855,7 +9302,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #22: @4 = 0.416667 */
   w4 = 4.1666666666666669e-01;
   /* #23: @4 = (@4*@5) */
@@ -8867,7 +9314,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #25: @4 = 0.5 */
   w4 = 5.0000000000000000e-01;
   /* #26: @4 = (@4*@5) */
@@ -8879,7 +9326,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #28: @4 = 0.583333 */
   w4 = 5.8333333333333337e-01;
   /* #29: @4 = (@4*@5) */
@@ -8891,7 +9338,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #31: @4 = 0.666667 */
   w4 = 6.6666666666666663e-01;
   /* #32: @4 = (@4*@5) */
@@ -8903,7 +9350,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #34: @4 = 0.75 */
   w4 = 7.5000000000000000e-01;
   /* #35: @4 = (@4*@5) */
@@ -8915,7 +9362,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #37: @4 = 0.833333 */
   w4 = 8.3333333333333337e-01;
   /* #38: @4 = (@4*@5) */
@@ -8927,7 +9374,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #40: @4 = 0.916667 */
   w4 = 9.1666666666666663e-01;
   /* #41: @4 = (@4*@5) */
@@ -8939,20 +9386,20 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #43: @0 = landing(@3, @1, @2) */
   arg1[0]=w3;
   arg1[1]=w1;
   arg1[2]=w2;
   res1[0]=w0;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #44: output[0][0] = @0 */
   casadi_copy(w0, 4, res[0]);
   return 0;
 }
 
 /* coarse_jacobian_144:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f44(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+382, *w1=w+386, *w2=w+392, *w3=w+408;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
@@ -8964,21 +9411,55 @@ static int casadi_f44(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f36(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f50(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 16, res[0]);
   /* #4: @3 = compass_residual_144(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w3;
-  if (casadi_f45(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 4, res[1]);
   return 0;
 }
 
+/* scaled_jacobian_144:(u[4],p[6])->(J[4x4],R[4]) */
+static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_int i;
+  casadi_real **res1=res+2, *rr, *w0=w+412, *w1=w+428, *w2=w+432, *w3=w+438, *w4=w+454;
+  const casadi_real **arg1=arg+2, *cr, *cs, *wr0;
+  /* #0: @0 = 
+  [[1, 1, 1, 1], 
+   [1, 1, 1, 1], 
+   [1, 1, 1, 1], 
+   [0.5, 0.5, 0.5, 0.5]] */
+  wr0 = casadi_c0;
+  /* #1: @1 = input[0][0] */
+  casadi_copy(arg[0], 4, w1);
+  /* #2: @2 = input[1][0] */
+  casadi_copy(arg[1], 6, w2);
+  /* #3: {@3, @4} = coarse_jacobian_144(@1, @2) */
+  arg1[0]=w1;
+  arg1[1]=w2;
+  res1[0]=w3;
+  res1[1]=w4;
+  if (casadi_f62(arg1, res1, iw, w, 0)) return 1;
+  /* #4: @0 = (@0*@3) */
+  for (i=0, rr=w0, cr=wr0, cs=w3; i<16; ++i) (*rr++)  = ((*cr++)*(*cs++));
+  /* #5: output[0][0] = @0 */
+  casadi_copy(w0, 16, res[0]);
+  /* #6: @1 = [1, 1, 1, 2] */
+  casadi_copy(casadi_c1, 4, w1);
+  /* #7: @4 = (@4/@1) */
+  for (i=0, rr=w4, cs=w1; i<4; ++i) (*rr++) /= (*cs++);
+  /* #8: output[1][0] = @4 */
+  casadi_copy(w4, 4, res[1]);
+  return 0;
+}
+
 /* newton_144:(u0[4],p[6])->(u[4]) */
-static int casadi_f43(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 4;
@@ -9004,7 +9485,7 @@ static int casadi_f43(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f44(arg+2, res+1, iw, w+56, 0)) return 1;
+    if (casadi_f61(arg+2, res+1, iw, w+56, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -9012,8 +9493,26 @@ static int casadi_f43(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
+/* scaled_newton_144:(i0[4],i1[6])->(o0[4]) */
+static int casadi_f59(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *w0=w+522, *w1=w+526, *w2=w+532;
+  const casadi_real **arg1=arg+2;
+  /* #0: @0 = input[0][0] */
+  casadi_copy(arg[0], 4, w0);
+  /* #1: @1 = input[1][0] */
+  casadi_copy(arg[1], 6, w1);
+  /* #2: @2 = newton_144(@0, @1) */
+  arg1[0]=w0;
+  arg1[1]=w1;
+  res1[0]=w2;
+  if (casadi_f60(arg1, res1, iw, w, 0)) return 1;
+  /* #3: output[0][0] = @2 */
+  casadi_copy(w2, 4, res[0]);
+  return 0;
+}
+
 /* compass_jacobian_144:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f64(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+307, *w04=w+311, *w05=w+323, w06, w07, w08, *w09=w+339;
   casadi_real *w10=w+363;
@@ -9029,7 +9528,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w02;
   res1[0]=w03;
   res1[1]=w04;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @5 = horzcat(@3, @4) */
   rr=w05;
   for (i=0, cs=w03; i<4; ++i) *rr++ = *cs++;
@@ -9046,7 +9545,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w08);
   arg1[1]=w02;
   res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
   arg1[0]=w05;
   arg1[1]=(&w06);
@@ -9054,7 +9553,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #11: @6 = 0.0833333 */
   w06 = 8.3333333333333329e-02;
   /* #12: @6 = (@6*@7) */
@@ -9066,7 +9565,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #14: @6 = 0.166667 */
   w06 = 1.6666666666666666e-01;
   /* #15: @6 = (@6*@7) */
@@ -9078,7 +9577,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #17: @6 = 0.25 */
   w06 = 2.5000000000000000e-01;
   /* #18: @6 = (@6*@7) */
@@ -9090,7 +9589,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #20: @6 = 0.333333 */
   w06 = 3.3333333333333331e-01;
   /* #21: @6 = (@6*@7) */
@@ -9102,7 +9601,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #23: @6 = 0.416667 */
   w06 = 4.1666666666666669e-01;
   /* #24: @6 = (@6*@7) */
@@ -9114,7 +9613,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #26: @6 = 0.5 */
   w06 = 5.0000000000000000e-01;
   /* #27: @6 = (@6*@7) */
@@ -9126,7 +9625,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #29: @6 = 0.583333 */
   w06 = 5.8333333333333337e-01;
   /* #30: @6 = (@6*@7) */
@@ -9138,7 +9637,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #32: @6 = 0.666667 */
   w06 = 6.6666666666666663e-01;
   /* #33: @6 = (@6*@7) */
@@ -9150,7 +9649,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #35: @6 = 0.75 */
   w06 = 7.5000000000000000e-01;
   /* #36: @6 = (@6*@7) */
@@ -9162,7 +9661,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #38: @6 = 0.833333 */
   w06 = 8.3333333333333337e-01;
   /* #39: @6 = (@6*@7) */
@@ -9174,7 +9673,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #41: @6 = 0.916667 */
   w06 = 9.1666666666666663e-01;
   /* #42: @6 = (@6*@7) */
@@ -9186,7 +9685,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #44: {@10, @0} = landing_with_derivative(@5, @1, @7, @2) */
   arg1[0]=w05;
   arg1[1]=w01;
@@ -9194,7 +9693,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=w02;
   res1[0]=w10;
   res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #45: output[0][0] = @10 */
   casadi_copy(w10, 16, res[0]);
   /* #46: output[1][0] = @0 */
@@ -9203,18 +9702,18 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* compass_limit_cycle_144:(u0[4],p[6])->(u[4],J[4x4],R[4]) */
-static int casadi_f42(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+3, *w0=w+476, *w1=w+480, *w2=w+486, *w3=w+490;
+static int casadi_f58(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+3, *w0=w+536, *w1=w+540, *w2=w+546, *w3=w+550;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w0);
   /* #1: @1 = input[1][0] */
   casadi_copy(arg[1], 6, w1);
-  /* #2: @2 = newton_144(@0, @1) */
+  /* #2: @2 = scaled_newton_144(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w2;
-  if (casadi_f43(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f59(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 4, res[0]);
   /* #4: {@3, @0} = compass_jacobian_144(@2, @1) */
@@ -9222,7 +9721,7 @@ static int casadi_f42(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f46(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 16, res[1]);
   /* #6: output[2][0] = @0 */
@@ -9231,7 +9730,7 @@ static int casadi_f42(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_144(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f42(arg, res, iw, w, mem);
+  return casadi_f58(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_144_checkout(void) {
@@ -9292,23 +9791,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* compass_limit_cycle_144_sparsity_out(casa
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_144_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18;
-  if (sz_res) *sz_res = 10;
+  if (sz_arg) *sz_arg = 22;
+  if (sz_res) *sz_res = 13;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 506;
+  if (sz_w) *sz_w = 566;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_144_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 22*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 13*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 506*sizeof(casadi_real);
+  if (sz_w) *sz_w = 566*sizeof(casadi_real);
   return 0;
 }
 
 /* compass_residual_192:(u[4],p[6])->(R[4]) */
-static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, *w3=w+131, w4, w5, w6, *w7=w+135;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
@@ -9322,7 +9821,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w2;
   res1[0]=w3;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = 0 */
   w4 = 0.;
   /* #5: @5 = @0[3] */
@@ -9335,7 +9834,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w6);
   arg1[1]=w2;
   res1[0]=w7;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #9: @0 = plain_steps(@3, @4, @7, @6, @2) */
   arg1[0]=w3;
   arg1[1]=(&w4);
@@ -9343,7 +9842,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #10: @4 = 0.0625 */
   w4 = 6.2500000000000000e-02;
   /* #11: @4 = (@4*@5) */
@@ -9355,7 +9854,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #13: @4 = 0.125 */
   w4 = 1.2500000000000000e-01;
   /* #14: @4 = (@4*@5) */
@@ -9367,7 +9866,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #16: @4 = 0.1875 */
   w4 = 1.8750000000000000e-01;
   /* #17: @4 = (@4*@5) */
@@ -9379,7 +9878,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #19: @4 = 0.25 */
   w4 = 2.5000000000000000e-01;
   /* #20: @4 = (@4*@5) */
@@ -9391,7 +9890,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #22: @4 = 0.3125 */
   w4 = 3.1250000000000000e-01;
   /* #23: @4 = (@4*@5) */
@@ -9403,7 +9902,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #25: @4 = 0.375 */
   w4 = 3.7500000000000000e-01;
   /* #26: @4 = (@4*@5) */
@@ -9415,7 +9914,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #28: @4 = 0.4375 */
   w4 = 4.3750000000000000e-01;
   /* #29: @4 = (@4*@5) */
@@ -9427,7 +9926,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #31: @4 = 0.5 */
   w4 = 5.0000000000000000e-01;
   /* #32: @4 = (@4*@5) */
@@ -9439,7 +9938,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #34: @4 = 0.5625 */
   w4 = 5.6250000000000000e-01;
   /* #35: @4 = (@4*@5) */
@@ -9451,7 +9950,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #37: @4 = 0.625 */
   w4 = 6.2500000000000000e-01;
   /* #38: @4 = (@4*@5) */
@@ -9463,7 +9962,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #40: @4 = 0.6875 */
   w4 = 6.8750000000000000e-01;
   /* #41: @4 = (@4*@5) */
@@ -9475,7 +9974,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #43: @4 = 0.75 */
   w4 = 7.5000000000000000e-01;
   /* #44: @4 = (@4*@5) */
@@ -9487,7 +9986,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #46: @4 = 0.8125 */
   w4 = 8.1250000000000000e-01;
   /* #47: @4 = (@4*@5) */
@@ -9499,7 +9998,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #49: @4 = 0.875 */
   w4 = 8.7500000000000000e-01;
   /* #50: @4 = (@4*@5) */
@@ -9511,7 +10010,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #52: @4 = 0.9375 */
   w4 = 9.3750000000000000e-01;
   /* #53: @4 = (@4*@5) */
@@ -9523,20 +10022,20 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #55: @0 = landing(@3, @1, @2) */
   arg1[0]=w3;
   arg1[1]=w1;
   arg1[2]=w2;
   res1[0]=w0;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #56: output[0][0] = @0 */
   casadi_copy(w0, 4, res[0]);
   return 0;
 }
 
 /* coarse_jacobian_192:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f49(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+382, *w1=w+386, *w2=w+392, *w3=w+408;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
@@ -9548,21 +10047,55 @@ static int casadi_f49(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f41(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f57(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 16, res[0]);
   /* #4: @3 = compass_residual_192(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w3;
-  if (casadi_f50(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f70(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 4, res[1]);
   return 0;
 }
 
+/* scaled_jacobian_192:(u[4],p[6])->(J[4x4],R[4]) */
+static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_int i;
+  casadi_real **res1=res+2, *rr, *w0=w+412, *w1=w+428, *w2=w+432, *w3=w+438, *w4=w+454;
+  const casadi_real **arg1=arg+2, *cr, *cs, *wr0;
+  /* #0: @0 = 
+  [[1, 1, 1, 1], 
+   [1, 1, 1, 1], 
+   [1, 1, 1, 1], 
+   [0.5, 0.5, 0.5, 0.5]] */
+  wr0 = casadi_c0;
+  /* #1: @1 = input[0][0] */
+  casadi_copy(arg[0], 4, w1);
+  /* #2: @2 = input[1][0] */
+  casadi_copy(arg[1], 6, w2);
+  /* #3: {@3, @4} = coarse_jacobian_192(@1, @2) */
+  arg1[0]=w1;
+  arg1[1]=w2;
+  res1[0]=w3;
+  res1[1]=w4;
+  if (casadi_f69(arg1, res1, iw, w, 0)) return 1;
+  /* #4: @0 = (@0*@3) */
+  for (i=0, rr=w0, cr=wr0, cs=w3; i<16; ++i) (*rr++)  = ((*cr++)*(*cs++));
+  /* #5: output[0][0] = @0 */
+  casadi_copy(w0, 16, res[0]);
+  /* #6: @1 = [1, 1, 1, 2] */
+  casadi_copy(casadi_c1, 4, w1);
+  /* #7: @4 = (@4/@1) */
+  for (i=0, rr=w4, cs=w1; i<4; ++i) (*rr++) /= (*cs++);
+  /* #8: output[1][0] = @4 */
+  casadi_copy(w4, 4, res[1]);
+  return 0;
+}
+
 /* newton_192:(u0[4],p[6])->(u[4]) */
-static int casadi_f48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 4;
@@ -9588,7 +10121,7 @@ static int casadi_f48(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f49(arg+2, res+1, iw, w+56, 0)) return 1;
+    if (casadi_f68(arg+2, res+1, iw, w+56, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -9596,8 +10129,26 @@ static int casadi_f48(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
+/* scaled_newton_192:(i0[4],i1[6])->(o0[4]) */
+static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *w0=w+522, *w1=w+526, *w2=w+532;
+  const casadi_real **arg1=arg+2;
+  /* #0: @0 = input[0][0] */
+  casadi_copy(arg[0], 4, w0);
+  /* #1: @1 = input[1][0] */
+  casadi_copy(arg[1], 6, w1);
+  /* #2: @2 = newton_192(@0, @1) */
+  arg1[0]=w0;
+  arg1[1]=w1;
+  res1[0]=w2;
+  if (casadi_f67(arg1, res1, iw, w, 0)) return 1;
+  /* #3: output[0][0] = @2 */
+  casadi_copy(w2, 4, res[0]);
+  return 0;
+}
+
 /* compass_jacobian_192:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+307, *w04=w+311, *w05=w+323, w06, w07, w08, *w09=w+339;
   casadi_real *w10=w+363;
@@ -9613,7 +10164,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w02;
   res1[0]=w03;
   res1[1]=w04;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @5 = horzcat(@3, @4) */
   rr=w05;
   for (i=0, cs=w03; i<4; ++i) *rr++ = *cs++;
@@ -9630,7 +10181,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w08);
   arg1[1]=w02;
   res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
   arg1[0]=w05;
   arg1[1]=(&w06);
@@ -9638,7 +10189,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #11: @6 = 0.0625 */
   w06 = 6.2500000000000000e-02;
   /* #12: @6 = (@6*@7) */
@@ -9650,7 +10201,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #14: @6 = 0.125 */
   w06 = 1.2500000000000000e-01;
   /* #15: @6 = (@6*@7) */
@@ -9662,7 +10213,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #17: @6 = 0.1875 */
   w06 = 1.8750000000000000e-01;
   /* #18: @6 = (@6*@7) */
@@ -9674,7 +10225,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #20: @6 = 0.25 */
   w06 = 2.5000000000000000e-01;
   /* #21: @6 = (@6*@7) */
@@ -9686,7 +10237,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #23: @6 = 0.3125 */
   w06 = 3.1250000000000000e-01;
   /* #24: @6 = (@6*@7) */
@@ -9698,7 +10249,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #26: @6 = 0.375 */
   w06 = 3.7500000000000000e-01;
   /* #27: @6 = (@6*@7) */
@@ -9710,7 +10261,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #29: @6 = 0.4375 */
   w06 = 4.3750000000000000e-01;
   /* #30: @6 = (@6*@7) */
@@ -9722,7 +10273,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #32: @6 = 0.5 */
   w06 = 5.0000000000000000e-01;
   /* #33: @6 = (@6*@7) */
@@ -9734,7 +10285,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #35: @6 = 0.5625 */
   w06 = 5.6250000000000000e-01;
   /* #36: @6 = (@6*@7) */
@@ -9746,7 +10297,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #38: @6 = 0.625 */
   w06 = 6.2500000000000000e-01;
   /* #39: @6 = (@6*@7) */
@@ -9758,7 +10309,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #41: @6 = 0.6875 */
   w06 = 6.8750000000000000e-01;
   /* #42: @6 = (@6*@7) */
@@ -9770,7 +10321,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #44: @6 = 0.75 */
   w06 = 7.5000000000000000e-01;
   /* #45: @6 = (@6*@7) */
@@ -9782,7 +10333,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #47: @6 = 0.8125 */
   w06 = 8.1250000000000000e-01;
   /* #48: @6 = (@6*@7) */
@@ -9794,7 +10345,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #50: @6 = 0.875 */
   w06 = 8.7500000000000000e-01;
   /* #51: @6 = (@6*@7) */
@@ -9806,7 +10357,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #53: @6 = 0.9375 */
   w06 = 9.3750000000000000e-01;
   /* #54: @6 = (@6*@7) */
@@ -9818,7 +10369,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #56: {@10, @0} = landing_with_derivative(@5, @1, @7, @2) */
   arg1[0]=w05;
   arg1[1]=w01;
@@ -9826,7 +10377,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=w02;
   res1[0]=w10;
   res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #57: output[0][0] = @10 */
   casadi_copy(w10, 16, res[0]);
   /* #58: output[1][0] = @0 */
@@ -9835,18 +10386,18 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* compass_limit_cycle_192:(u0[4],p[6])->(u[4],J[4x4],R[4]) */
-static int casadi_f47(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+3, *w0=w+476, *w1=w+480, *w2=w+486, *w3=w+490;
+static int casadi_f65(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+3, *w0=w+536, *w1=w+540, *w2=w+546, *w3=w+550;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w0);
   /* #1: @1 = input[1][0] */
   casadi_copy(arg[1], 6, w1);
-  /* #2: @2 = newton_192(@0, @1) */
+  /* #2: @2 = scaled_newton_192(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w2;
-  if (casadi_f48(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f66(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 4, res[0]);
   /* #4: {@3, @0} = compass_jacobian_192(@2, @1) */
@@ -9854,7 +10405,7 @@ static int casadi_f47(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f51(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f71(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 16, res[1]);
   /* #6: output[2][0] = @0 */
@@ -9863,7 +10414,7 @@ static int casadi_f47(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_192(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f47(arg, res, iw, w, mem);
+  return casadi_f65(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_192_checkout(void) {
@@ -9924,23 +10475,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* compass_limit_cycle_192_sparsity_out(casa
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_192_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18;
-  if (sz_res) *sz_res = 10;
+  if (sz_arg) *sz_arg = 22;
+  if (sz_res) *sz_res = 13;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 506;
+  if (sz_w) *sz_w = 566;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_192_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 22*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 13*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 506*sizeof(casadi_real);
+  if (sz_w) *sz_w = 566*sizeof(casadi_real);
   return 0;
 }
 
 /* compass_residual_288:(u[4],p[6])->(R[4]) */
-static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f77(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, *w3=w+131, w4, w5, w6, *w7=w+135;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
@@ -9954,7 +10505,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w2;
   res1[0]=w3;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = 0 */
   w4 = 0.;
   /* #5: @5 = @0[3] */
@@ -9967,7 +10518,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w6);
   arg1[1]=w2;
   res1[0]=w7;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #9: @0 = plain_steps(@3, @4, @7, @6, @2) */
   arg1[0]=w3;
   arg1[1]=(&w4);
@@ -9975,7 +10526,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #10: @4 = 0.0416667 */
   w4 = 4.1666666666666664e-02;
   /* #11: @4 = (@4*@5) */
@@ -9987,7 +10538,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #13: @4 = 0.0833333 */
   w4 = 8.3333333333333329e-02;
   /* #14: @4 = (@4*@5) */
@@ -9999,7 +10550,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #16: @4 = 0.125 */
   w4 = 1.2500000000000000e-01;
   /* #17: @4 = (@4*@5) */
@@ -10011,7 +10562,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #19: @4 = 0.166667 */
   w4 = 1.6666666666666666e-01;
   /* #20: @4 = (@4*@5) */
@@ -10023,7 +10574,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #22: @4 = 0.208333 */
   w4 = 2.0833333333333334e-01;
   /* #23: @4 = (@4*@5) */
@@ -10035,7 +10586,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #25: @4 = 0.25 */
   w4 = 2.5000000000000000e-01;
   /* #26: @4 = (@4*@5) */
@@ -10047,7 +10598,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #28: @4 = 0.291667 */
   w4 = 2.9166666666666669e-01;
   /* #29: @4 = (@4*@5) */
@@ -10059,7 +10610,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #31: @4 = 0.333333 */
   w4 = 3.3333333333333331e-01;
   /* #32: @4 = (@4*@5) */
@@ -10071,7 +10622,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #34: @4 = 0.375 */
   w4 = 3.7500000000000000e-01;
   /* #35: @4 = (@4*@5) */
@@ -10083,7 +10634,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #37: @4 = 0.416667 */
   w4 = 4.1666666666666669e-01;
   /* #38: @4 = (@4*@5) */
@@ -10095,7 +10646,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #40: @4 = 0.458333 */
   w4 = 4.5833333333333331e-01;
   /* #41: @4 = (@4*@5) */
@@ -10107,7 +10658,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #43: @4 = 0.5 */
   w4 = 5.0000000000000000e-01;
   /* #44: @4 = (@4*@5) */
@@ -10119,7 +10670,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #46: @4 = 0.541667 */
   w4 = 5.4166666666666663e-01;
   /* #47: @4 = (@4*@5) */
@@ -10131,7 +10682,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #49: @4 = 0.583333 */
   w4 = 5.8333333333333337e-01;
   /* #50: @4 = (@4*@5) */
@@ -10143,7 +10694,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #52: @4 = 0.625 */
   w4 = 6.2500000000000000e-01;
   /* #53: @4 = (@4*@5) */
@@ -10155,7 +10706,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #55: @4 = 0.666667 */
   w4 = 6.6666666666666663e-01;
   /* #56: @4 = (@4*@5) */
@@ -10167,7 +10718,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #58: @4 = 0.708333 */
   w4 = 7.0833333333333337e-01;
   /* #59: @4 = (@4*@5) */
@@ -10179,7 +10730,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #61: @4 = 0.75 */
   w4 = 7.5000000000000000e-01;
   /* #62: @4 = (@4*@5) */
@@ -10191,7 +10742,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #64: @4 = 0.791667 */
   w4 = 7.9166666666666663e-01;
   /* #65: @4 = (@4*@5) */
@@ -10203,7 +10754,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #67: @4 = 0.833333 */
   w4 = 8.3333333333333337e-01;
   /* #68: @4 = (@4*@5) */
@@ -10215,7 +10766,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #70: @4 = 0.875 */
   w4 = 8.7500000000000000e-01;
   /* #71: @4 = (@4*@5) */
@@ -10227,7 +10778,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #73: @4 = 0.916667 */
   w4 = 9.1666666666666663e-01;
   /* #74: @4 = (@4*@5) */
@@ -10239,7 +10790,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #76: @4 = 0.958333 */
   w4 = 9.5833333333333337e-01;
   /* #77: @4 = (@4*@5) */
@@ -10251,20 +10802,20 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #79: @0 = landing(@3, @1, @2) */
   arg1[0]=w3;
   arg1[1]=w1;
   arg1[2]=w2;
   res1[0]=w0;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #80: output[0][0] = @0 */
   casadi_copy(w0, 4, res[0]);
   return 0;
 }
 
 /* coarse_jacobian_288:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f54(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+382, *w1=w+386, *w2=w+392, *w3=w+408;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
@@ -10276,21 +10827,55 @@ static int casadi_f54(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f46(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 16, res[0]);
   /* #4: @3 = compass_residual_288(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w3;
-  if (casadi_f55(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 4, res[1]);
   return 0;
 }
 
+/* scaled_jacobian_288:(u[4],p[6])->(J[4x4],R[4]) */
+static int casadi_f75(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_int i;
+  casadi_real **res1=res+2, *rr, *w0=w+412, *w1=w+428, *w2=w+432, *w3=w+438, *w4=w+454;
+  const casadi_real **arg1=arg+2, *cr, *cs, *wr0;
+  /* #0: @0 = 
+  [[1, 1, 1, 1], 
+   [1, 1, 1, 1], 
+   [1, 1, 1, 1], 
+   [0.5, 0.5, 0.5, 0.5]] */
+  wr0 = casadi_c0;
+  /* #1: @1 = input[0][0] */
+  casadi_copy(arg[0], 4, w1);
+  /* #2: @2 = input[1][0] */
+  casadi_copy(arg[1], 6, w2);
+  /* #3: {@3, @4} = coarse_jacobian_288(@1, @2) */
+  arg1[0]=w1;
+  arg1[1]=w2;
+  res1[0]=w3;
+  res1[1]=w4;
+  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  /* #4: @0 = (@0*@3) */
+  for (i=0, rr=w0, cr=wr0, cs=w3; i<16; ++i) (*rr++)  = ((*cr++)*(*cs++));
+  /* #5: output[0][0] = @0 */
+  casadi_copy(w0, 16, res[0]);
+  /* #6: @1 = [1, 1, 1, 2] */
+  casadi_copy(casadi_c1, 4, w1);
+  /* #7: @4 = (@4/@1) */
+  for (i=0, rr=w4, cs=w1; i<4; ++i) (*rr++) /= (*cs++);
+  /* #8: output[1][0] = @4 */
+  casadi_copy(w4, 4, res[1]);
+  return 0;
+}
+
 /* newton_288:(u0[4],p[6])->(u[4]) */
-static int casadi_f53(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f74(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 4;
@@ -10316,7 +10901,7 @@ static int casadi_f53(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f54(arg+2, res+1, iw, w+56, 0)) return 1;
+    if (casadi_f75(arg+2, res+1, iw, w+56, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -10324,8 +10909,26 @@ static int casadi_f53(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
+/* scaled_newton_288:(i0[4],i1[6])->(o0[4]) */
+static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *w0=w+522, *w1=w+526, *w2=w+532;
+  const casadi_real **arg1=arg+2;
+  /* #0: @0 = input[0][0] */
+  casadi_copy(arg[0], 4, w0);
+  /* #1: @1 = input[1][0] */
+  casadi_copy(arg[1], 6, w1);
+  /* #2: @2 = newton_288(@0, @1) */
+  arg1[0]=w0;
+  arg1[1]=w1;
+  res1[0]=w2;
+  if (casadi_f74(arg1, res1, iw, w, 0)) return 1;
+  /* #3: output[0][0] = @2 */
+  casadi_copy(w2, 4, res[0]);
+  return 0;
+}
+
 /* compass_jacobian_288:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f78(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+307, *w04=w+311, *w05=w+323, w06, w07, w08, *w09=w+339;
   casadi_real *w10=w+363;
@@ -10341,7 +10944,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w02;
   res1[0]=w03;
   res1[1]=w04;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @5 = horzcat(@3, @4) */
   rr=w05;
   for (i=0, cs=w03; i<4; ++i) *rr++ = *cs++;
@@ -10358,7 +10961,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w08);
   arg1[1]=w02;
   res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
   arg1[0]=w05;
   arg1[1]=(&w06);
@@ -10366,7 +10969,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #11: @6 = 0.0416667 */
   w06 = 4.1666666666666664e-02;
   /* #12: @6 = (@6*@7) */
@@ -10378,7 +10981,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #14: @6 = 0.0833333 */
   w06 = 8.3333333333333329e-02;
   /* #15: @6 = (@6*@7) */
@@ -10390,7 +10993,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #17: @6 = 0.125 */
   w06 = 1.2500000000000000e-01;
   /* #18: @6 = (@6*@7) */
@@ -10402,7 +11005,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #20: @6 = 0.166667 */
   w06 = 1.6666666666666666e-01;
   /* #21: @6 = (@6*@7) */
@@ -10414,7 +11017,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #23: @6 = 0.208333 */
   w06 = 2.0833333333333334e-01;
   /* #24: @6 = (@6*@7) */
@@ -10426,7 +11029,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #26: @6 = 0.25 */
   w06 = 2.5000000000000000e-01;
   /* #27: @6 = (@6*@7) */
@@ -10438,7 +11041,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #29: @6 = 0.291667 */
   w06 = 2.9166666666666669e-01;
   /* #30: @6 = (@6*@7) */
@@ -10450,7 +11053,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #32: @6 = 0.333333 */
   w06 = 3.3333333333333331e-01;
   /* #33: @6 = (@6*@7) */
@@ -10462,7 +11065,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #35: @6 = 0.375 */
   w06 = 3.7500000000000000e-01;
   /* #36: @6 = (@6*@7) */
@@ -10474,7 +11077,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #38: @6 = 0.416667 */
   w06 = 4.1666666666666669e-01;
   /* #39: @6 = (@6*@7) */
@@ -10486,7 +11089,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #41: @6 = 0.458333 */
   w06 = 4.5833333333333331e-01;
   /* #42: @6 = (@6*@7) */
@@ -10498,7 +11101,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #44: @6 = 0.5 */
   w06 = 5.0000000000000000e-01;
   /* #45: @6 = (@6*@7) */
@@ -10510,7 +11113,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #47: @6 = 0.541667 */
   w06 = 5.4166666666666663e-01;
   /* #48: @6 = (@6*@7) */
@@ -10522,7 +11125,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #50: @6 = 0.583333 */
   w06 = 5.8333333333333337e-01;
   /* #51: @6 = (@6*@7) */
@@ -10534,7 +11137,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #53: @6 = 0.625 */
   w06 = 6.2500000000000000e-01;
   /* #54: @6 = (@6*@7) */
@@ -10546,7 +11149,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #56: @6 = 0.666667 */
   w06 = 6.6666666666666663e-01;
   /* #57: @6 = (@6*@7) */
@@ -10558,7 +11161,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #59: @6 = 0.708333 */
   w06 = 7.0833333333333337e-01;
   /* #60: @6 = (@6*@7) */
@@ -10570,7 +11173,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #62: @6 = 0.75 */
   w06 = 7.5000000000000000e-01;
   /* #63: @6 = (@6*@7) */
@@ -10582,7 +11185,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #65: @6 = 0.791667 */
   w06 = 7.9166666666666663e-01;
   /* #66: @6 = (@6*@7) */
@@ -10594,7 +11197,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #68: @6 = 0.833333 */
   w06 = 8.3333333333333337e-01;
   /* #69: @6 = (@6*@7) */
@@ -10606,7 +11209,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #71: @6 = 0.875 */
   w06 = 8.7500000000000000e-01;
   /* #72: @6 = (@6*@7) */
@@ -10618,7 +11221,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #74: @6 = 0.916667 */
   w06 = 9.1666666666666663e-01;
   /* #75: @6 = (@6*@7) */
@@ -10630,7 +11233,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #77: @6 = 0.958333 */
   w06 = 9.5833333333333337e-01;
   /* #78: @6 = (@6*@7) */
@@ -10642,7 +11245,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #80: {@10, @0} = landing_with_derivative(@5, @1, @7, @2) */
   arg1[0]=w05;
   arg1[1]=w01;
@@ -10650,7 +11253,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=w02;
   res1[0]=w10;
   res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #81: output[0][0] = @10 */
   casadi_copy(w10, 16, res[0]);
   /* #82: output[1][0] = @0 */
@@ -10659,18 +11262,18 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* compass_limit_cycle_288:(u0[4],p[6])->(u[4],J[4x4],R[4]) */
-static int casadi_f52(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+3, *w0=w+476, *w1=w+480, *w2=w+486, *w3=w+490;
+static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+3, *w0=w+536, *w1=w+540, *w2=w+546, *w3=w+550;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w0);
   /* #1: @1 = input[1][0] */
   casadi_copy(arg[1], 6, w1);
-  /* #2: @2 = newton_288(@0, @1) */
+  /* #2: @2 = scaled_newton_288(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w2;
-  if (casadi_f53(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f73(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 4, res[0]);
   /* #4: {@3, @0} = compass_jacobian_288(@2, @1) */
@@ -10678,7 +11281,7 @@ static int casadi_f52(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f56(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 16, res[1]);
   /* #6: output[2][0] = @0 */
@@ -10687,7 +11290,7 @@ static int casadi_f52(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_288(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f52(arg, res, iw, w, mem);
+  return casadi_f72(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_288_checkout(void) {
@@ -10748,23 +11351,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* compass_limit_cycle_288_sparsity_out(casa
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_288_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18;
-  if (sz_res) *sz_res = 10;
+  if (sz_arg) *sz_arg = 22;
+  if (sz_res) *sz_res = 13;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 506;
+  if (sz_w) *sz_w = 566;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_288_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 22*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 13*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 506*sizeof(casadi_real);
+  if (sz_w) *sz_w = 566*sizeof(casadi_real);
   return 0;
 }
 
 /* compass_residual_384:(u[4],p[6])->(R[4]) */
-static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, *w3=w+131, w4, w5, w6, *w7=w+135;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
@@ -10778,7 +11381,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w2;
   res1[0]=w3;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = 0 */
   w4 = 0.;
   /* #5: @5 = @0[3] */
@@ -10791,7 +11394,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w6);
   arg1[1]=w2;
   res1[0]=w7;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #9: @0 = plain_steps(@3, @4, @7, @6, @2) */
   arg1[0]=w3;
   arg1[1]=(&w4);
@@ -10799,7 +11402,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #10: @4 = 0.03125 */
   w4 = 3.1250000000000000e-02;
   /* #11: @4 = (@4*@5) */
@@ -10811,7 +11414,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #13: @4 = 0.0625 */
   w4 = 6.2500000000000000e-02;
   /* #14: @4 = (@4*@5) */
@@ -10823,7 +11426,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #16: @4 = 0.09375 */
   w4 = 9.3750000000000000e-02;
   /* #17: @4 = (@4*@5) */
@@ -10835,7 +11438,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #19: @4 = 0.125 */
   w4 = 1.2500000000000000e-01;
   /* #20: @4 = (@4*@5) */
@@ -10847,7 +11450,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #22: @4 = 0.15625 */
   w4 = 1.5625000000000000e-01;
   /* #23: @4 = (@4*@5) */
@@ -10859,7 +11462,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #25: @4 = 0.1875 */
   w4 = 1.8750000000000000e-01;
   /* #26: @4 = (@4*@5) */
@@ -10871,7 +11474,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #28: @4 = 0.21875 */
   w4 = 2.1875000000000000e-01;
   /* #29: @4 = (@4*@5) */
@@ -10883,7 +11486,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #31: @4 = 0.25 */
   w4 = 2.5000000000000000e-01;
   /* #32: @4 = (@4*@5) */
@@ -10895,7 +11498,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #34: @4 = 0.28125 */
   w4 = 2.8125000000000000e-01;
   /* #35: @4 = (@4*@5) */
@@ -10907,7 +11510,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #37: @4 = 0.3125 */
   w4 = 3.1250000000000000e-01;
   /* #38: @4 = (@4*@5) */
@@ -10919,7 +11522,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #40: @4 = 0.34375 */
   w4 = 3.4375000000000000e-01;
   /* #41: @4 = (@4*@5) */
@@ -10931,7 +11534,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #43: @4 = 0.375 */
   w4 = 3.7500000000000000e-01;
   /* #44: @4 = (@4*@5) */
@@ -10943,7 +11546,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #46: @4 = 0.40625 */
   w4 = 4.0625000000000000e-01;
   /* #47: @4 = (@4*@5) */
@@ -10955,7 +11558,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #49: @4 = 0.4375 */
   w4 = 4.3750000000000000e-01;
   /* #50: @4 = (@4*@5) */
@@ -10967,7 +11570,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #52: @4 = 0.46875 */
   w4 = 4.6875000000000000e-01;
   /* #53: @4 = (@4*@5) */
@@ -10979,7 +11582,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #55: @4 = 0.5 */
   w4 = 5.0000000000000000e-01;
   /* #56: @4 = (@4*@5) */
@@ -10991,7 +11594,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #58: @4 = 0.53125 */
   w4 = 5.3125000000000000e-01;
   /* #59: @4 = (@4*@5) */
@@ -11003,7 +11606,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #61: @4 = 0.5625 */
   w4 = 5.6250000000000000e-01;
   /* #62: @4 = (@4*@5) */
@@ -11015,7 +11618,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #64: @4 = 0.59375 */
   w4 = 5.9375000000000000e-01;
   /* #65: @4 = (@4*@5) */
@@ -11027,7 +11630,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #67: @4 = 0.625 */
   w4 = 6.2500000000000000e-01;
   /* #68: @4 = (@4*@5) */
@@ -11039,7 +11642,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #70: @4 = 0.65625 */
   w4 = 6.5625000000000000e-01;
   /* #71: @4 = (@4*@5) */
@@ -11051,7 +11654,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #73: @4 = 0.6875 */
   w4 = 6.8750000000000000e-01;
   /* #74: @4 = (@4*@5) */
@@ -11063,7 +11666,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #76: @4 = 0.71875 */
   w4 = 7.1875000000000000e-01;
   /* #77: @4 = (@4*@5) */
@@ -11075,7 +11678,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #79: @4 = 0.75 */
   w4 = 7.5000000000000000e-01;
   /* #80: @4 = (@4*@5) */
@@ -11087,7 +11690,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #82: @4 = 0.78125 */
   w4 = 7.8125000000000000e-01;
   /* #83: @4 = (@4*@5) */
@@ -11099,7 +11702,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #85: @4 = 0.8125 */
   w4 = 8.1250000000000000e-01;
   /* #86: @4 = (@4*@5) */
@@ -11111,7 +11714,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #88: @4 = 0.84375 */
   w4 = 8.4375000000000000e-01;
   /* #89: @4 = (@4*@5) */
@@ -11123,7 +11726,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #91: @4 = 0.875 */
   w4 = 8.7500000000000000e-01;
   /* #92: @4 = (@4*@5) */
@@ -11135,7 +11738,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #94: @4 = 0.90625 */
   w4 = 9.0625000000000000e-01;
   /* #95: @4 = (@4*@5) */
@@ -11147,7 +11750,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #97: @4 = 0.9375 */
   w4 = 9.3750000000000000e-01;
   /* #98: @4 = (@4*@5) */
@@ -11159,7 +11762,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #100: @4 = 0.96875 */
   w4 = 9.6875000000000000e-01;
   /* #101: @4 = (@4*@5) */
@@ -11171,20 +11774,20 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #103: @0 = landing(@3, @1, @2) */
   arg1[0]=w3;
   arg1[1]=w1;
   arg1[2]=w2;
   res1[0]=w0;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #104: output[0][0] = @0 */
   casadi_copy(w0, 4, res[0]);
   return 0;
 }
 
 /* coarse_jacobian_384:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f59(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+382, *w1=w+386, *w2=w+392, *w3=w+408;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
@@ -11196,21 +11799,55 @@ static int casadi_f59(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f51(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f71(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 16, res[0]);
   /* #4: @3 = compass_residual_384(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w3;
-  if (casadi_f60(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f84(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 4, res[1]);
   return 0;
 }
 
+/* scaled_jacobian_384:(u[4],p[6])->(J[4x4],R[4]) */
+static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_int i;
+  casadi_real **res1=res+2, *rr, *w0=w+412, *w1=w+428, *w2=w+432, *w3=w+438, *w4=w+454;
+  const casadi_real **arg1=arg+2, *cr, *cs, *wr0;
+  /* #0: @0 = 
+  [[1, 1, 1, 1], 
+   [1, 1, 1, 1], 
+   [1, 1, 1, 1], 
+   [0.5, 0.5, 0.5, 0.5]] */
+  wr0 = casadi_c0;
+  /* #1: @1 = input[0][0] */
+  casadi_copy(arg[0], 4, w1);
+  /* #2: @2 = input[1][0] */
+  casadi_copy(arg[1], 6, w2);
+  /* #3: {@3, @4} = coarse_jacobian_384(@1, @2) */
+  arg1[0]=w1;
+  arg1[1]=w2;
+  res1[0]=w3;
+  res1[1]=w4;
+  if (casadi_f83(arg1, res1, iw, w, 0)) return 1;
+  /* #4: @0 = (@0*@3) */
+  for (i=0, rr=w0, cr=wr0, cs=w3; i<16; ++i) (*rr++)  = ((*cr++)*(*cs++));
+  /* #5: output[0][0] = @0 */
+  casadi_copy(w0, 16, res[0]);
+  /* #6: @1 = [1, 1, 1, 2] */
+  casadi_copy(casadi_c1, 4, w1);
+  /* #7: @4 = (@4/@1) */
+  for (i=0, rr=w4, cs=w1; i<4; ++i) (*rr++) /= (*cs++);
+  /* #8: output[1][0] = @4 */
+  casadi_copy(w4, 4, res[1]);
+  return 0;
+}
+
 /* newton_384:(u0[4],p[6])->(u[4]) */
-static int casadi_f58(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 4;
@@ -11236,7 +11873,7 @@ static int casadi_f58(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f59(arg+2, res+1, iw, w+56, 0)) return 1;
+    if (casadi_f82(arg+2, res+1, iw, w+56, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -11244,8 +11881,26 @@ static int casadi_f58(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
+/* scaled_newton_384:(i0[4],i1[6])->(o0[4]) */
+static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *w0=w+522, *w1=w+526, *w2=w+532;
+  const casadi_real **arg1=arg+2;
+  /* #0: @0 = input[0][0] */
+  casadi_copy(arg[0], 4, w0);
+  /* #1: @1 = input[1][0] */
+  casadi_copy(arg[1], 6, w1);
+  /* #2: @2 = newton_384(@0, @1) */
+  arg1[0]=w0;
+  arg1[1]=w1;
+  res1[0]=w2;
+  if (casadi_f81(arg1, res1, iw, w, 0)) return 1;
+  /* #3: output[0][0] = @2 */
+  casadi_copy(w2, 4, res[0]);
+  return 0;
+}
+
 /* compass_jacobian_384:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+307, *w04=w+311, *w05=w+323, w06, w07, w08, *w09=w+339;
   casadi_real *w10=w+363;
@@ -11261,7 +11916,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w02;
   res1[0]=w03;
   res1[1]=w04;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @5 = horzcat(@3, @4) */
   rr=w05;
   for (i=0, cs=w03; i<4; ++i) *rr++ = *cs++;
@@ -11278,7 +11933,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w08);
   arg1[1]=w02;
   res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
   arg1[0]=w05;
   arg1[1]=(&w06);
@@ -11286,7 +11941,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #11: @6 = 0.03125 */
   w06 = 3.1250000000000000e-02;
   /* #12: @6 = (@6*@7) */
@@ -11298,7 +11953,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #14: @6 = 0.0625 */
   w06 = 6.2500000000000000e-02;
   /* #15: @6 = (@6*@7) */
@@ -11310,7 +11965,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #17: @6 = 0.09375 */
   w06 = 9.3750000000000000e-02;
   /* #18: @6 = (@6*@7) */
@@ -11322,7 +11977,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #20: @6 = 0.125 */
   w06 = 1.2500000000000000e-01;
   /* #21: @6 = (@6*@7) */
@@ -11334,7 +11989,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #23: @6 = 0.15625 */
   w06 = 1.5625000000000000e-01;
   /* #24: @6 = (@6*@7) */
@@ -11346,7 +12001,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #26: @6 = 0.1875 */
   w06 = 1.8750000000000000e-01;
   /* #27: @6 = (@6*@7) */
@@ -11358,7 +12013,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #29: @6 = 0.21875 */
   w06 = 2.1875000000000000e-01;
   /* #30: @6 = (@6*@7) */
@@ -11370,7 +12025,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #32: @6 = 0.25 */
   w06 = 2.5000000000000000e-01;
   /* #33: @6 = (@6*@7) */
@@ -11382,7 +12037,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #35: @6 = 0.28125 */
   w06 = 2.8125000000000000e-01;
   /* #36: @6 = (@6*@7) */
@@ -11394,7 +12049,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #38: @6 = 0.3125 */
   w06 = 3.1250000000000000e-01;
   /* #39: @6 = (@6*@7) */
@@ -11406,7 +12061,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #41: @6 = 0.34375 */
   w06 = 3.4375000000000000e-01;
   /* #42: @6 = (@6*@7) */
@@ -11418,7 +12073,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #44: @6 = 0.375 */
   w06 = 3.7500000000000000e-01;
   /* #45: @6 = (@6*@7) */
@@ -11430,7 +12085,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #47: @6 = 0.40625 */
   w06 = 4.0625000000000000e-01;
   /* #48: @6 = (@6*@7) */
@@ -11442,7 +12097,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #50: @6 = 0.4375 */
   w06 = 4.3750000000000000e-01;
   /* #51: @6 = (@6*@7) */
@@ -11454,7 +12109,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #53: @6 = 0.46875 */
   w06 = 4.6875000000000000e-01;
   /* #54: @6 = (@6*@7) */
@@ -11466,7 +12121,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #56: @6 = 0.5 */
   w06 = 5.0000000000000000e-01;
   /* #57: @6 = (@6*@7) */
@@ -11478,7 +12133,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #59: @6 = 0.53125 */
   w06 = 5.3125000000000000e-01;
   /* #60: @6 = (@6*@7) */
@@ -11490,7 +12145,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #62: @6 = 0.5625 */
   w06 = 5.6250000000000000e-01;
   /* #63: @6 = (@6*@7) */
@@ -11502,7 +12157,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #65: @6 = 0.59375 */
   w06 = 5.9375000000000000e-01;
   /* #66: @6 = (@6*@7) */
@@ -11514,7 +12169,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #68: @6 = 0.625 */
   w06 = 6.2500000000000000e-01;
   /* #69: @6 = (@6*@7) */
@@ -11526,7 +12181,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #71: @6 = 0.65625 */
   w06 = 6.5625000000000000e-01;
   /* #72: @6 = (@6*@7) */
@@ -11538,7 +12193,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #74: @6 = 0.6875 */
   w06 = 6.8750000000000000e-01;
   /* #75: @6 = (@6*@7) */
@@ -11550,7 +12205,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #77: @6 = 0.71875 */
   w06 = 7.1875000000000000e-01;
   /* #78: @6 = (@6*@7) */
@@ -11562,7 +12217,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #80: @6 = 0.75 */
   w06 = 7.5000000000000000e-01;
   /* #81: @6 = (@6*@7) */
@@ -11574,7 +12229,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #83: @6 = 0.78125 */
   w06 = 7.8125000000000000e-01;
   /* #84: @6 = (@6*@7) */
@@ -11586,7 +12241,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #86: @6 = 0.8125 */
   w06 = 8.1250000000000000e-01;
   /* #87: @6 = (@6*@7) */
@@ -11598,7 +12253,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #89: @6 = 0.84375 */
   w06 = 8.4375000000000000e-01;
   /* #90: @6 = (@6*@7) */
@@ -11610,7 +12265,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #92: @6 = 0.875 */
   w06 = 8.7500000000000000e-01;
   /* #93: @6 = (@6*@7) */
@@ -11622,7 +12277,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #95: @6 = 0.90625 */
   w06 = 9.0625000000000000e-01;
   /* #96: @6 = (@6*@7) */
@@ -11634,7 +12289,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #98: @6 = 0.9375 */
   w06 = 9.3750000000000000e-01;
   /* #99: @6 = (@6*@7) */
@@ -11646,7 +12301,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #101: @6 = 0.96875 */
   w06 = 9.6875000000000000e-01;
   /* #102: @6 = (@6*@7) */
@@ -11658,7 +12313,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #104: {@10, @0} = landing_with_derivative(@5, @1, @7, @2) */
   arg1[0]=w05;
   arg1[1]=w01;
@@ -11666,7 +12321,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=w02;
   res1[0]=w10;
   res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #105: output[0][0] = @10 */
   casadi_copy(w10, 16, res[0]);
   /* #106: output[1][0] = @0 */
@@ -11675,18 +12330,18 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* compass_limit_cycle_384:(u0[4],p[6])->(u[4],J[4x4],R[4]) */
-static int casadi_f57(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+3, *w0=w+476, *w1=w+480, *w2=w+486, *w3=w+490;
+static int casadi_f79(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+3, *w0=w+536, *w1=w+540, *w2=w+546, *w3=w+550;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w0);
   /* #1: @1 = input[1][0] */
   casadi_copy(arg[1], 6, w1);
-  /* #2: @2 = newton_384(@0, @1) */
+  /* #2: @2 = scaled_newton_384(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w2;
-  if (casadi_f58(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f80(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 4, res[0]);
   /* #4: {@3, @0} = compass_jacobian_384(@2, @1) */
@@ -11694,7 +12349,7 @@ static int casadi_f57(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f61(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f85(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 16, res[1]);
   /* #6: output[2][0] = @0 */
@@ -11703,7 +12358,7 @@ static int casadi_f57(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_384(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f57(arg, res, iw, w, mem);
+  return casadi_f79(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_384_checkout(void) {
@@ -11764,23 +12419,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* compass_limit_cycle_384_sparsity_out(casa
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_384_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18;
-  if (sz_res) *sz_res = 10;
+  if (sz_arg) *sz_arg = 22;
+  if (sz_res) *sz_res = 13;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 506;
+  if (sz_w) *sz_w = 566;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_384_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 22*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 13*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 506*sizeof(casadi_real);
+  if (sz_w) *sz_w = 566*sizeof(casadi_real);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int compass_residual_12(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f9(arg, res, iw, w, mem);
+  return casadi_f11(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_residual_12_checkout(void) {
@@ -11853,7 +12508,7 @@ CASADI_SYMBOL_EXPORT int compass_residual_12_work_bytes(casadi_int *sz_arg, casa
 }
 
 CASADI_SYMBOL_EXPORT int compass_residual_24(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f16(arg, res, iw, w, mem);
+  return casadi_f20(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_residual_24_checkout(void) {
@@ -11926,7 +12581,7 @@ CASADI_SYMBOL_EXPORT int compass_residual_24_work_bytes(casadi_int *sz_arg, casa
 }
 
 CASADI_SYMBOL_EXPORT int compass_residual_36(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f27(arg, res, iw, w, mem);
+  return casadi_f37(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_residual_36_checkout(void) {
@@ -11999,7 +12654,7 @@ CASADI_SYMBOL_EXPORT int compass_residual_36_work_bytes(casadi_int *sz_arg, casa
 }
 
 CASADI_SYMBOL_EXPORT int compass_residual_48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f20(arg, res, iw, w, mem);
+  return casadi_f26(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_residual_48_checkout(void) {
@@ -12072,7 +12727,7 @@ CASADI_SYMBOL_EXPORT int compass_residual_48_work_bytes(casadi_int *sz_arg, casa
 }
 
 CASADI_SYMBOL_EXPORT int compass_residual_72(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f35(arg, res, iw, w, mem);
+  return casadi_f49(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_residual_72_checkout(void) {
@@ -12145,7 +12800,7 @@ CASADI_SYMBOL_EXPORT int compass_residual_72_work_bytes(casadi_int *sz_arg, casa
 }
 
 CASADI_SYMBOL_EXPORT int compass_residual_96(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f40(arg, res, iw, w, mem);
+  return casadi_f56(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_residual_96_checkout(void) {
@@ -12218,7 +12873,7 @@ CASADI_SYMBOL_EXPORT int compass_residual_96_work_bytes(casadi_int *sz_arg, casa
 }
 
 CASADI_SYMBOL_EXPORT int compass_residual_144(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f45(arg, res, iw, w, mem);
+  return casadi_f63(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_residual_144_checkout(void) {
@@ -12291,7 +12946,7 @@ CASADI_SYMBOL_EXPORT int compass_residual_144_work_bytes(casadi_int *sz_arg, cas
 }
 
 CASADI_SYMBOL_EXPORT int compass_residual_192(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f50(arg, res, iw, w, mem);
+  return casadi_f70(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_residual_192_checkout(void) {
@@ -12364,7 +13019,7 @@ CASADI_SYMBOL_EXPORT int compass_residual_192_work_bytes(casadi_int *sz_arg, cas
 }
 
 CASADI_SYMBOL_EXPORT int compass_residual_288(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f55(arg, res, iw, w, mem);
+  return casadi_f77(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_residual_288_checkout(void) {
@@ -12437,7 +13092,7 @@ CASADI_SYMBOL_EXPORT int compass_residual_288_work_bytes(casadi_int *sz_arg, cas
 }
 
 CASADI_SYMBOL_EXPORT int compass_residual_384(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f60(arg, res, iw, w, mem);
+  return casadi_f84(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_residual_384_checkout(void) {
@@ -12510,7 +13165,7 @@ CASADI_SYMBOL_EXPORT int compass_residual_384_work_bytes(casadi_int *sz_arg, cas
 }
 
 CASADI_SYMBOL_EXPORT int compass_jacobian_12(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f2(arg, res, iw, w, mem);
+  return casadi_f4(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_jacobian_12_checkout(void) {
@@ -12585,7 +13240,7 @@ CASADI_SYMBOL_EXPORT int compass_jacobian_12_work_bytes(casadi_int *sz_arg, casa
 }
 
 CASADI_SYMBOL_EXPORT int compass_jacobian_24(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f15(arg, res, iw, w, mem);
+  return casadi_f19(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_jacobian_24_checkout(void) {
@@ -12660,7 +13315,7 @@ CASADI_SYMBOL_EXPORT int compass_jacobian_24_work_bytes(casadi_int *sz_arg, casa
 }
 
 CASADI_SYMBOL_EXPORT int compass_jacobian_36(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f28(arg, res, iw, w, mem);
+  return casadi_f38(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_jacobian_36_checkout(void) {
@@ -12735,7 +13390,7 @@ CASADI_SYMBOL_EXPORT int compass_jacobian_36_work_bytes(casadi_int *sz_arg, casa
 }
 
 CASADI_SYMBOL_EXPORT int compass_jacobian_48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f19(arg, res, iw, w, mem);
+  return casadi_f25(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_jacobian_48_checkout(void) {
@@ -12810,7 +13465,7 @@ CASADI_SYMBOL_EXPORT int compass_jacobian_48_work_bytes(casadi_int *sz_arg, casa
 }
 
 CASADI_SYMBOL_EXPORT int compass_jacobian_72(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f36(arg, res, iw, w, mem);
+  return casadi_f50(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_jacobian_72_checkout(void) {
@@ -12885,7 +13540,7 @@ CASADI_SYMBOL_EXPORT int compass_jacobian_72_work_bytes(casadi_int *sz_arg, casa
 }
 
 CASADI_SYMBOL_EXPORT int compass_jacobian_96(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f41(arg, res, iw, w, mem);
+  return casadi_f57(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_jacobian_96_checkout(void) {
@@ -12960,7 +13615,7 @@ CASADI_SYMBOL_EXPORT int compass_jacobian_96_work_bytes(casadi_int *sz_arg, casa
 }
 
 CASADI_SYMBOL_EXPORT int compass_jacobian_144(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f46(arg, res, iw, w, mem);
+  return casadi_f64(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_jacobian_144_checkout(void) {
@@ -13035,7 +13690,7 @@ CASADI_SYMBOL_EXPORT int compass_jacobian_144_work_bytes(casadi_int *sz_arg, cas
 }
 
 CASADI_SYMBOL_EXPORT int compass_jacobian_192(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f51(arg, res, iw, w, mem);
+  return casadi_f71(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_jacobian_192_checkout(void) {
@@ -13110,7 +13765,7 @@ CASADI_SYMBOL_EXPORT int compass_jacobian_192_work_bytes(casadi_int *sz_arg, cas
 }
 
 CASADI_SYMBOL_EXPORT int compass_jacobian_288(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f56(arg, res, iw, w, mem);
+  return casadi_f78(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_jacobian_288_checkout(void) {
@@ -13185,7 +13840,7 @@ CASADI_SYMBOL_EXPORT int compass_jacobian_288_work_bytes(casadi_int *sz_arg, cas
 }
 
 CASADI_SYMBOL_EXPORT int compass_jacobian_384(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f61(arg, res, iw, w, mem);
+  return casadi_f85(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_jacobian_384_checkout(void) {
@@ -13260,7 +13915,7 @@ CASADI_SYMBOL_EXPORT int compass_jacobian_384_work_bytes(casadi_int *sz_arg, cas
 }
 
 /* working_step:(y[5],phase[2],turns[2x12],h,p[6])->(y_end[5]) */
-static int casadi_f64(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f88(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
@@ -14514,7 +15169,7 @@ static int casadi_f64(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* observe:(t,y[4],p[6])->(g[8],dg[8]) */
-static int casadi_f65(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f89(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
@@ -14835,7 +15490,7 @@ static int casadi_f65(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* working_steps:(t,turns[2x12],w[5],h,p[6])->(w_end[5],nodes[5x12],g[8x12],dg[8x12]) */
-static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+4, *rr, *w00=w+81, w01, *w02=w+86, *w03=w+92, w05, *w06=w+94, w07, *w08=w+99, *w09=w+104, *w10=w+109;
   casadi_real *w11=w+114, *w12=w+119, *w13=w+124, *w14=w+129, *w15=w+134, *w16=w+139, *w17=w+144, *w18=w+149, *w19=w+154, *w20=w+158, *w21=w+166, *w22=w+174;
   casadi_real *w23=w+182, *w24=w+190, *w25=w+198, *w26=w+206, *w27=w+214, *w28=w+222, *w29=w+230, *w30=w+238, *w31=w+246, *w32=w+254;
@@ -14850,7 +15505,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w01);
   arg1[1]=w02;
   res1[0]=w03;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = input[1][0] */
   wr04 = arg[1] ? arg[1] : casadi_zeros;
   /* #5: @5 = input[3][0] */
@@ -14862,14 +15517,14 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=w02;
   res1[0]=w06;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
   /* #7: @7 = (@1+@5) */
   w07  = (w01+w05);
   /* #8: @3 = phase(@7, @2) */
   arg1[0]=(&w07);
   arg1[1]=w02;
   res1[0]=w03;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #9: @8 = working_step(@6, @3, @4, @5, @2) */
   arg1[0]=w06;
   arg1[1]=w03;
@@ -14877,7 +15532,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=w02;
   res1[0]=w08;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
   /* #10: @7 = (2.*@5) */
   w07 = (2.* w05 );
   /* #11: @7 = (@1+@7) */
@@ -14886,7 +15541,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w07);
   arg1[1]=w02;
   res1[0]=w03;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #13: @9 = working_step(@8, @3, @4, @5, @2) */
   arg1[0]=w08;
   arg1[1]=w03;
@@ -14894,7 +15549,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=w02;
   res1[0]=w09;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
   /* #14: @7 = 3 */
   w07 = 3.;
   /* #15: @7 = (@7*@5) */
@@ -14905,7 +15560,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w07);
   arg1[1]=w02;
   res1[0]=w03;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #18: @10 = working_step(@9, @3, @4, @5, @2) */
   arg1[0]=w09;
   arg1[1]=w03;
@@ -14913,7 +15568,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
   /* #19: @7 = 4 */
   w07 = 4.;
   /* #20: @7 = (@7*@5) */
@@ -14924,7 +15579,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w07);
   arg1[1]=w02;
   res1[0]=w03;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #23: @11 = working_step(@10, @3, @4, @5, @2) */
   arg1[0]=w10;
   arg1[1]=w03;
@@ -14932,7 +15587,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=w02;
   res1[0]=w11;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
   /* #24: @7 = 5 */
   w07 = 5.;
   /* #25: @7 = (@7*@5) */
@@ -14943,7 +15598,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w07);
   arg1[1]=w02;
   res1[0]=w03;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #28: @12 = working_step(@11, @3, @4, @5, @2) */
   arg1[0]=w11;
   arg1[1]=w03;
@@ -14951,7 +15606,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=w02;
   res1[0]=w12;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
   /* #29: @7 = 6 */
   w07 = 6.;
   /* #30: @7 = (@7*@5) */
@@ -14962,7 +15617,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w07);
   arg1[1]=w02;
   res1[0]=w03;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #33: @13 = working_step(@12, @3, @4, @5, @2) */
   arg1[0]=w12;
   arg1[1]=w03;
@@ -14970,7 +15625,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=w02;
   res1[0]=w13;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
   /* #34: @7 = 7 */
   w07 = 7.;
   /* #35: @7 = (@7*@5) */
@@ -14981,7 +15636,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w07);
   arg1[1]=w02;
   res1[0]=w03;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #38: @14 = working_step(@13, @3, @4, @5, @2) */
   arg1[0]=w13;
   arg1[1]=w03;
@@ -14989,7 +15644,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=w02;
   res1[0]=w14;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
   /* #39: @7 = 8 */
   w07 = 8.;
   /* #40: @7 = (@7*@5) */
@@ -15000,7 +15655,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w07);
   arg1[1]=w02;
   res1[0]=w03;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #43: @15 = working_step(@14, @3, @4, @5, @2) */
   arg1[0]=w14;
   arg1[1]=w03;
@@ -15008,7 +15663,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=w02;
   res1[0]=w15;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
   /* #44: @7 = 9 */
   w07 = 9.;
   /* #45: @7 = (@7*@5) */
@@ -15019,7 +15674,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w07);
   arg1[1]=w02;
   res1[0]=w03;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #48: @16 = working_step(@15, @3, @4, @5, @2) */
   arg1[0]=w15;
   arg1[1]=w03;
@@ -15027,7 +15682,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=w02;
   res1[0]=w16;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
   /* #49: @7 = 10 */
   w07 = 10.;
   /* #50: @7 = (@7*@5) */
@@ -15038,7 +15693,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w07);
   arg1[1]=w02;
   res1[0]=w03;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #53: @17 = working_step(@16, @3, @4, @5, @2) */
   arg1[0]=w16;
   arg1[1]=w03;
@@ -15046,7 +15701,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=w02;
   res1[0]=w17;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
   /* #54: @7 = 11 */
   w07 = 11.;
   /* #55: @7 = (@7*@5) */
@@ -15057,7 +15712,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w07);
   arg1[1]=w02;
   res1[0]=w03;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #58: @18 = working_step(@17, @3, @4, @5, @2) */
   arg1[0]=w17;
   arg1[1]=w03;
@@ -15065,7 +15720,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=w02;
   res1[0]=w18;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
   /* #59: output[0][0] = @18 */
   casadi_copy(w18, 5, res[0]);
   /* #60: output[1][0] = @0 */
@@ -15100,7 +15755,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w02;
   res1[0]=w20;
   res1[1]=w21;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #74: output[2][0] = @20 */
   casadi_copy(w20, 8, res[2]);
   /* #75: @7 = (@1+@5) */
@@ -15113,7 +15768,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w02;
   res1[0]=w20;
   res1[1]=w22;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #78: output[2][1] = @20 */
   if (res[2]) casadi_copy(w20, 8, res[2]+8);
   /* #79: @7 = (2.*@5) */
@@ -15128,7 +15783,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w02;
   res1[0]=w20;
   res1[1]=w23;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #83: output[2][2] = @20 */
   if (res[2]) casadi_copy(w20, 8, res[2]+16);
   /* #84: @7 = 3 */
@@ -15145,7 +15800,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w02;
   res1[0]=w20;
   res1[1]=w24;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #89: output[2][3] = @20 */
   if (res[2]) casadi_copy(w20, 8, res[2]+24);
   /* #90: @7 = 4 */
@@ -15162,7 +15817,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w02;
   res1[0]=w20;
   res1[1]=w25;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #95: output[2][4] = @20 */
   if (res[2]) casadi_copy(w20, 8, res[2]+32);
   /* #96: @7 = 5 */
@@ -15179,7 +15834,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w02;
   res1[0]=w20;
   res1[1]=w26;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #101: output[2][5] = @20 */
   if (res[2]) casadi_copy(w20, 8, res[2]+40);
   /* #102: @7 = 6 */
@@ -15196,7 +15851,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w02;
   res1[0]=w20;
   res1[1]=w27;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #107: output[2][6] = @20 */
   if (res[2]) casadi_copy(w20, 8, res[2]+48);
   /* #108: @7 = 7 */
@@ -15213,7 +15868,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w02;
   res1[0]=w20;
   res1[1]=w28;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #113: output[2][7] = @20 */
   if (res[2]) casadi_copy(w20, 8, res[2]+56);
   /* #114: @7 = 8 */
@@ -15230,7 +15885,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w02;
   res1[0]=w20;
   res1[1]=w29;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #119: output[2][8] = @20 */
   if (res[2]) casadi_copy(w20, 8, res[2]+64);
   /* #120: @7 = 9 */
@@ -15247,7 +15902,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w02;
   res1[0]=w20;
   res1[1]=w30;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #125: output[2][9] = @20 */
   if (res[2]) casadi_copy(w20, 8, res[2]+72);
   /* #126: @7 = 10 */
@@ -15264,7 +15919,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w02;
   res1[0]=w20;
   res1[1]=w31;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #131: output[2][10] = @20 */
   if (res[2]) casadi_copy(w20, 8, res[2]+80);
   /* #132: @7 = 11 */
@@ -15281,7 +15936,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w02;
   res1[0]=w20;
   res1[1]=w32;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #137: output[2][11] = @20 */
   if (res[2]) casadi_copy(w20, 8, res[2]+88);
   /* #138: output[3][0] = @21 */
@@ -15312,7 +15967,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* compass_trace_48:(u[4],p[6])->(w[5x49],g[8x49],dg[8x49],R[4]) */
-static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w00, *w01=w+289, w02, w03, *w04=w+293, *w05=w+299, *w06=w+323, w07, *w08=w+326, *w09=w+331;
   casadi_real *w10=w+336, *w11=w+396, *w12=w+492, *w13=w+588, *w14=w+684, *w15=w+780, *w16=w+876, *w17=w+972, *w18=w+1068, *w19=w+1164, *w20=w+1172, *w21=w+1180;
@@ -15333,7 +15988,7 @@ static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w03);
   arg1[1]=w04;
   res1[0]=w05;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:3] */
   for (rr=w06, cs=w01+0; cs!=w01+3; cs+=1) *rr++ = *cs;
   /* #8: {@1, NULL} = start(@6, @4) */
@@ -15341,7 +15996,7 @@ static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w04;
   res1[0]=w01;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #9: @7 = 0 */
   w07 = 0.;
   /* #10: @8 = vertcat(@1, @7) */
@@ -15358,7 +16013,7 @@ static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w11;
   res1[3]=w12;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w10, 60, res[0]);
   /* #13: @0 = 0.25 */
@@ -15375,7 +16030,7 @@ static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w13;
   res1[3]=w14;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+60);
   /* #17: @0 = 0.5 */
@@ -15392,7 +16047,7 @@ static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w15;
   res1[3]=w16;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+120);
   /* #21: @0 = 0.75 */
@@ -15409,7 +16064,7 @@ static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w17;
   res1[3]=w18;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+180);
   /* #25: output[0][4] = @8 */
@@ -15430,7 +16085,7 @@ static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w04;
   res1[0]=w19;
   res1[1]=w20;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[1][4] = @19 */
   if (res[1]) casadi_copy(w19, 8, res[1]+384);
   /* #33: output[2][0] = @12 */
@@ -15450,14 +16105,14 @@ static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w06;
   arg1[2]=w04;
   res1[0]=w21;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[3][0] = @21 */
   casadi_copy(w21, 4, res[3]);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f62(arg, res, iw, w, mem);
+  return casadi_f86(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_48_checkout(void) {
@@ -15536,7 +16191,7 @@ CASADI_SYMBOL_EXPORT int compass_trace_48_work_bytes(casadi_int *sz_arg, casadi_
 }
 
 /* compass_trace_72:(u[4],p[6])->(w[5x73],g[8x73],dg[8x73],R[4]) */
-static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f90(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w00, *w01=w+289, w02, w03, *w04=w+293, *w05=w+299, *w06=w+323, w07, *w08=w+326, *w09=w+331;
   casadi_real *w10=w+336, *w11=w+396, *w12=w+492, *w13=w+588, *w14=w+684, *w15=w+780, *w16=w+876, *w17=w+972, *w18=w+1068, *w19=w+1164, *w20=w+1260, *w21=w+1356;
@@ -15558,7 +16213,7 @@ static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w03);
   arg1[1]=w04;
   res1[0]=w05;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:3] */
   for (rr=w06, cs=w01+0; cs!=w01+3; cs+=1) *rr++ = *cs;
   /* #8: {@1, NULL} = start(@6, @4) */
@@ -15566,7 +16221,7 @@ static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w04;
   res1[0]=w01;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #9: @7 = 0 */
   w07 = 0.;
   /* #10: @8 = vertcat(@1, @7) */
@@ -15583,7 +16238,7 @@ static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w11;
   res1[3]=w12;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w10, 60, res[0]);
   /* #13: @0 = 0.166667 */
@@ -15600,7 +16255,7 @@ static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w13;
   res1[3]=w14;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+60);
   /* #17: @0 = 0.333333 */
@@ -15617,7 +16272,7 @@ static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w15;
   res1[3]=w16;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+120);
   /* #21: @0 = 0.5 */
@@ -15634,7 +16289,7 @@ static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w17;
   res1[3]=w18;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+180);
   /* #25: @0 = 0.666667 */
@@ -15651,7 +16306,7 @@ static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w19;
   res1[3]=w20;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+240);
   /* #29: @0 = 0.833333 */
@@ -15668,7 +16323,7 @@ static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w21;
   res1[3]=w22;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+300);
   /* #33: output[0][6] = @8 */
@@ -15693,7 +16348,7 @@ static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w04;
   res1[0]=w23;
   res1[1]=w24;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #42: output[1][6] = @23 */
   if (res[1]) casadi_copy(w23, 8, res[1]+576);
   /* #43: output[2][0] = @12 */
@@ -15717,14 +16372,14 @@ static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w06;
   arg1[2]=w04;
   res1[0]=w25;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[3][0] = @25 */
   casadi_copy(w25, 4, res[3]);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_72(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f66(arg, res, iw, w, mem);
+  return casadi_f90(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_72_checkout(void) {
@@ -15803,7 +16458,7 @@ CASADI_SYMBOL_EXPORT int compass_trace_72_work_bytes(casadi_int *sz_arg, casadi_
 }
 
 /* compass_trace_96:(u[4],p[6])->(w[5x97],g[8x97],dg[8x97],R[4]) */
-static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f91(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w00, *w01=w+289, w02, w03, *w04=w+293, *w05=w+299, *w06=w+323, w07, *w08=w+326, *w09=w+331;
   casadi_real *w10=w+336, *w11=w+396, *w12=w+492, *w13=w+588, *w14=w+684, *w15=w+780, *w16=w+876, *w17=w+972, *w18=w+1068, *w19=w+1164, *w20=w+1260, *w21=w+1356;
@@ -15825,7 +16480,7 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w03);
   arg1[1]=w04;
   res1[0]=w05;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:3] */
   for (rr=w06, cs=w01+0; cs!=w01+3; cs+=1) *rr++ = *cs;
   /* #8: {@1, NULL} = start(@6, @4) */
@@ -15833,7 +16488,7 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w04;
   res1[0]=w01;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #9: @7 = 0 */
   w07 = 0.;
   /* #10: @8 = vertcat(@1, @7) */
@@ -15850,7 +16505,7 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w11;
   res1[3]=w12;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w10, 60, res[0]);
   /* #13: @0 = 0.125 */
@@ -15867,7 +16522,7 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w13;
   res1[3]=w14;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+60);
   /* #17: @0 = 0.25 */
@@ -15884,7 +16539,7 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w15;
   res1[3]=w16;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+120);
   /* #21: @0 = 0.375 */
@@ -15901,7 +16556,7 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w17;
   res1[3]=w18;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+180);
   /* #25: @0 = 0.5 */
@@ -15918,7 +16573,7 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w19;
   res1[3]=w20;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+240);
   /* #29: @0 = 0.625 */
@@ -15935,7 +16590,7 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w21;
   res1[3]=w22;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+300);
   /* #33: @0 = 0.75 */
@@ -15952,7 +16607,7 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w23;
   res1[3]=w24;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[0][6] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+360);
   /* #37: @0 = 0.875 */
@@ -15969,7 +16624,7 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w25;
   res1[3]=w26;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[0][7] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+420);
   /* #41: output[0][8] = @8 */
@@ -15998,7 +16653,7 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w04;
   res1[0]=w27;
   res1[1]=w28;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[1][8] = @27 */
   if (res[1]) casadi_copy(w27, 8, res[1]+768);
   /* #53: output[2][0] = @12 */
@@ -16026,14 +16681,14 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w06;
   arg1[2]=w04;
   res1[0]=w29;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #64: output[3][0] = @29 */
   casadi_copy(w29, 4, res[3]);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_96(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f67(arg, res, iw, w, mem);
+  return casadi_f91(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_96_checkout(void) {
@@ -16112,7 +16767,7 @@ CASADI_SYMBOL_EXPORT int compass_trace_96_work_bytes(casadi_int *sz_arg, casadi_
 }
 
 /* compass_trace_144:(u[4],p[6])->(w[5x145],g[8x145],dg[8x145],R[4]) */
-static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f92(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w00, *w01=w+289, w02, w03, *w04=w+293, *w05=w+299, *w06=w+323, w07, *w08=w+326, *w09=w+331;
   casadi_real *w10=w+336, *w11=w+396, *w12=w+492, *w13=w+588, *w14=w+684, *w15=w+780, *w16=w+876, *w17=w+972, *w18=w+1068, *w19=w+1164, *w20=w+1260, *w21=w+1356;
@@ -16135,7 +16790,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w03);
   arg1[1]=w04;
   res1[0]=w05;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:3] */
   for (rr=w06, cs=w01+0; cs!=w01+3; cs+=1) *rr++ = *cs;
   /* #8: {@1, NULL} = start(@6, @4) */
@@ -16143,7 +16798,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w04;
   res1[0]=w01;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #9: @7 = 0 */
   w07 = 0.;
   /* #10: @8 = vertcat(@1, @7) */
@@ -16160,7 +16815,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w11;
   res1[3]=w12;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w10, 60, res[0]);
   /* #13: @0 = 0.0833333 */
@@ -16177,7 +16832,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w13;
   res1[3]=w14;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+60);
   /* #17: @0 = 0.166667 */
@@ -16194,7 +16849,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w15;
   res1[3]=w16;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+120);
   /* #21: @0 = 0.25 */
@@ -16211,7 +16866,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w17;
   res1[3]=w18;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+180);
   /* #25: @0 = 0.333333 */
@@ -16228,7 +16883,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w19;
   res1[3]=w20;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+240);
   /* #29: @0 = 0.416667 */
@@ -16245,7 +16900,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w21;
   res1[3]=w22;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+300);
   /* #33: @0 = 0.5 */
@@ -16262,7 +16917,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w23;
   res1[3]=w24;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[0][6] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+360);
   /* #37: @0 = 0.583333 */
@@ -16279,7 +16934,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w25;
   res1[3]=w26;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[0][7] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+420);
   /* #41: @0 = 0.666667 */
@@ -16296,7 +16951,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w27;
   res1[3]=w28;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #44: output[0][8] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+480);
   /* #45: @0 = 0.75 */
@@ -16313,7 +16968,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w29;
   res1[3]=w30;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #48: output[0][9] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+540);
   /* #49: @0 = 0.833333 */
@@ -16330,7 +16985,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w31;
   res1[3]=w32;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[0][10] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+600);
   /* #53: @0 = 0.916667 */
@@ -16347,7 +17002,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w33;
   res1[3]=w34;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #56: output[0][11] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+660);
   /* #57: output[0][12] = @8 */
@@ -16384,7 +17039,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w04;
   res1[0]=w35;
   res1[1]=w36;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #72: output[1][12] = @35 */
   if (res[1]) casadi_copy(w35, 8, res[1]+1152);
   /* #73: output[2][0] = @12 */
@@ -16420,14 +17075,14 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w06;
   arg1[2]=w04;
   res1[0]=w37;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #88: output[3][0] = @37 */
   casadi_copy(w37, 4, res[3]);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_144(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f68(arg, res, iw, w, mem);
+  return casadi_f92(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_144_checkout(void) {
@@ -16506,7 +17161,7 @@ CASADI_SYMBOL_EXPORT int compass_trace_144_work_bytes(casadi_int *sz_arg, casadi
 }
 
 /* compass_trace_192:(u[4],p[6])->(w[5x193],g[8x193],dg[8x193],R[4]) */
-static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f93(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w00, *w01=w+289, w02, w03, *w04=w+293, *w05=w+299, *w06=w+323, w07, *w08=w+326, *w09=w+331;
   casadi_real *w10=w+336, *w11=w+396, *w12=w+492, *w13=w+588, *w14=w+684, *w15=w+780, *w16=w+876, *w17=w+972, *w18=w+1068, *w19=w+1164, *w20=w+1260, *w21=w+1356;
@@ -16529,7 +17184,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w03);
   arg1[1]=w04;
   res1[0]=w05;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:3] */
   for (rr=w06, cs=w01+0; cs!=w01+3; cs+=1) *rr++ = *cs;
   /* #8: {@1, NULL} = start(@6, @4) */
@@ -16537,7 +17192,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w04;
   res1[0]=w01;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #9: @7 = 0 */
   w07 = 0.;
   /* #10: @8 = vertcat(@1, @7) */
@@ -16554,7 +17209,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w11;
   res1[3]=w12;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w10, 60, res[0]);
   /* #13: @0 = 0.0625 */
@@ -16571,7 +17226,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w13;
   res1[3]=w14;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+60);
   /* #17: @0 = 0.125 */
@@ -16588,7 +17243,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w15;
   res1[3]=w16;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+120);
   /* #21: @0 = 0.1875 */
@@ -16605,7 +17260,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w17;
   res1[3]=w18;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+180);
   /* #25: @0 = 0.25 */
@@ -16622,7 +17277,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w19;
   res1[3]=w20;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+240);
   /* #29: @0 = 0.3125 */
@@ -16639,7 +17294,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w21;
   res1[3]=w22;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+300);
   /* #33: @0 = 0.375 */
@@ -16656,7 +17311,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w23;
   res1[3]=w24;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[0][6] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+360);
   /* #37: @0 = 0.4375 */
@@ -16673,7 +17328,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w25;
   res1[3]=w26;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[0][7] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+420);
   /* #41: @0 = 0.5 */
@@ -16690,7 +17345,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w27;
   res1[3]=w28;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #44: output[0][8] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+480);
   /* #45: @0 = 0.5625 */
@@ -16707,7 +17362,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w29;
   res1[3]=w30;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #48: output[0][9] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+540);
   /* #49: @0 = 0.625 */
@@ -16724,7 +17379,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w31;
   res1[3]=w32;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[0][10] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+600);
   /* #53: @0 = 0.6875 */
@@ -16741,7 +17396,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w33;
   res1[3]=w34;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #56: output[0][11] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+660);
   /* #57: @0 = 0.75 */
@@ -16758,7 +17413,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w35;
   res1[3]=w36;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #60: output[0][12] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+720);
   /* #61: @0 = 0.8125 */
@@ -16775,7 +17430,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w37;
   res1[3]=w38;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #64: output[0][13] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+780);
   /* #65: @0 = 0.875 */
@@ -16792,7 +17447,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w39;
   res1[3]=w40;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #68: output[0][14] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+840);
   /* #69: @0 = 0.9375 */
@@ -16809,7 +17464,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w41;
   res1[3]=w42;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #72: output[0][15] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+900);
   /* #73: output[0][16] = @8 */
@@ -16854,7 +17509,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w04;
   res1[0]=w43;
   res1[1]=w44;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #92: output[1][16] = @43 */
   if (res[1]) casadi_copy(w43, 8, res[1]+1536);
   /* #93: output[2][0] = @12 */
@@ -16898,14 +17553,14 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w06;
   arg1[2]=w04;
   res1[0]=w45;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #112: output[3][0] = @45 */
   casadi_copy(w45, 4, res[3]);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_192(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f69(arg, res, iw, w, mem);
+  return casadi_f93(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_192_checkout(void) {
@@ -16984,7 +17639,7 @@ CASADI_SYMBOL_EXPORT int compass_trace_192_work_bytes(casadi_int *sz_arg, casadi
 }
 
 /* compass_trace_288:(u[4],p[6])->(w[5x289],g[8x289],dg[8x289],R[4]) */
-static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f94(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w00, *w01=w+289, w02, w03, *w04=w+293, *w05=w+299, *w06=w+323, w07, *w08=w+326, *w09=w+331;
   casadi_real *w10=w+336, *w11=w+396, *w12=w+492, *w13=w+588, *w14=w+684, *w15=w+780, *w16=w+876, *w17=w+972, *w18=w+1068, *w19=w+1164, *w20=w+1260, *w21=w+1356;
@@ -17009,7 +17664,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w03);
   arg1[1]=w04;
   res1[0]=w05;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:3] */
   for (rr=w06, cs=w01+0; cs!=w01+3; cs+=1) *rr++ = *cs;
   /* #8: {@1, NULL} = start(@6, @4) */
@@ -17017,7 +17672,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w04;
   res1[0]=w01;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #9: @7 = 0 */
   w07 = 0.;
   /* #10: @8 = vertcat(@1, @7) */
@@ -17034,7 +17689,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w11;
   res1[3]=w12;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w10, 60, res[0]);
   /* #13: @0 = 0.0416667 */
@@ -17051,7 +17706,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w13;
   res1[3]=w14;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+60);
   /* #17: @0 = 0.0833333 */
@@ -17068,7 +17723,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w15;
   res1[3]=w16;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+120);
   /* #21: @0 = 0.125 */
@@ -17085,7 +17740,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w17;
   res1[3]=w18;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+180);
   /* #25: @0 = 0.166667 */
@@ -17102,7 +17757,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w19;
   res1[3]=w20;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+240);
   /* #29: @0 = 0.208333 */
@@ -17119,7 +17774,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w21;
   res1[3]=w22;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+300);
   /* #33: @0 = 0.25 */
@@ -17136,7 +17791,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w23;
   res1[3]=w24;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[0][6] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+360);
   /* #37: @0 = 0.291667 */
@@ -17153,7 +17808,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w25;
   res1[3]=w26;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[0][7] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+420);
   /* #41: @0 = 0.333333 */
@@ -17170,7 +17825,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w27;
   res1[3]=w28;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #44: output[0][8] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+480);
   /* #45: @0 = 0.375 */
@@ -17187,7 +17842,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w29;
   res1[3]=w30;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #48: output[0][9] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+540);
   /* #49: @0 = 0.416667 */
@@ -17204,7 +17859,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w31;
   res1[3]=w32;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[0][10] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+600);
   /* #53: @0 = 0.458333 */
@@ -17221,7 +17876,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w33;
   res1[3]=w34;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #56: output[0][11] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+660);
   /* #57: @0 = 0.5 */
@@ -17238,7 +17893,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w35;
   res1[3]=w36;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #60: output[0][12] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+720);
   /* #61: @0 = 0.541667 */
@@ -17255,7 +17910,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w37;
   res1[3]=w38;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #64: output[0][13] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+780);
   /* #65: @0 = 0.583333 */
@@ -17272,7 +17927,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w39;
   res1[3]=w40;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #68: output[0][14] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+840);
   /* #69: @0 = 0.625 */
@@ -17289,7 +17944,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w41;
   res1[3]=w42;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #72: output[0][15] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+900);
   /* #73: @0 = 0.666667 */
@@ -17306,7 +17961,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w43;
   res1[3]=w44;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #76: output[0][16] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+960);
   /* #77: @0 = 0.708333 */
@@ -17323,7 +17978,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w45;
   res1[3]=w46;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #80: output[0][17] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1020);
   /* #81: @0 = 0.75 */
@@ -17340,7 +17995,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w47;
   res1[3]=w48;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #84: output[0][18] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1080);
   /* #85: @0 = 0.791667 */
@@ -17357,7 +18012,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w49;
   res1[3]=w50;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #88: output[0][19] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1140);
   /* #89: @0 = 0.833333 */
@@ -17374,7 +18029,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w51;
   res1[3]=w52;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #92: output[0][20] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1200);
   /* #93: @0 = 0.875 */
@@ -17391,7 +18046,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w53;
   res1[3]=w54;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #96: output[0][21] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1260);
   /* #97: @0 = 0.916667 */
@@ -17408,7 +18063,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w55;
   res1[3]=w56;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #100: output[0][22] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1320);
   /* #101: @0 = 0.958333 */
@@ -17425,7 +18080,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w57;
   res1[3]=w58;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #104: output[0][23] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1380);
   /* #105: output[0][24] = @8 */
@@ -17486,7 +18141,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w04;
   res1[0]=w59;
   res1[1]=w60;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #132: output[1][24] = @59 */
   if (res[1]) casadi_copy(w59, 8, res[1]+2304);
   /* #133: output[2][0] = @12 */
@@ -17546,14 +18201,14 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w06;
   arg1[2]=w04;
   res1[0]=w61;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #160: output[3][0] = @61 */
   casadi_copy(w61, 4, res[3]);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_288(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f70(arg, res, iw, w, mem);
+  return casadi_f94(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_288_checkout(void) {
@@ -17632,7 +18287,7 @@ CASADI_SYMBOL_EXPORT int compass_trace_288_work_bytes(casadi_int *sz_arg, casadi
 }
 
 /* compass_trace_384:(u[4],p[6])->(w[5x385],g[8x385],dg[8x385],R[4]) */
-static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f95(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w00, *w01=w+289, w02, w03, *w04=w+293, *w05=w+299, *w06=w+323, w07, *w08=w+326, *w09=w+331;
   casadi_real *w10=w+336, *w11=w+396, *w12=w+492, *w13=w+588, *w14=w+684, *w15=w+780, *w16=w+876, *w17=w+972, *w18=w+1068, *w19=w+1164, *w20=w+1260, *w21=w+1356;
@@ -17658,7 +18313,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w03);
   arg1[1]=w04;
   res1[0]=w05;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:3] */
   for (rr=w06, cs=w01+0; cs!=w01+3; cs+=1) *rr++ = *cs;
   /* #8: {@1, NULL} = start(@6, @4) */
@@ -17666,7 +18321,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w04;
   res1[0]=w01;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #9: @7 = 0 */
   w07 = 0.;
   /* #10: @8 = vertcat(@1, @7) */
@@ -17683,7 +18338,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w11;
   res1[3]=w12;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w10, 60, res[0]);
   /* #13: @0 = 0.03125 */
@@ -17700,7 +18355,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w13;
   res1[3]=w14;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+60);
   /* #17: @0 = 0.0625 */
@@ -17717,7 +18372,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w15;
   res1[3]=w16;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+120);
   /* #21: @0 = 0.09375 */
@@ -17734,7 +18389,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w17;
   res1[3]=w18;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+180);
   /* #25: @0 = 0.125 */
@@ -17751,7 +18406,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w19;
   res1[3]=w20;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+240);
   /* #29: @0 = 0.15625 */
@@ -17768,7 +18423,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w21;
   res1[3]=w22;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+300);
   /* #33: @0 = 0.1875 */
@@ -17785,7 +18440,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w23;
   res1[3]=w24;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[0][6] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+360);
   /* #37: @0 = 0.21875 */
@@ -17802,7 +18457,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w25;
   res1[3]=w26;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[0][7] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+420);
   /* #41: @0 = 0.25 */
@@ -17819,7 +18474,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w27;
   res1[3]=w28;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #44: output[0][8] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+480);
   /* #45: @0 = 0.28125 */
@@ -17836,7 +18491,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w29;
   res1[3]=w30;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #48: output[0][9] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+540);
   /* #49: @0 = 0.3125 */
@@ -17853,7 +18508,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w31;
   res1[3]=w32;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[0][10] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+600);
   /* #53: @0 = 0.34375 */
@@ -17870,7 +18525,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w33;
   res1[3]=w34;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #56: output[0][11] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+660);
   /* #57: @0 = 0.375 */
@@ -17887,7 +18542,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w35;
   res1[3]=w36;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #60: output[0][12] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+720);
   /* #61: @0 = 0.40625 */
@@ -17904,7 +18559,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w37;
   res1[3]=w38;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #64: output[0][13] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+780);
   /* #65: @0 = 0.4375 */
@@ -17921,7 +18576,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w39;
   res1[3]=w40;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #68: output[0][14] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+840);
   /* #69: @0 = 0.46875 */
@@ -17938,7 +18593,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w41;
   res1[3]=w42;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #72: output[0][15] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+900);
   /* #73: @0 = 0.5 */
@@ -17955,7 +18610,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w43;
   res1[3]=w44;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #76: output[0][16] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+960);
   /* #77: @0 = 0.53125 */
@@ -17972,7 +18627,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w45;
   res1[3]=w46;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #80: output[0][17] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1020);
   /* #81: @0 = 0.5625 */
@@ -17989,7 +18644,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w47;
   res1[3]=w48;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #84: output[0][18] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1080);
   /* #85: @0 = 0.59375 */
@@ -18006,7 +18661,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w49;
   res1[3]=w50;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #88: output[0][19] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1140);
   /* #89: @0 = 0.625 */
@@ -18023,7 +18678,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w51;
   res1[3]=w52;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #92: output[0][20] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1200);
   /* #93: @0 = 0.65625 */
@@ -18040,7 +18695,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w53;
   res1[3]=w54;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #96: output[0][21] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1260);
   /* #97: @0 = 0.6875 */
@@ -18057,7 +18712,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w55;
   res1[3]=w56;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #100: output[0][22] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1320);
   /* #101: @0 = 0.71875 */
@@ -18074,7 +18729,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w57;
   res1[3]=w58;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #104: output[0][23] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1380);
   /* #105: @0 = 0.75 */
@@ -18091,7 +18746,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w59;
   res1[3]=w60;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #108: output[0][24] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1440);
   /* #109: @0 = 0.78125 */
@@ -18108,7 +18763,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w61;
   res1[3]=w62;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #112: output[0][25] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1500);
   /* #113: @0 = 0.8125 */
@@ -18125,7 +18780,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w63;
   res1[3]=w64;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #116: output[0][26] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1560);
   /* #117: @0 = 0.84375 */
@@ -18142,7 +18797,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w65;
   res1[3]=w66;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #120: output[0][27] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1620);
   /* #121: @0 = 0.875 */
@@ -18159,7 +18814,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w67;
   res1[3]=w68;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #124: output[0][28] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1680);
   /* #125: @0 = 0.90625 */
@@ -18176,7 +18831,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w69;
   res1[3]=w70;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #128: output[0][29] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1740);
   /* #129: @0 = 0.9375 */
@@ -18193,7 +18848,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w71;
   res1[3]=w72;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #132: output[0][30] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1800);
   /* #133: @0 = 0.96875 */
@@ -18210,7 +18865,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w73;
   res1[3]=w74;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #136: output[0][31] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1860);
   /* #137: output[0][32] = @8 */
@@ -18287,7 +18942,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w04;
   res1[0]=w75;
   res1[1]=w76;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #172: output[1][32] = @75 */
   if (res[1]) casadi_copy(w75, 8, res[1]+3072);
   /* #173: output[2][0] = @12 */
@@ -18363,14 +19018,14 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w06;
   arg1[2]=w04;
   res1[0]=w77;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #208: output[3][0] = @77 */
   casadi_copy(w77, 4, res[3]);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_384(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f71(arg, res, iw, w, mem);
+  return casadi_f95(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_384_checkout(void) {
@@ -18449,7 +19104,7 @@ CASADI_SYMBOL_EXPORT int compass_trace_384_work_bytes(casadi_int *sz_arg, casadi
 }
 
 /* compass_trace_576:(u[4],p[6])->(w[5x577],g[8x577],dg[8x577],R[4]) */
-static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f96(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w000, *w001=w+289, w002, w003, *w004=w+293, *w005=w+299, *w006=w+323, w007, *w008=w+326, *w009=w+331;
   casadi_real *w010=w+336, *w011=w+396, *w012=w+492, *w013=w+588, *w014=w+684, *w015=w+780, *w016=w+876, *w017=w+972, *w018=w+1068, *w019=w+1164, *w020=w+1260, *w021=w+1356;
@@ -18478,7 +19133,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w003);
   arg1[1]=w004;
   res1[0]=w005;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:3] */
   for (rr=w006, cs=w001+0; cs!=w001+3; cs+=1) *rr++ = *cs;
   /* #8: {@1, NULL} = start(@6, @4) */
@@ -18486,7 +19141,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w004;
   res1[0]=w001;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #9: @7 = 0 */
   w007 = 0.;
   /* #10: @8 = vertcat(@1, @7) */
@@ -18503,7 +19158,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w011;
   res1[3]=w012;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w010, 60, res[0]);
   /* #13: @0 = 0.0208333 */
@@ -18520,7 +19175,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w013;
   res1[3]=w014;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+60);
   /* #17: @0 = 0.0416667 */
@@ -18537,7 +19192,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w015;
   res1[3]=w016;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+120);
   /* #21: @0 = 0.0625 */
@@ -18554,7 +19209,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w017;
   res1[3]=w018;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+180);
   /* #25: @0 = 0.0833333 */
@@ -18571,7 +19226,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w019;
   res1[3]=w020;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+240);
   /* #29: @0 = 0.104167 */
@@ -18588,7 +19243,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w021;
   res1[3]=w022;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+300);
   /* #33: @0 = 0.125 */
@@ -18605,7 +19260,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w023;
   res1[3]=w024;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[0][6] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+360);
   /* #37: @0 = 0.145833 */
@@ -18622,7 +19277,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w025;
   res1[3]=w026;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[0][7] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+420);
   /* #41: @0 = 0.166667 */
@@ -18639,7 +19294,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w027;
   res1[3]=w028;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #44: output[0][8] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+480);
   /* #45: @0 = 0.1875 */
@@ -18656,7 +19311,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w029;
   res1[3]=w030;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #48: output[0][9] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+540);
   /* #49: @0 = 0.208333 */
@@ -18673,7 +19328,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w031;
   res1[3]=w032;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[0][10] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+600);
   /* #53: @0 = 0.229167 */
@@ -18690,7 +19345,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w033;
   res1[3]=w034;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #56: output[0][11] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+660);
   /* #57: @0 = 0.25 */
@@ -18707,7 +19362,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w035;
   res1[3]=w036;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #60: output[0][12] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+720);
   /* #61: @0 = 0.270833 */
@@ -18724,7 +19379,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w037;
   res1[3]=w038;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #64: output[0][13] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+780);
   /* #65: @0 = 0.291667 */
@@ -18741,7 +19396,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w039;
   res1[3]=w040;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #68: output[0][14] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+840);
   /* #69: @0 = 0.3125 */
@@ -18758,7 +19413,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w041;
   res1[3]=w042;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #72: output[0][15] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+900);
   /* #73: @0 = 0.333333 */
@@ -18775,7 +19430,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w043;
   res1[3]=w044;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #76: output[0][16] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+960);
   /* #77: @0 = 0.354167 */
@@ -18792,7 +19447,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w045;
   res1[3]=w046;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #80: output[0][17] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1020);
   /* #81: @0 = 0.375 */
@@ -18809,7 +19464,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w047;
   res1[3]=w048;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #84: output[0][18] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1080);
   /* #85: @0 = 0.395833 */
@@ -18826,7 +19481,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w049;
   res1[3]=w050;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #88: output[0][19] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1140);
   /* #89: @0 = 0.416667 */
@@ -18843,7 +19498,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w051;
   res1[3]=w052;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #92: output[0][20] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1200);
   /* #93: @0 = 0.4375 */
@@ -18860,7 +19515,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w053;
   res1[3]=w054;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #96: output[0][21] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1260);
   /* #97: @0 = 0.458333 */
@@ -18877,7 +19532,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w055;
   res1[3]=w056;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #100: output[0][22] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1320);
   /* #101: @0 = 0.479167 */
@@ -18894,7 +19549,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w057;
   res1[3]=w058;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #104: output[0][23] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1380);
   /* #105: @0 = 0.5 */
@@ -18911,7 +19566,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w059;
   res1[3]=w060;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #108: output[0][24] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1440);
   /* #109: @0 = 0.520833 */
@@ -18928,7 +19583,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w061;
   res1[3]=w062;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #112: output[0][25] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1500);
   /* #113: @0 = 0.541667 */
@@ -18945,7 +19600,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w063;
   res1[3]=w064;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #116: output[0][26] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1560);
   /* #117: @0 = 0.5625 */
@@ -18962,7 +19617,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w065;
   res1[3]=w066;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #120: output[0][27] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1620);
   /* #121: @0 = 0.583333 */
@@ -18979,7 +19634,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w067;
   res1[3]=w068;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #124: output[0][28] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1680);
   /* #125: @0 = 0.604167 */
@@ -18996,7 +19651,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w069;
   res1[3]=w070;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #128: output[0][29] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1740);
   /* #129: @0 = 0.625 */
@@ -19013,7 +19668,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w071;
   res1[3]=w072;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #132: output[0][30] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1800);
   /* #133: @0 = 0.645833 */
@@ -19030,7 +19685,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w073;
   res1[3]=w074;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #136: output[0][31] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1860);
   /* #137: @0 = 0.666667 */
@@ -19047,7 +19702,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w075;
   res1[3]=w076;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #140: output[0][32] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1920);
   /* #141: @0 = 0.6875 */
@@ -19064,7 +19719,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w077;
   res1[3]=w078;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #144: output[0][33] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1980);
   /* #145: @0 = 0.708333 */
@@ -19081,7 +19736,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w079;
   res1[3]=w080;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #148: output[0][34] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2040);
   /* #149: @0 = 0.729167 */
@@ -19098,7 +19753,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w081;
   res1[3]=w082;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #152: output[0][35] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2100);
   /* #153: @0 = 0.75 */
@@ -19115,7 +19770,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w083;
   res1[3]=w084;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #156: output[0][36] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2160);
   /* #157: @0 = 0.770833 */
@@ -19132,7 +19787,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w085;
   res1[3]=w086;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #160: output[0][37] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2220);
   /* #161: @0 = 0.791667 */
@@ -19149,7 +19804,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w087;
   res1[3]=w088;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #164: output[0][38] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2280);
   /* #165: @0 = 0.8125 */
@@ -19166,7 +19821,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w089;
   res1[3]=w090;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #168: output[0][39] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2340);
   /* #169: @0 = 0.833333 */
@@ -19183,7 +19838,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w091;
   res1[3]=w092;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #172: output[0][40] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2400);
   /* #173: @0 = 0.854167 */
@@ -19200,7 +19855,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w093;
   res1[3]=w094;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #176: output[0][41] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2460);
   /* #177: @0 = 0.875 */
@@ -19217,7 +19872,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w095;
   res1[3]=w096;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #180: output[0][42] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2520);
   /* #181: @0 = 0.895833 */
@@ -19234,7 +19889,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w097;
   res1[3]=w098;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #184: output[0][43] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2580);
   /* #185: @0 = 0.916667 */
@@ -19251,7 +19906,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w099;
   res1[3]=w100;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #188: output[0][44] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2640);
   /* #189: @0 = 0.9375 */
@@ -19268,7 +19923,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w101;
   res1[3]=w102;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #192: output[0][45] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2700);
   /* #193: @0 = 0.958333 */
@@ -19285,7 +19940,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w103;
   res1[3]=w104;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #196: output[0][46] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2760);
   /* #197: @0 = 0.979167 */
@@ -19302,7 +19957,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w105;
   res1[3]=w106;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #200: output[0][47] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2820);
   /* #201: output[0][48] = @8 */
@@ -19411,7 +20066,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w004;
   res1[0]=w107;
   res1[1]=w108;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #252: output[1][48] = @107 */
   if (res[1]) casadi_copy(w107, 8, res[1]+4608);
   /* #253: output[2][0] = @12 */
@@ -19519,14 +20174,14 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w006;
   arg1[2]=w004;
   res1[0]=w109;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #304: output[3][0] = @109 */
   casadi_copy(w109, 4, res[3]);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_576(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f72(arg, res, iw, w, mem);
+  return casadi_f96(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_576_checkout(void) {
@@ -19605,7 +20260,7 @@ CASADI_SYMBOL_EXPORT int compass_trace_576_work_bytes(casadi_int *sz_arg, casadi
 }
 
 /* compass_trace_768:(u[4],p[6])->(w[5x769],g[8x769],dg[8x769],R[4]) */
-static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w000, *w001=w+289, w002, w003, *w004=w+293, *w005=w+299, *w006=w+323, w007, *w008=w+326, *w009=w+331;
   casadi_real *w010=w+336, *w011=w+396, *w012=w+492, *w013=w+588, *w014=w+684, *w015=w+780, *w016=w+876, *w017=w+972, *w018=w+1068, *w019=w+1164, *w020=w+1260, *w021=w+1356;
@@ -19636,7 +20291,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w003);
   arg1[1]=w004;
   res1[0]=w005;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:3] */
   for (rr=w006, cs=w001+0; cs!=w001+3; cs+=1) *rr++ = *cs;
   /* #8: {@1, NULL} = start(@6, @4) */
@@ -19644,7 +20299,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w004;
   res1[0]=w001;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #9: @7 = 0 */
   w007 = 0.;
   /* #10: @8 = vertcat(@1, @7) */
@@ -19661,7 +20316,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w011;
   res1[3]=w012;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w010, 60, res[0]);
   /* #13: @0 = 0.015625 */
@@ -19678,7 +20333,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w013;
   res1[3]=w014;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+60);
   /* #17: @0 = 0.03125 */
@@ -19695,7 +20350,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w015;
   res1[3]=w016;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+120);
   /* #21: @0 = 0.046875 */
@@ -19712,7 +20367,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w017;
   res1[3]=w018;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+180);
   /* #25: @0 = 0.0625 */
@@ -19729,7 +20384,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w019;
   res1[3]=w020;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+240);
   /* #29: @0 = 0.078125 */
@@ -19746,7 +20401,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w021;
   res1[3]=w022;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+300);
   /* #33: @0 = 0.09375 */
@@ -19763,7 +20418,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w023;
   res1[3]=w024;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[0][6] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+360);
   /* #37: @0 = 0.109375 */
@@ -19780,7 +20435,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w025;
   res1[3]=w026;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[0][7] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+420);
   /* #41: @0 = 0.125 */
@@ -19797,7 +20452,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w027;
   res1[3]=w028;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #44: output[0][8] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+480);
   /* #45: @0 = 0.140625 */
@@ -19814,7 +20469,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w029;
   res1[3]=w030;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #48: output[0][9] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+540);
   /* #49: @0 = 0.15625 */
@@ -19831,7 +20486,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w031;
   res1[3]=w032;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[0][10] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+600);
   /* #53: @0 = 0.171875 */
@@ -19848,7 +20503,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w033;
   res1[3]=w034;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #56: output[0][11] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+660);
   /* #57: @0 = 0.1875 */
@@ -19865,7 +20520,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w035;
   res1[3]=w036;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #60: output[0][12] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+720);
   /* #61: @0 = 0.203125 */
@@ -19882,7 +20537,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w037;
   res1[3]=w038;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #64: output[0][13] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+780);
   /* #65: @0 = 0.21875 */
@@ -19899,7 +20554,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w039;
   res1[3]=w040;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #68: output[0][14] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+840);
   /* #69: @0 = 0.234375 */
@@ -19916,7 +20571,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w041;
   res1[3]=w042;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #72: output[0][15] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+900);
   /* #73: @0 = 0.25 */
@@ -19933,7 +20588,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w043;
   res1[3]=w044;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #76: output[0][16] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+960);
   /* #77: @0 = 0.265625 */
@@ -19950,7 +20605,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w045;
   res1[3]=w046;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #80: output[0][17] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1020);
   /* #81: @0 = 0.28125 */
@@ -19967,7 +20622,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w047;
   res1[3]=w048;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #84: output[0][18] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1080);
   /* #85: @0 = 0.296875 */
@@ -19984,7 +20639,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w049;
   res1[3]=w050;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #88: output[0][19] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1140);
   /* #89: @0 = 0.3125 */
@@ -20001,7 +20656,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w051;
   res1[3]=w052;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #92: output[0][20] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1200);
   /* #93: @0 = 0.328125 */
@@ -20018,7 +20673,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w053;
   res1[3]=w054;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #96: output[0][21] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1260);
   /* #97: @0 = 0.34375 */
@@ -20035,7 +20690,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w055;
   res1[3]=w056;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #100: output[0][22] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1320);
   /* #101: @0 = 0.359375 */
@@ -20052,7 +20707,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w057;
   res1[3]=w058;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #104: output[0][23] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1380);
   /* #105: @0 = 0.375 */
@@ -20069,7 +20724,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w059;
   res1[3]=w060;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #108: output[0][24] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1440);
   /* #109: @0 = 0.390625 */
@@ -20086,7 +20741,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w061;
   res1[3]=w062;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #112: output[0][25] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1500);
   /* #113: @0 = 0.40625 */
@@ -20103,7 +20758,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w063;
   res1[3]=w064;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #116: output[0][26] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1560);
   /* #117: @0 = 0.421875 */
@@ -20120,7 +20775,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w065;
   res1[3]=w066;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #120: output[0][27] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1620);
   /* #121: @0 = 0.4375 */
@@ -20137,7 +20792,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w067;
   res1[3]=w068;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #124: output[0][28] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1680);
   /* #125: @0 = 0.453125 */
@@ -20154,7 +20809,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w069;
   res1[3]=w070;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #128: output[0][29] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1740);
   /* #129: @0 = 0.46875 */
@@ -20171,7 +20826,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w071;
   res1[3]=w072;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #132: output[0][30] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1800);
   /* #133: @0 = 0.484375 */
@@ -20188,7 +20843,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w073;
   res1[3]=w074;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #136: output[0][31] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1860);
   /* #137: @0 = 0.5 */
@@ -20205,7 +20860,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w075;
   res1[3]=w076;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #140: output[0][32] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1920);
   /* #141: @0 = 0.515625 */
@@ -20222,7 +20877,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w077;
   res1[3]=w078;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #144: output[0][33] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1980);
   /* #145: @0 = 0.53125 */
@@ -20239,7 +20894,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w079;
   res1[3]=w080;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #148: output[0][34] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2040);
   /* #149: @0 = 0.546875 */
@@ -20256,7 +20911,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w081;
   res1[3]=w082;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #152: output[0][35] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2100);
   /* #153: @0 = 0.5625 */
@@ -20273,7 +20928,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w083;
   res1[3]=w084;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #156: output[0][36] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2160);
   /* #157: @0 = 0.578125 */
@@ -20290,7 +20945,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w085;
   res1[3]=w086;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #160: output[0][37] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2220);
   /* #161: @0 = 0.59375 */
@@ -20307,7 +20962,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w087;
   res1[3]=w088;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #164: output[0][38] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2280);
   /* #165: @0 = 0.609375 */
@@ -20324,7 +20979,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w089;
   res1[3]=w090;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #168: output[0][39] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2340);
   /* #169: @0 = 0.625 */
@@ -20341,7 +20996,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w091;
   res1[3]=w092;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #172: output[0][40] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2400);
   /* #173: @0 = 0.640625 */
@@ -20358,7 +21013,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w093;
   res1[3]=w094;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #176: output[0][41] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2460);
   /* #177: @0 = 0.65625 */
@@ -20375,7 +21030,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w095;
   res1[3]=w096;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #180: output[0][42] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2520);
   /* #181: @0 = 0.671875 */
@@ -20392,7 +21047,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w097;
   res1[3]=w098;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #184: output[0][43] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2580);
   /* #185: @0 = 0.6875 */
@@ -20409,7 +21064,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w099;
   res1[3]=w100;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #188: output[0][44] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2640);
   /* #189: @0 = 0.703125 */
@@ -20426,7 +21081,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w101;
   res1[3]=w102;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #192: output[0][45] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2700);
   /* #193: @0 = 0.71875 */
@@ -20443,7 +21098,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w103;
   res1[3]=w104;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #196: output[0][46] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2760);
   /* #197: @0 = 0.734375 */
@@ -20460,7 +21115,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w105;
   res1[3]=w106;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #200: output[0][47] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2820);
   /* #201: @0 = 0.75 */
@@ -20477,7 +21132,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w107;
   res1[3]=w108;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #204: output[0][48] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2880);
   /* #205: @0 = 0.765625 */
@@ -20494,7 +21149,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w109;
   res1[3]=w110;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #208: output[0][49] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2940);
   /* #209: @0 = 0.78125 */
@@ -20511,7 +21166,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w111;
   res1[3]=w112;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #212: output[0][50] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+3000);
   /* #213: @0 = 0.796875 */
@@ -20528,7 +21183,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w113;
   res1[3]=w114;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #216: output[0][51] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+3060);
   /* #217: @0 = 0.8125 */
@@ -20545,7 +21200,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w115;
   res1[3]=w116;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #220: output[0][52] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+3120);
   /* #221: @0 = 0.828125 */
@@ -20562,7 +21217,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w117;
   res1[3]=w118;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #224: output[0][53] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+3180);
   /* #225: @0 = 0.84375 */
@@ -20579,7 +21234,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w119;
   res1[3]=w120;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #228: output[0][54] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+3240);
   /* #229: @0 = 0.859375 */
@@ -20596,7 +21251,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w121;
   res1[3]=w122;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #232: output[0][55] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+3300);
   /* #233: @0 = 0.875 */
@@ -20613,7 +21268,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w123;
   res1[3]=w124;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #236: output[0][56] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+3360);
   /* #237: @0 = 0.890625 */
@@ -20630,7 +21285,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w125;
   res1[3]=w126;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #240: output[0][57] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+3420);
   /* #241: @0 = 0.90625 */
@@ -20647,7 +21302,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w127;
   res1[3]=w128;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #244: output[0][58] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+3480);
   /* #245: @0 = 0.921875 */
@@ -20664,7 +21319,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w129;
   res1[3]=w130;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #248: output[0][59] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+3540);
   /* #249: @0 = 0.9375 */
@@ -20681,7 +21336,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w131;
   res1[3]=w132;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #252: output[0][60] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+3600);
   /* #253: @0 = 0.953125 */
@@ -20698,7 +21353,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w133;
   res1[3]=w134;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #256: output[0][61] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+3660);
   /* #257: @0 = 0.96875 */
@@ -20715,7 +21370,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w135;
   res1[3]=w136;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #260: output[0][62] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+3720);
   /* #261: @0 = 0.984375 */
@@ -20732,7 +21387,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w137;
   res1[3]=w138;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #264: output[0][63] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+3780);
   /* #265: output[0][64] = @8 */
@@ -20873,7 +21528,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w004;
   res1[0]=w139;
   res1[1]=w140;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #332: output[1][64] = @139 */
   if (res[1]) casadi_copy(w139, 8, res[1]+6144);
   /* #333: output[2][0] = @12 */
@@ -21013,14 +21668,14 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w006;
   arg1[2]=w004;
   res1[0]=w141;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #400: output[3][0] = @141 */
   casadi_copy(w141, 4, res[3]);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_768(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f73(arg, res, iw, w, mem);
+  return casadi_f97(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_768_checkout(void) {
@@ -21099,7 +21754,7 @@ CASADI_SYMBOL_EXPORT int compass_trace_768_work_bytes(casadi_int *sz_arg, casadi
 }
 
 /* compass_advance:(t,w[5],h,p[6])->(w_end[5],g[8],dg[8]) */
-static int casadi_f74(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f98(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+3, *rr, *w0=w+81, w1, *w2=w+86, *w3=w+92, w4, *w5=w+94, *w6=w+118, *w7=w+123, *w8=w+127, *w9=w+135;
   const casadi_real **arg1=arg+4, *cs;
   /* #0: @0 = input[1][0] */
@@ -21112,14 +21767,14 @@ static int casadi_f74(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w1);
   arg1[1]=w2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = input[2][0] */
   w4 = arg[2] ? arg[2][0] : 0;
   /* #5: @5 = turns(@4, @2) */
   arg1[0]=(&w4);
   arg1[1]=w2;
   res1[0]=w5;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #6: @6 = working_step(@0, @3, @5, @4, @2) */
   arg1[0]=w0;
   arg1[1]=w3;
@@ -21127,7 +21782,7 @@ static int casadi_f74(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w4);
   arg1[4]=w2;
   res1[0]=w6;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
   /* #7: output[0][0] = @6 */
   casadi_copy(w6, 5, res[0]);
   /* #8: @1 = (@1+@4) */
@@ -21140,7 +21795,7 @@ static int casadi_f74(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w2;
   res1[0]=w8;
   res1[1]=w9;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #11: output[1][0] = @8 */
   casadi_copy(w8, 8, res[1]);
   /* #12: output[2][0] = @9 */
@@ -21149,7 +21804,7 @@ static int casadi_f74(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int compass_advance(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f74(arg, res, iw, w, mem);
+  return casadi_f98(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_advance_checkout(void) {
@@ -21230,7 +21885,7 @@ CASADI_SYMBOL_EXPORT int compass_advance_work_bytes(casadi_int *sz_arg, casadi_i
 }
 
 /* compass_begin:(u[4],p[6])->(y[4x4]) */
-static int casadi_f75(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f99(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+2, *w1=w+6, *w2=w+9, *w3=w+15;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
@@ -21244,7 +21899,7 @@ static int casadi_f75(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w2;
   res1[0]=w0;
   res1[1]=w3;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: output[0][0] = @0 */
   casadi_copy(w0, 4, res[0]);
   /* #5: output[0][1] = @3 */
@@ -21253,7 +21908,7 @@ static int casadi_f75(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int compass_begin(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f75(arg, res, iw, w, mem);
+  return casadi_f99(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_begin_checkout(void) {
@@ -21326,7 +21981,7 @@ CASADI_SYMBOL_EXPORT int compass_begin_work_bytes(casadi_int *sz_arg, casadi_int
 }
 
 /* compass_swing:(t,h,y[4x4],p[6])->(y_end[4x4]) */
-static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f100(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, w1, w2, *w3=w+294, *w4=w+300, *w5=w+324;
   const casadi_real **arg1=arg+4, *wr0;
   /* #0: @0 = input[2][0] */
@@ -21341,7 +21996,7 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w2);
   arg1[1]=w3;
   res1[0]=w4;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #5: @5 = variational_steps(@0, @1, @4, @2, @3) */
   arg1[0]=wr0;
   arg1[1]=(&w1);
@@ -21349,14 +22004,14 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w2);
   arg1[4]=w3;
   res1[0]=w5;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #6: output[0][0] = @5 */
   casadi_copy(w5, 16, res[0]);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int compass_swing(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f76(arg, res, iw, w, mem);
+  return casadi_f100(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_swing_checkout(void) {
@@ -21433,7 +22088,7 @@ CASADI_SYMBOL_EXPORT int compass_swing_work_bytes(casadi_int *sz_arg, casadi_int
 }
 
 /* compass_end:(y[4x4],u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f77(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f101(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *rr, *w1=w+24, *w2=w+28, w3, *w4=w+31, *w5=w+37;
   const casadi_real **arg1=arg+3, *cs, *wr0;
   /* #0: @0 = input[0][0] */
@@ -21453,7 +22108,7 @@ static int casadi_f77(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=w4;
   res1[0]=w5;
   res1[1]=w1;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #6: output[0][0] = @5 */
   casadi_copy(w5, 16, res[0]);
   /* #7: output[1][0] = @1 */
@@ -21462,7 +22117,7 @@ static int casadi_f77(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int compass_end(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f77(arg, res, iw, w, mem);
+  return casadi_f101(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_end_checkout(void) {
@@ -21539,7 +22194,7 @@ CASADI_SYMBOL_EXPORT int compass_end_work_bytes(casadi_int *sz_arg, casadi_int* 
 }
 
 /* compass_observed_swing:(t,h,w[5],p[6])->(w_end[5],nodes[5x12],g[8x12],dg[8x12]) */
-static int casadi_f78(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f102(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+4, w0, w1, *w2=w+289, *w3=w+295, *w4=w+319, *w5=w+324, *w6=w+329, *w7=w+389, *w8=w+485;
   const casadi_real **arg1=arg+4;
   /* #0: @0 = input[0][0] */
@@ -21552,7 +22207,7 @@ static int casadi_f78(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w1);
   arg1[1]=w2;
   res1[0]=w3;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = input[2][0] */
   casadi_copy(arg[2], 5, w4);
   /* #5: {@5, @6, @7, @8} = working_steps(@0, @3, @4, @1, @2) */
@@ -21565,7 +22220,7 @@ static int casadi_f78(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w6;
   res1[2]=w7;
   res1[3]=w8;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #6: output[0][0] = @5 */
   casadi_copy(w5, 5, res[0]);
   /* #7: output[1][0] = @6 */
@@ -21578,7 +22233,7 @@ static int casadi_f78(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int compass_observed_swing(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f78(arg, res, iw, w, mem);
+  return casadi_f102(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_observed_swing_checkout(void) {

@@ -126,7 +126,9 @@ class Kernels(ABC):
     def trace(self, n_rk: int, u: Array, p: Array) -> Traced:
         """Whole steps, observed at their nodes."""
         kernel = catalogue.trace(n_rk)
-        return Traced(*(self.call(kernel, u, p) if kernel in self.functions else chained.trace(self, n_rk, u, p)))
+        return Traced(
+            *(self.call(kernel, u, p) if kernel in self.functions else chained.trace(self, n_rk, u, p))
+        )
 
     def advance(self, t: Array, w: Array, h: Array, p: Array) -> Advanced:
         """One RK step of size h from a node at time t, observed at its end."""

@@ -127,7 +127,7 @@ def _amounts(orbits: Orbits, measures: Sequence[str]) -> Array:
 
 def _of_the_same_kind(trial: Orbits, best: Orbits, only_stable: Mask) -> Mask:
     """Which cycles continue those that they were searched from."""
-    near = np.abs(trial.u - best.u).max(axis=1) < MAX_CHANGE
+    near = np.abs(trial.scaled - best.scaled).max(axis=1) < MAX_CHANGE
     kind = (trial.group == best.group) & (trial.known_stable | ~only_stable)
     return near & kind & is_physical_gait(trial)
 

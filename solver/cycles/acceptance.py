@@ -74,14 +74,14 @@ class Candidates:
         """Newton's method at `n_rk` RK steps from good guesses, checked at twice as many."""
         scales = Scales.of(kernels.model)
         u, jacobian, closing = kernels.limit_cycle(n_rk, guesses, params)
-        unit = scales.residual(jacobian)
+        unit = scales.residual
         residual = np.abs(closing / unit).max(axis=1)
         with np.errstate(invalid="ignore"):
             closed = np.isfinite(u).all(axis=1) & (u[:, -1] > 0) & (residual < options.max_residual)
         at = np.flatnonzero(closed)
         traced = kernels.trace(2 * n_rk, u[at], params[at])
         error, change = np.full(len(u), np.nan), np.full(u.shape, np.nan)
-        error[at] = np.abs((traced.residual - closing[at]) / unit[at]).max(axis=1)
+        error[at] = np.abs((traced.residual - closing[at]) / unit).max(axis=1)
         change[at] = Correction.of(jacobian[at], traced.residual, u[at], scales.unknowns).change
         trace = Trace.of(kernels, u[at], params[at], traced)
         return cls(options, n_rk, params, u, jacobian, residual, error, change, closed, trace)
@@ -170,7 +170,7 @@ class Candidates:
         q, v = trace.w[:, :, :n], trace.w[:, :, n : 2 * n]
         side = model.evaluate("touchdown_condition", q=q, v=v, p=trace.params[:, None, :])["side"]
         descending = trace.dg[:, -1, trace.row("touchdown")] > 0
-        step = descending & (side[:, -1] < -self.options.standing_angle)
+        step = descending & (side[:, -1] < -self.options.standing_angle * Scales.of(model).side)
         if model.stance_index is not None:
             stance = q[:, :, model.stance_index]
             step &= np.abs(stance).max(axis=1, initial=0.0) < np.pi / 2
@@ -216,10 +216,9 @@ def depends_on_resolution(kernels: Kernels, n_rk: int, u: Array, params: Array) 
     u : ndarray, shape (m, nz + 1)
     params : ndarray, shape (m, n_params)
     """
-    scale = Scales.of(kernels.model).unknowns[:-1]
-    coarse, fine = (kernels.residual(n, u, params) for n in (n_rk, 2 * n_rk))
-    change = np.abs((fine - coarse)[:, :-1] / scale).max(axis=1, initial=0.0)
-    left = np.abs(coarse[:, :-1] / scale).max(axis=1, initial=0.0)
+    scale = Scales.of(kernels.model).residual
+    coarse, fine = (kernels.residual(n, u, params) / scale for n in (n_rk, 2 * n_rk))
+    change, left = np.abs(fine - coarse).max(axis=1), np.abs(coarse).max(axis=1)
     return ~(change < RESOLVED * left) & ~(change < 1e-13)
 
 

@@ -14,6 +14,7 @@ from stridemap.solver.cycles.orbit import Orbit, missing, plain
 from stridemap.solver.cycles.report import SearchReport
 from stridemap.solver.cycles.status import CODES, FOUND, STATUSES, Status
 from stridemap.solver.model.model import Model
+from stridemap.solver.model.scales import Scales
 from stridemap.solver.observables.measures import decided
 from stridemap.spec import Quantity
 from stridemap.words import multiplier_columns
@@ -224,6 +225,12 @@ class Orbits(Sequence[Orbit]):
     def found(self) -> NDArray[np.bool_]:
         """Which of them are limit cycles, shape (n,)."""
         return np.isin(self.codes, FOUND)
+
+    @property
+    def scaled(self) -> Array:
+        """Section points and periods in terms of the model's scales, shape (n, nz + 1): for comparisons."""
+        scaled: Array = self.u / Scales.of(self.model).unknowns
+        return scaled
 
     @property
     def known_stable(self) -> NDArray[np.bool_]:

@@ -5,7 +5,7 @@ made, up to a bound. The chance that a further start leads to something new is a
 limit cycle no other start has reached (I. J. Good 1953, Biometrika 40, 237), so that it is small in the end.
 """
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,7 +27,16 @@ from stridemap.solver.model.model import Model
 from stridemap.solver.model.scales import Scales
 from stridemap.solver.options import SearchOptions
 
-__all__ = ["DUPLICATE", "SEARCH_TOLERANCE", "continued", "distinct", "find_all", "first_of_each", "merged", "starts"]
+__all__ = [
+    "DUPLICATE",
+    "SEARCH_TOLERANCE",
+    "continued",
+    "distinct",
+    "find_all",
+    "first_of_each",
+    "merged",
+    "starts",
+]
 
 Array = NDArray[np.float64]
 Index = NDArray[np.int64]
@@ -215,5 +224,7 @@ def merged(cell: Index, orbits: Orbits) -> tuple[Index, Orbits]:
     orbits : Orbits
     """
     found = np.flatnonzero(orbits.found)
-    kept = found[first_of_each(cell[found], orbits.u[found], DUPLICATE, None, Scales.of(orbits.model).unknowns)]
+    kept = found[
+        first_of_each(cell[found], orbits.u[found], DUPLICATE, None, Scales.of(orbits.model).unknowns)
+    ]
     return cell[kept], orbits.take(kept)

@@ -90,7 +90,7 @@ class Solver:
         u, size = np.full(guesses.shape, np.nan), np.full(len(guesses), np.nan)
         promising = np.zeros(len(guesses), dtype=bool)
         n_rk = self.resolution.search_n_rk(guesses[:, -1], params)
-        scale = Scales.of(self.model).unknowns
+        scale = Scales.of(self.model).residual
         for n in np.unique(n_rk).tolist():
             at = np.flatnonzero(n_rk == n)
             u[at], residual = self.kernels.search(n, guesses[at], params[at])

@@ -26,16 +26,21 @@ class Scales:
     section : tuple of float
         One per entry of the section: 1 for angles, `length` for lengths, both over `time` for rates, and the
         half-width of the search box for what is neither.
+    touchdown, side : float
+        Of the touchdown condition and of what is negative where a touchdown counts, which may be lengths,
+        angles or anything else: the largest change that one coordinate makes by its own scale.
     """
 
     length: float
     time: float
     section: tuple[float, ...]
+    touchdown: float
+    side: float
 
     @classmethod
     def of(cls, model: Model) -> "Scales":
         """The scales of a model, computed once."""
-        known = model.__dict__.get("_scales")
+        known: Scales | None = model.__dict__.get("_scales")
         if known is None:
             known = model.__dict__["_scales"] = cls._computed(model)
         return known
@@ -43,37 +48,47 @@ class Scales:
     @classmethod
     def _computed(cls, model: Model) -> "Scales":
         length, time = _length_and_time(model)
-        units = {c.name: c.unit for c in model.spec.coordinates}
         of_unit = {"rad": 1.0, model.spec.units.length: length}
-        section = []
-        for name, half_width in zip(model.section, model.spec.scales, strict=True):
-            rate = name not in units
-            one = of_unit.get(units[name[1:] if rate else name])
-            own = half_width if half_width > 0 else 1.0
-            section.append(own if one is None else one / time if rate else one)
-        return cls(length, time, tuple(section))
+        boxes = dict(zip(model.section, model.spec.scales, strict=True))
+        own = {c.name: of_unit.get(c.unit, boxes.get(c.name, 1.0) or 1.0) for c in model.spec.coordinates}
+        section = tuple(own[name] if name in own else own[name[1:]] / time for name in model.section)
+        touchdown, side = _of_touchdown(model, np.array([own[name] for name in model.coordinates]))
+        return cls(length, time, section, touchdown, side)
 
     @property
     def unknowns(self) -> Array:
         """Scales of the section point and the period, shape (nz + 1,)."""
         return np.array([*self.section, self.time])
 
-    def residual(self, jacobian: Array) -> Array:
-        """Scales of the residual's entries, shape (n, nz + 1).
+    @property
+    def residual(self) -> Array:
+        """Scales of the residual's entries, shape (nz + 1,)."""
+        return np.array([*self.section, self.touchdown])
 
-        Those of the section's entries, and for the touchdown condition, which may be a length, an angle or
-        anything else, its change within the scale of time.
 
-        Parameters
-        ----------
-        jacobian : ndarray, shape (n, nz + 1, nz + 1)
-            Derivative of the residual with respect to the unknowns.
-        """
-        scale = np.tile(self.unknowns, (len(jacobian), 1))
-        with np.errstate(invalid="ignore"):
-            pace = np.abs(jacobian[:, -1, -1]) * self.time
-        scale[:, -1] = np.where(np.isfinite(pace) & (pace > 0), pace, 1.0)
-        return scale
+def rounded(scale: Array) -> Array:
+    """The powers of two next to scales: what is divided by them keeps its digits."""
+    exact: Array = 2.0 ** np.round(np.log2(scale))
+    return exact
+
+
+def _of_touchdown(model: Model, scale: Array) -> tuple[float, float]:
+    """Scales of the touchdown condition and of the side, from states of the search box."""
+    middle, half = np.array([model.spec.search_box[name] for name in model.section]).reshape(-1, 2).T
+    z = np.concatenate([middle[None], middle + np.diag(half), middle - np.diag(half)])
+    p = model.point({})
+    q = model.evaluate("section_state", z=z, p=p)["q"]
+    q = model.evaluate("before_touchdown", q=q, p=p)["q_minus"]
+    rest = np.zeros_like(q)
+    largest = [0.0, 0.0]
+    for j, one in enumerate(scale.tolist()):
+        step = np.zeros(len(scale))
+        step[j] = 1e-4 * one
+        ends = [model.evaluate("touchdown_condition", q=q + sign * step, v=rest, p=p) for sign in (1, -1)]
+        for i, name in enumerate(("h", "side")):
+            change = np.abs(ends[0][name] - ends[1][name]) / 2e-4
+            largest[i] = max(largest[i], np.nanmax(np.where(np.isfinite(change), change, 0.0)).item())
+    return largest[0] or 1.0, largest[1] or 1.0
 
 
 def _length_and_time(model: Model) -> tuple[float, float]:

@@ -136,11 +136,11 @@ def stable(cycles: Cycles) -> NDArray[np.object_]:
 
 @_measure
 def undecided(cycles: Cycles) -> NDArray[np.object_]:
-    """Why it is not known whether the cycle is stable; None where it is."""
+    """Why it is not known whether the cycle is stable; empty where it is."""
     reasons = [
         f"the largest multiplier is {radius:.12g}, which its error of {error:.1g} does not tell from 1"
         if known is None
-        else None
+        else ""
         for known, radius, error in zip(
             cycles["stable"], cycles["spectral_radius"], cycles["multiplier_error"], strict=True
         )

@@ -33,7 +33,9 @@ def orbit(
     ] = None,
     search_box: Annotated[
         list[str] | None,
-        typer.Option(metavar="NAME=LOW:HIGH", help="Where starts lie in an entry of the state; see --search widen=2."),
+        typer.Option(
+            metavar="NAME=LOW:HIGH", help="Where starts lie in an entry of the state; see --search widen=2."
+        ),
     ] = None,
     acceptance: Annotated[
         list[str] | None,
