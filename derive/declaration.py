@@ -55,7 +55,7 @@ class Declaration:
     wobbling: Coordinate | None = None
     drawing: tuple[Line, ...] = ()
     quantities: tuple[Measured, ...] = ()
-    period_range: tuple[float, float] = (0.3, 3.0)
+    period_range: tuple[float, float] | None = None
     units: UnitNames = DIMENSIONLESS
     sources: Mapping[str, str] = field(default_factory=dict)
 

@@ -5,16 +5,21 @@ stance foot, what holds that foot, when the swing foot strikes and how the legs 
 else (mass matrix, impact, ground force, ...) follows in `mechanics`.
 """
 
+import math
 from dataclasses import dataclass, replace
 from typing import Any
 
 import sympy as sp
 
 from stridemap.derive.declaration import Declaration
-from stridemap.derive.parts import Clock, exact
+from stridemap.derive.parts import DIMENSIONLESS, STANCE_FOOT, Clock, exact
 from stridemap.derive.validate.mechanics import validate_mechanics
 from stridemap.derive.validate.motors import validate_motors
 from stridemap.derive.validate.names import validate_names
+from stridemap.errors import InputError
+
+USUAL_PERIODS = (0.3, 3.0)
+"""Shortest and longest period that is searched for by default, in sqrt(L/g)."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -74,8 +79,10 @@ class Walker(Declaration):
         The lines by which the walker is drawn; the bodies are drawn as discs.
     quantities : tuple of Measured
         What is measured on every limit cycle in addition to the quantities of all models.
-    period_range : (float, float)
-        Shortest and longest period that is searched for by default.
+    period_range : (float, float), optional
+        Shortest and longest period that is searched for by default. Where it is left out, 0.3 to 3 sqrt(L/g); in
+        units of one's own, L is the distance of the centre of mass from the stance foot, with all coordinates
+        zero and the preset's parameters.
     units : UnitNames
     sources : dict of str to str
         Where an equation is found in the literature, by generated function.
@@ -91,9 +98,34 @@ class Walker(Declaration):
             object.__setattr__(self, name, exact(value))
         if isinstance(self.clock, Clock) and not self.clock.resets:
             self._add_clock(self.clock)
+        usual = self.period_range is None
+        if usual:
+            object.__setattr__(self, "period_range", USUAL_PERIODS)
         validate_names(self)
         validate_motors(self)
         validate_mechanics(self)
+        if usual and self.units.time != DIMENSIONLESS.time:
+            object.__setattr__(self, "period_range", self._usual_periods())
+
+    def _usual_periods(self) -> tuple[float, float]:
+        """The range of periods that is searched for in units of one's own, where the declaration does not say."""
+        rest: dict[sp.Symbol, Any] = {a.symbol: a.default for a in self.parameters}
+        rest |= {symbol: 0 for c in self.coordinates for symbol in (c.symbol, c.rate)}
+        total = sum((body.mass for body in self.bodies), sp.S.Zero)
+        moment = sum((body.mass * body.position for body in self.bodies), sp.zeros(2, 1))
+        com = (moment / total).subs(dict(zip(STANCE_FOOT, self.stance, strict=True))).subs(rest)
+        gravity = self.gravity.subs(rest)
+        try:
+            unit = math.sqrt(float(sp.sqrt(com.dot(com) / gravity.dot(gravity))))
+        except (TypeError, ValueError):
+            unit = math.nan
+        if not (math.isfinite(unit) and unit > 0):
+            raise InputError(
+                f"{self.name}: which periods to search for does not follow from gravity and the bodies; "
+                "give period_range = (shortest, longest)"
+            )
+        low, high = USUAL_PERIODS
+        return low * unit, high * unit
 
     def _add_clock(self, clock: Clock) -> None:
         """Make the phase of a clock that is not reset a coordinate.

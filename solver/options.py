@@ -5,6 +5,7 @@ from dataclasses import dataclass, fields, replace
 from typing import TYPE_CHECKING, Any, Self
 
 import numpy as np
+from numpy.typing import NDArray
 
 from stridemap.errors import InputError
 
@@ -67,11 +68,19 @@ class SearchOptions(Options):
     Parameters
     ----------
     starts : int
-        Number of quasi-random starts per point.
+        Number of quasi-random starts per point, to begin with.
+    max_starts : int or None
+        As long as a limit cycle was reached from one start alone, as many starts again are made, up to so many;
+        by default 8 times `starts`. Not in a sweep, where neighbours make up for what a cell misses.
     seed : int
         Seed of their scrambling.
     period_min, period_max : float or None
         Periods that count: ``period_min < T <= period_max``; what is None is taken from the model.
+    search_box : mapping of str to (float, float)
+        Least and greatest value of the starts, by entry of the section; what is not given is taken from the
+        model.
+    widen : float
+        Factor on the width of the model's search box, in all entries that `search_box` does not name.
 
     Raises
     ------
@@ -83,11 +92,20 @@ class SearchOptions(Options):
     seed: int = 0
     period_min: float | None = None
     period_max: float | None = None
+    max_starts: int | None = None
+    search_box: Any = ()
+    widen: float = 1.0
 
     def __post_init__(self) -> None:
         whole = all(isinstance(n, int) and not isinstance(n, bool) for n in (self.starts, self.seed))
         if not whole:
             raise InputError(f"starts = {self.starts!r} and seed = {self.seed!r} must be whole numbers")
+        if self.max_starts is not None:
+            number = isinstance(self.max_starts, int) and not isinstance(self.max_starts, bool)
+            needed = f"a whole number from starts = {self.starts} to {STARTS_MAX:,} is needed"
+            self._check("max_starts", number and self.starts <= self.max_starts <= STARTS_MAX, needed)
+        self._check_number("widen", 0.0, np.inf)
+        object.__setattr__(self, "search_box", _box(self.search_box))
         self._check("starts", self.starts >= 1, "at least 1 start is needed")
         if self.starts > STARTS_MAX:
             hours = self.starts / STARTS_PER_SECOND / 3600
@@ -115,6 +133,35 @@ class SearchOptions(Options):
         )
 
     @property
+    def most_starts(self) -> int:
+        """Starts per point at most."""
+        return min(8 * self.starts, STARTS_MAX) if self.max_starts is None else self.max_starts
+
+    def box_for(self, model: "Model") -> NDArray[np.float64]:
+        """Middle and half-width of the starts, shape (nz, 2), by entry of the section.
+
+        Raises
+        ------
+        InputError
+            Where `search_box` names what is not an entry of the model's section.
+        """
+        given = dict(self.search_box)
+        for name in given:
+            if name not in model.section:
+                raise InputError(
+                    f"search_box names {name!r}, which is not an entry of the section of {model.name}: "
+                    f"{', '.join(model.section)}"
+                )
+        rows = []
+        for name in model.section:
+            middle, half = model.spec.search_box[name]
+            low, high = given.get(name, (0.0, 0.0))
+            rows.append(
+                (0.5 * (low + high), 0.5 * (high - low)) if name in given else (middle, half * self.widen)
+            )
+        return np.array(rows).reshape(len(rows), 2)
+
+    @property
     def period_range(self) -> tuple[float, float]:
         """(period_min, period_max); an end that is not given is the least or the greatest possible."""
         low = np.nextafter(0, 1) if self.period_min is None else self.period_min
@@ -127,9 +174,36 @@ class SearchOptions(Options):
         return 0.85 * low, 1.15 * high
 
 
+def _box(given: Any) -> tuple[tuple[str, tuple[float, float]], ...]:
+    """A search box as pairs of a name and its ends, by name: a record of options is a value.
+
+    Raises
+    ------
+    InputError
+        When it is not a mapping of names to two finite numbers in order.
+    """
+    entries = dict(given) if isinstance(given, Mapping | tuple) else None
+    if entries is None:
+        raise InputError(
+            f"search_box = {given!r} is not allowed: a mapping of names to (low, high) is needed"
+        )
+    out = []
+    for name, ends in sorted(entries.items()):
+        pair = list(ends) if isinstance(ends, list | tuple) else []
+        numbers = all(isinstance(end, int | float) and not isinstance(end, bool) for end in pair)
+        if len(pair) != 2 or not numbers or not (-np.inf < pair[0] < pair[1] < np.inf):
+            raise InputError(
+                f"search_box of {name} = {ends!r} is not allowed: two finite numbers, the lower one first"
+            )
+        out.append((str(name), (float(pair[0]), float(pair[1]))))
+    return tuple(out)
+
+
 @dataclass(frozen=True)
 class AcceptanceOptions(Options):
     """What a solution of Newton's method must satisfy to be accepted as a limit cycle.
+
+    Errors are in terms of the model's own length and time (see `stridemap.solver.model.scales`).
 
     Parameters
     ----------
@@ -138,8 +212,11 @@ class AcceptanceOptions(Options):
     max_integration_error : float
         A cycle whose integration error stays above it at the finest resolution is marked `inaccurate`.
     target_integration_error : float
-        Cycles are refined until the integration error is below it. It is lower than the limit, because near
-        a fold the cycle amplifies the error.
+        Cycles are refined until the integration error is below it.
+    max_state_error : float
+        Cycles are refined until the error of section point and period is below it as well; near a fold that
+        error is much larger than the integration error. A cycle for which it cannot be reached is marked
+        `inaccurate`.
     standing_angle : float
         Stance angle at touchdown below which the solution is a walker standing still, which closes with any
         period.
@@ -153,6 +230,7 @@ class AcceptanceOptions(Options):
     max_residual: float = 1e-11
     max_integration_error: float = 1e-9
     target_integration_error: float = 1e-11
+    max_state_error: float = 1e-10
     standing_angle: float = 1e-6
 
     def __post_init__(self) -> None:
@@ -169,8 +247,8 @@ class AcceptanceOptions(Options):
 class ContinuationOptions(Options):
     """Step control of pseudo-arclength continuation.
 
-    Lengths are measured in a space where 1 is the distance between the two parameter points, or the
-    half-width of the search box.
+    Lengths are measured in a space where 1 is the distance between the two parameter points, the half-width
+    of the search box, or the model's scale of time.
 
     Parameters
     ----------

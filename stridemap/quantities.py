@@ -52,12 +52,27 @@ _ENTRIES = (
         over_steps="cycle",
     ),
     Quantity(
+        "multiplier_error",
+        "number",
+        "error of the multipliers",
+        "Largest error of a Floquet multiplier, estimated from twice the resolution.",
+        over_steps="maximum",
+    ),
+    Quantity(
         "stable",
         "number",
         "stable",
-        "Whether the largest multiplier is below 1.",
+        "Whether the largest multiplier is below 1; missing where its error does not tell.",
         type="bool",
+        optional=True,
         over_steps="cycle",
+    ),
+    Quantity(
+        "undecided",
+        "number",
+        "why not known",
+        "Why it is not known whether the cycle is stable; empty where it is known.",
+        type="str",
     ),
     Quantity(
         "group",
@@ -216,6 +231,14 @@ _ENTRIES = (
     ),
     Quantity(
         "residual", "number", "closing error", "Largest entry of the closing error.", over_steps="maximum"
+    ),
+    Quantity(
+        "state_error",
+        "number",
+        "error of the state",
+        "Largest error of an entry of the section point or of the period, estimated from twice the resolution; "
+        "in rad, and in terms of the model's own length and time.",
+        over_steps="maximum",
     ),
     Quantity(
         "integration_error",

@@ -40,8 +40,8 @@ def multiplier_columns(index: int) -> tuple[str, str]:
 _MULTIPLIER = re.compile(r"multiplier_\d+(_(re|im))?")
 
 ATTRIBUTES = frozenset(
-    "animate codes columns concatenate count empty found from_columns index jacobian measures model motion "
-    "multipliers params period plot section_point simulate state status summary take to_dict to_frame "
+    "animate codes columns concatenate count empty found from_columns index jacobian known_stable measures model "
+    "motion multipliers params period plot search reason scaled section_point simulate stability state status summary take to_dict to_frame "
     "u".split()
 )
 """Attributes of a limit cycle and of an array of them, which a quantity of that name would hide."""
@@ -49,8 +49,8 @@ ATTRIBUTES = frozenset(
 OPTION_WORDS = frozenset(
     # options of the command line
     "acceptance backend cascade check claims config continuation cycle folder fps friction_limit group help "
-    "json magnify model only out "
-    "plot range resume search seeds set show size starts state steps sweeps thin vary workers "
+    "json magnify model only out plot range resume search search_box seeds set show size starts state steps "
+    "sweeps thin vary workers "
     # arguments of public functions
     "data executor options orbit orbits params path progress samples source tile_cells titles".split()
 )

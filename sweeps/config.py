@@ -96,7 +96,11 @@ class Search(BaseModel):
         Stride of the subgrid on which many starts are made: along every axis, or along each named
         axis (then 1 along the others). `SweepConfig.strides` resolves it.
     period_min, period_max : float
-        Shortest and longest period looked for, in units of sqrt(L/g).
+        Shortest and longest period looked for, in the model's unit of time.
+    search_box : dict of str to list of two floats
+        Least and greatest value of the starts, by entry of the section.
+    widen : float
+        Factor on the width of the model's search box.
     """
 
     model_config = _STRICT
@@ -106,8 +110,13 @@ class Search(BaseModel):
     subgrid: Annotated[int, Field(ge=1)] | dict[str, Annotated[int, Field(ge=1)]] = Field(
         1, description="a whole number of at least 1, or a table of such numbers for grid parameters"
     )
-    period_min: float = Field(0.3, gt=0, description="a finite number above 0")
-    period_max: float = Field(3.0, gt=0, description="a finite number above 0")
+    period_min: float = Field(gt=0, description="a finite number above 0")
+    period_max: float = Field(gt=0, description="a finite number above 0")
+
+    search_box: dict[str, list[float]] = Field(
+        {}, description="a table of lists of two numbers, such as { theta1 = [0.3, 0.5] }"
+    )
+    widen: float = Field(1.0, gt=0, description="a finite number above 0")
 
     @model_validator(mode="after")
     def _periods_in_order(self) -> "Search":
@@ -118,7 +127,14 @@ class Search(BaseModel):
     @property
     def options(self) -> SearchOptions:
         """The options of the search at one point."""
-        return SearchOptions(self.starts, self.seed, self.period_min, self.period_max)
+        return SearchOptions(
+            self.starts,
+            self.seed,
+            self.period_min,
+            self.period_max,
+            search_box=self.search_box,
+            widen=self.widen,
+        )
 
 
 class _File(BaseModel):
@@ -277,6 +293,10 @@ def parse_config(data: Mapping[str, Any], source: str = "configuration") -> Swee
     shortest, longest = model.period_range
     given = {"period_min": shortest, "period_max": longest, **file.search}
     search = _validated(Search, given, source, "search")
+    try:
+        search.options.box_for(model)
+    except InputError as error:
+        raise InputError(f"{source}: [search] {error}") from None
     for name in search.subgrid if isinstance(search.subgrid, dict) else ():
         if name not in grid:
             raise InputError(

@@ -8,7 +8,7 @@ next round. Tiles and rounds do not depend on the number of workers, so neither 
 
 import contextlib
 import os
-from collections import defaultdict
+from collections import Counter, defaultdict
 from collections.abc import Callable, Mapping
 from concurrent.futures import BrokenExecutor, Executor, Future, as_completed
 from dataclasses import dataclass
@@ -26,6 +26,7 @@ from numpy.typing import NDArray
 from stridemap.errors import InputError, WorkerError
 from stridemap.solver.backends.base import Backend
 from stridemap.solver.backends.selection import load_kernels, named_backend
+from stridemap.solver.cycles.status import Status
 from stridemap.sweeps.config import SweepConfig, load_config
 from stridemap.sweeps.executors import interrupts_held, processes
 from stridemap.sweeps.grid import Grid, tiles
@@ -39,9 +40,10 @@ Ints = NDArray[np.int64]
 
 TILE_CELLS = 160
 KIND, REASON, SOURCE = "_kind", "_reason", "_source"
-"""Columns of a part that orbits lack: what a row is, why a cell failed, where a guess comes from."""
+"""Columns of a part that orbits lack: what a row is, why a cell failed, where a guess comes from. A row of
+solutions that were thrown away has their status as its reason, and their number as its source."""
 
-KINDS = ORBIT, FAILURE, SEEN, GUESS = "orbit", "failure", "seen", "guess"
+KINDS = ORBIT, FAILURE, SEEN, GUESS, DISCARDED = "orbit", "failure", "seen", "guess", "discarded"
 """Kinds of rows of a part."""
 
 
@@ -165,6 +167,7 @@ class _Run:
         self.options = config.search.options
         self.parts: list[pa.Table] = []
         self.failures: dict[int, str] = {}
+        self.discarded: dict[int, Counter[Status]] = defaultdict(Counter)
         self.orbits_found = 0
         # For each tile what its cells have: cycles, and what the search gave before it converged.
         self.known: dict[int, list[tuple[int, Floats]]] = defaultdict(list)
@@ -246,6 +249,14 @@ class _Run:
             self._rows(
                 FAILURE, {"cell": [cell for cell, _ in failures], REASON: [why for _, why in failures]}
             ),
+            self._rows(
+                DISCARDED,
+                {
+                    "cell": [cell for cell, _ in result.discarded],
+                    REASON: [status for _, status in result.discarded],
+                    SOURCE: list(result.discarded.values()),
+                },
+            ),
             self._rows(SEEN, self._unknowns(result.seen)),
             self._rows(
                 GUESS,
@@ -283,6 +294,10 @@ class _Run:
             of_kind = {kind: part.filter(pa.compute.equal(part[KIND], kind)) for kind in KINDS}
             failed = of_kind[FAILURE]
             self.failures |= dict(zip(failed["cell"].to_pylist(), failed[REASON].to_pylist(), strict=True))
+            for cell, status, n in zip(
+                *(of_kind[DISCARDED][name].to_pylist() for name in ("cell", REASON, SOURCE)), strict=True
+            ):
+                self.discarded[cell][Status(status)] += n
             orbits = of_kind[ORBIT].drop_columns([KIND, REASON, SOURCE])
             self.parts.append(orbits)
             self.orbits_found += int(np.count_nonzero(self._counts(orbits["period"].to_numpy())))
@@ -312,14 +327,16 @@ class _Run:
     def _cell(self, cell: int, found: int) -> tuple[str, str | None]:
         if cell in self.failures:
             return "failed", self.failures[cell]
+        thrown = self.discarded.get(cell, Counter())
         if found:
-            return "found", None
+            lost = thrown[Status.UNRESOLVED]
+            return "found", f"not all: {_thrown_away({Status.UNRESOLVED: lost})}" if lost else None
         lower, upper = self.options.period_range
-        return (
-            "empty",
+        why = (
             f"no limit cycle with {lower:g} < period <= {upper:g} was found, from the starts or from "
-            "neighbouring cells",
+            "neighbouring cells"
         )
+        return "empty", f"{why}; thrown away: {_thrown_away(thrown)}" if thrown else why
 
     def summary_of_finished(self) -> Summary:
         """Read the summary of a sweep that was finished before."""
@@ -334,3 +351,11 @@ class _Run:
             failed_cells=int((cells["status"] == "failed").sum()),
             already_finished=already_finished,
         )
+
+
+def _thrown_away(counts: Mapping[Status, int]) -> str:
+    """How many solutions were no limit cycle, and why."""
+    known = (status for status in Status if counts.get(status))
+    return ", ".join(
+        f"{counts[one]} solution{'' if counts[one] == 1 else 's'} {one.reason}" for one in known
+    )

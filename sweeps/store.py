@@ -326,6 +326,8 @@ def _frame(path: Path) -> pd.DataFrame:
     for field in table.schema:
         if field.nullable and pa.types.is_integer(field.type):  # pandas would make them floats
             frame[field.name] = frame[field.name].astype("Int64")
+        if field.nullable and pa.types.is_boolean(field.type):  # or objects
+            frame[field.name] = frame[field.name].astype("boolean")
     return frame
 
 

@@ -9,13 +9,14 @@ from collections.abc import Iterable, Sequence
 
 import numpy as np
 import pyarrow as pa
+import pyarrow.compute as pc
 from numpy.typing import ArrayLike, NDArray
 
 from stridemap.solver.cycles.orbits import Orbits
 from stridemap.solver.model.model import Model
 from stridemap.words import multiplier_columns
 
-FORMAT = 2
+FORMAT = 3
 """Of the tables: it rises when columns change, other than those of measured quantities."""
 
 _TYPES = {"float": pa.float64(), "int": pa.int64(), "bool": pa.bool_(), "str": pa.string()}
@@ -82,7 +83,8 @@ def cell_table(
     """
     columns = np.asarray(points, dtype=np.float64).T
     n_cells = columns.shape[1]
-    found, stable = orbits["cell"].to_numpy(), orbits["stable"].to_numpy()
+    found = orbits["cell"].to_numpy()
+    stable = pc.fill_null(orbits["stable"], False).to_numpy()
     data = {
         "cell": np.arange(n_cells),
         **dict(zip(model.spec.names, columns, strict=True)),

@@ -3,6 +3,7 @@
 A pure function of its input, so that the result does not depend on who computes it, or when.
 """
 
+from collections import Counter
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from itertools import chain
@@ -14,11 +15,13 @@ from numpy.typing import NDArray
 
 from stridemap.solver.backends.base import Backend
 from stridemap.solver.branches.continuation import follow
+from stridemap.solver.cycles.duplicates import DUPLICATE, SEARCH_TOLERANCE, distinct
 from stridemap.solver.cycles.orbits import Orbits
-from stridemap.solver.cycles.search import DUPLICATE, SEARCH_TOLERANCE, distinct, merged, starts
+from stridemap.solver.cycles.search import merged, starts
 from stridemap.solver.cycles.solver import Solver
-from stridemap.solver.cycles.status import Status
+from stridemap.solver.cycles.status import FOUND, STATUSES, Status
 from stridemap.solver.model.model import Model
+from stridemap.solver.model.scales import Scales
 from stridemap.solver.options import AcceptanceOptions, ContinuationOptions, SearchOptions
 from stridemap.sweeps.grid import Grid
 from stridemap.sweeps.tables import orbit_table
@@ -107,6 +110,8 @@ class Result:
         What is to be added to the task's.
     outgoing : list of Guess
         For cells of other tiles.
+    discarded : dict of (int, str) to int
+        How many solutions in which cell were no limit cycle, by `Status`.
     """
 
     round: int
@@ -115,6 +120,7 @@ class Result:
     failures: dict[int, str] = field(default_factory=dict)
     seen: list[tuple[int, Floats]] = field(default_factory=list)
     outgoing: list[Guess] = field(default_factory=list)
+    discarded: dict[tuple[int, str], int] = field(default_factory=dict)
 
 
 def work(task: Task) -> Result:
@@ -141,7 +147,15 @@ def work(task: Task) -> Result:
     )
     search.relax([*task.incoming, *guesses])
     table = orbit_table(*search.all_new())
-    return Result(task.round, task.tile, table, search.failures, search.new_seen, search.outgoing)
+    return Result(
+        task.round,
+        task.tile,
+        table,
+        search.failures,
+        search.new_seen,
+        search.outgoing,
+        dict(search.discarded),
+    )
 
 
 class _Search:
@@ -150,10 +164,12 @@ class _Search:
     def __init__(self, task: Task) -> None:
         self.task = task
         self.solver = Solver.for_model(task.model, task.backend, task.acceptance)
+        self.scale = Scales.of(task.model).unknowns
         self.new: list[tuple[Ints, Orbits]] = []
         self.new_seen: list[tuple[int, Floats]] = []
         self.outgoing: list[Guess] = []
         self.failures: dict[int, str] = {}
+        self.discarded: Counter[tuple[int, str]] = Counter()
         self._neighbours: dict[int, list[int]] = {int(cell): [] for cell in task.cells}
         for cell, neighbour in task.grid.neighbour_pairs(task.cells).tolist():
             self._neighbours[cell].append(neighbour)
@@ -177,7 +193,7 @@ class _Search:
                 Guess(target, cell, u)
                 for cell, u in sorted(found, key=lambda one: one[0])
                 for target in self._neighbours[cell]
-                if _unlike(u, self._ends.get((cell, target), []), SAME_BRANCH)
+                if _unlike(u, self._ends.get((cell, target), []), SAME_BRANCH, self.scale)
             ]
             ends = self._one_by_one(self._follow, branches)
             self.outgoing += [end for end in ends if end.cell not in self._cycles]
@@ -225,9 +241,9 @@ class _Search:
         u, closed = self.solver.search(np.array([guess.u for guess in guesses]), self._points(cells))
         shortest, longest = self.task.search.wider_period_range
         closed &= (u[:, -1] > shortest) & (u[:, -1] <= longest)
-        cells, u = distinct(cells[closed], u[closed])
+        cells, u = distinct(cells[closed], u[closed], scale=self.scale)
         unseen = [
-            _unlike(x, chain(self._seen[cell], self._cycles[cell]), SEARCH_TOLERANCE)
+            _unlike(x, chain(self._seen[cell], self._cycles[cell]), SEARCH_TOLERANCE, self.scale)
             for cell, x in zip(cells.tolist(), u, strict=True)
         ]
         cells, u = cells[unseen], u[unseen]
@@ -241,6 +257,8 @@ class _Search:
                 self.new_seen.append((cell, x))
             if code in NO_GAIT:
                 new.append((cell, x))
+            if code not in FOUND:
+                self.discarded[cell, STATUSES[code].value] += 1
         return new + self._enter(*merged(cells, orbits))
 
     def _enter(self, cells: Ints, orbits: Orbits) -> list[tuple[int, Floats]]:
@@ -248,7 +266,7 @@ class _Search:
         # Newton's method at full resolution may have moved on to a cycle that is there already.
         new = np.zeros(len(cells), dtype=bool)
         for i, (cell, u) in enumerate(zip(cells.tolist(), orbits.u, strict=True)):
-            if _unlike(u, self._cycles[cell], DUPLICATE):
+            if _unlike(u, self._cycles[cell], DUPLICATE, self.scale):
                 self._cycles[cell].append(u)
                 new[i] = True
         cells, orbits = cells[new], orbits.take(new)
@@ -261,6 +279,7 @@ class _Search:
         return self.task.grid.points(self.solver.model, self.task.params, cells)
 
 
-def _unlike(u: Floats, others: Iterable[Floats], tolerance: float) -> bool:
-    """Whether a solution differs from all of the others."""
-    return all(abs(u[-1] - v[-1]) > tolerance or np.abs(u - v).max() > tolerance for v in others)
+def _unlike(u: Floats, others: Iterable[Floats], tolerance: float, scale: Floats) -> bool:
+    """Whether a solution differs from all of the others, in terms of the model's scales."""
+    last = tolerance * scale[-1]
+    return all(abs(u[-1] - v[-1]) > last or np.abs((u - v) / scale).max() > tolerance for v in others)

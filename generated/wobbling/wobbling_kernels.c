@@ -24,12 +24,17 @@
 
 /* Add prefix to internal symbols */
 #define casadi_axpy CASADI_PREFIX(axpy)
+#define casadi_c0 CASADI_PREFIX(c0)
+#define casadi_c1 CASADI_PREFIX(c1)
 #define casadi_clear CASADI_PREFIX(clear)
 #define casadi_copy CASADI_PREFIX(copy)
 #define casadi_dot CASADI_PREFIX(dot)
 #define casadi_f0 CASADI_PREFIX(f0)
 #define casadi_f1 CASADI_PREFIX(f1)
 #define casadi_f10 CASADI_PREFIX(f10)
+#define casadi_f100 CASADI_PREFIX(f100)
+#define casadi_f101 CASADI_PREFIX(f101)
+#define casadi_f102 CASADI_PREFIX(f102)
 #define casadi_f11 CASADI_PREFIX(f11)
 #define casadi_f12 CASADI_PREFIX(f12)
 #define casadi_f13 CASADI_PREFIX(f13)
@@ -100,8 +105,33 @@
 #define casadi_f72 CASADI_PREFIX(f72)
 #define casadi_f73 CASADI_PREFIX(f73)
 #define casadi_f74 CASADI_PREFIX(f74)
+#define casadi_f75 CASADI_PREFIX(f75)
+#define casadi_f76 CASADI_PREFIX(f76)
+#define casadi_f77 CASADI_PREFIX(f77)
+#define casadi_f78 CASADI_PREFIX(f78)
+#define casadi_f79 CASADI_PREFIX(f79)
 #define casadi_f8 CASADI_PREFIX(f8)
+#define casadi_f80 CASADI_PREFIX(f80)
+#define casadi_f81 CASADI_PREFIX(f81)
+#define casadi_f82 CASADI_PREFIX(f82)
+#define casadi_f83 CASADI_PREFIX(f83)
+#define casadi_f84 CASADI_PREFIX(f84)
+#define casadi_f85 CASADI_PREFIX(f85)
+#define casadi_f86 CASADI_PREFIX(f86)
+#define casadi_f87 CASADI_PREFIX(f87)
+#define casadi_f88 CASADI_PREFIX(f88)
+#define casadi_f89 CASADI_PREFIX(f89)
 #define casadi_f9 CASADI_PREFIX(f9)
+#define casadi_f90 CASADI_PREFIX(f90)
+#define casadi_f91 CASADI_PREFIX(f91)
+#define casadi_f92 CASADI_PREFIX(f92)
+#define casadi_f93 CASADI_PREFIX(f93)
+#define casadi_f94 CASADI_PREFIX(f94)
+#define casadi_f95 CASADI_PREFIX(f95)
+#define casadi_f96 CASADI_PREFIX(f96)
+#define casadi_f97 CASADI_PREFIX(f97)
+#define casadi_f98 CASADI_PREFIX(f98)
+#define casadi_f99 CASADI_PREFIX(f99)
 #define casadi_fabs CASADI_PREFIX(fabs)
 #define casadi_fmax CASADI_PREFIX(fmax)
 #define casadi_house CASADI_PREFIX(house)
@@ -135,6 +165,8 @@
 #define casadi_s24 CASADI_PREFIX(s24)
 #define casadi_s25 CASADI_PREFIX(s25)
 #define casadi_s26 CASADI_PREFIX(s26)
+#define casadi_s27 CASADI_PREFIX(s27)
+#define casadi_s28 CASADI_PREFIX(s28)
 #define casadi_s3 CASADI_PREFIX(s3)
 #define casadi_s4 CASADI_PREFIX(s4)
 #define casadi_s5 CASADI_PREFIX(s5)
@@ -469,12 +501,22 @@ static const casadi_int casadi_s23[3] = {7, 769, 1};
 static const casadi_int casadi_s24[3] = {8, 769, 1};
 static const casadi_int casadi_s25[3] = {1, 1, 1};
 static const casadi_int casadi_s26[3] = {7, 1, 1};
+static const casadi_int casadi_s27[3] = {7, 12, 1};
+static const casadi_int casadi_s28[3] = {8, 12, 1};
+
+static const casadi_real casadi_c0[36] = 
+  {1., 1., 1., 1., 1., 5.0000000000000000e-01, 1., 1.,
+  1., 1., 1., 5.0000000000000000e-01, 1., 1., 1., 1.,
+  1., 5.0000000000000000e-01, 1., 1., 1., 1., 1., 5.0000000000000000e-01,
+  1., 1., 1., 1., 1., 5.0000000000000000e-01, 1., 1.,
+  1., 1., 1., 5.0000000000000000e-01};
+static const casadi_real casadi_c1[6] = {1., 1., 1., 1., 1., 2.};
 
 static const casadi_real casadi_zeros[36] = 
   {0.};
 
 /* start:(z[5],p[8])->(y[6],dy_dz[6x5]) */
-static int casadi_f3(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1;
   a0=arg[0]? arg[0][0] : 0;
   if (res[0]!=0) res[0][0]=a0;
@@ -525,7 +567,7 @@ static int casadi_f3(const casadi_real** arg, casadi_real** res, casadi_int* iw,
 }
 
 /* turns:(h,p[8])->(turns[2x12]) */
-static int casadi_f4(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f6(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2, a3;
   a0=1.;
   if (res[0]!=0) res[0][0]=a0;
@@ -612,7 +654,7 @@ static int casadi_f4(const casadi_real** arg, casadi_real** res, casadi_int* iw,
 }
 
 /* phase:(t,p[8])->(phase[2]) */
-static int casadi_f6(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f8(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1;
   a0=arg[1]? arg[1][2] : 0;
   a1=arg[0]? arg[0][0] : 0;
@@ -625,7 +667,7 @@ static int casadi_f6(const casadi_real** arg, casadi_real** res, casadi_int* iw,
 }
 
 /* variational_step:(y[6x6],phase[2],turns[2x12],h,p[8])->(y_end[6x6]) */
-static int casadi_f7(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f9(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a000, a001, a002, a003, a004, a005, a006, a007, a008, a009, a010, a011;
   casadi_real a012, a013, a014, a015, a016, a017, a018, a019, a020, a021, a022, a023;
   casadi_real a024, a025, a026, a027, a028, a029, a030, a031, a032, a033, a034, a035;
@@ -9014,7 +9056,7 @@ static int casadi_f7(const casadi_real** arg, casadi_real** res, casadi_int* iw,
 }
 
 /* variational_steps:(y[6x6],t,turns[2x12],h,p[8])->(y_end[6x6]) */
-static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f7(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *w0=w+313, w1, *w3=w+349, w5, *w6=w+351, w7;
   const casadi_real **arg1=arg+5, *wr0, *wr2, *wr4;
   /* #0: @0 = input[0][0] */
@@ -9027,7 +9069,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w1);
   arg1[1]=wr2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = input[2][0] */
   wr4 = arg[2] ? arg[2] : casadi_zeros;
   /* #5: @5 = input[3][0] */
@@ -9039,14 +9081,14 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=wr2;
   res1[0]=w6;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
   /* #7: @7 = (@1+@5) */
   w7  = (w1+w5);
   /* #8: @3 = phase(@7, @2) */
   arg1[0]=(&w7);
   arg1[1]=wr2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #9: @0 = variational_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -9054,7 +9096,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
   /* #10: @7 = (2.*@5) */
   w7 = (2.* w5 );
   /* #11: @7 = (@1+@7) */
@@ -9063,7 +9105,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w7);
   arg1[1]=wr2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #13: @6 = variational_step(@0, @3, @4, @5, @2) */
   arg1[0]=w0;
   arg1[1]=w3;
@@ -9071,7 +9113,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=wr2;
   res1[0]=w6;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
   /* #14: @7 = 3 */
   w7 = 3.;
   /* #15: @7 = (@7*@5) */
@@ -9082,7 +9124,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w7);
   arg1[1]=wr2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #18: @0 = variational_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -9090,7 +9132,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
   /* #19: @7 = 4 */
   w7 = 4.;
   /* #20: @7 = (@7*@5) */
@@ -9101,7 +9143,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w7);
   arg1[1]=wr2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #23: @6 = variational_step(@0, @3, @4, @5, @2) */
   arg1[0]=w0;
   arg1[1]=w3;
@@ -9109,7 +9151,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=wr2;
   res1[0]=w6;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
   /* #24: @7 = 5 */
   w7 = 5.;
   /* #25: @7 = (@7*@5) */
@@ -9120,7 +9162,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w7);
   arg1[1]=wr2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #28: @0 = variational_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -9128,7 +9170,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
   /* #29: @7 = 6 */
   w7 = 6.;
   /* #30: @7 = (@7*@5) */
@@ -9139,7 +9181,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w7);
   arg1[1]=wr2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #33: @6 = variational_step(@0, @3, @4, @5, @2) */
   arg1[0]=w0;
   arg1[1]=w3;
@@ -9147,7 +9189,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=wr2;
   res1[0]=w6;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
   /* #34: @7 = 7 */
   w7 = 7.;
   /* #35: @7 = (@7*@5) */
@@ -9158,7 +9200,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w7);
   arg1[1]=wr2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #38: @0 = variational_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -9166,7 +9208,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
   /* #39: @7 = 8 */
   w7 = 8.;
   /* #40: @7 = (@7*@5) */
@@ -9177,7 +9219,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w7);
   arg1[1]=wr2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #43: @6 = variational_step(@0, @3, @4, @5, @2) */
   arg1[0]=w0;
   arg1[1]=w3;
@@ -9185,7 +9227,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=wr2;
   res1[0]=w6;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
   /* #44: @7 = 9 */
   w7 = 9.;
   /* #45: @7 = (@7*@5) */
@@ -9196,7 +9238,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w7);
   arg1[1]=wr2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #48: @0 = variational_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -9204,7 +9246,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
   /* #49: @7 = 10 */
   w7 = 10.;
   /* #50: @7 = (@7*@5) */
@@ -9215,7 +9257,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w7);
   arg1[1]=wr2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #53: @6 = variational_step(@0, @3, @4, @5, @2) */
   arg1[0]=w0;
   arg1[1]=w3;
@@ -9223,7 +9265,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=wr2;
   res1[0]=w6;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
   /* #54: @7 = 11 */
   w7 = 11.;
   /* #55: @7 = (@7*@5) */
@@ -9234,7 +9276,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w1);
   arg1[1]=wr2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #58: @0 = variational_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -9242,14 +9284,14 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
   /* #59: output[0][0] = @0 */
   casadi_copy(w0, 36, res[0]);
   return 0;
 }
 
 /* landing_with_derivative:(y[6x6],z[5],T,p[8])->(J[6x6],R[6]) */
-static int casadi_f8(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
@@ -9735,7 +9777,7 @@ static int casadi_f8(const casadi_real** arg, casadi_real** res, casadi_int* iw,
 }
 
 /* wobbling_jacobian_12:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f2(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f4(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w03=w+433, *w04=w+439, *w05=w+469, w06, w07, w08, *w09=w+505, *w10=w+529;
   const casadi_real **arg1=arg+2, *cs, *wr02;
@@ -9750,7 +9792,7 @@ static int casadi_f2(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[1]=wr02;
   res1[0]=w03;
   res1[1]=w04;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @5 = horzcat(@3, @4) */
   rr=w05;
   for (i=0, cs=w03; i<6; ++i) *rr++ = *cs++;
@@ -9767,7 +9809,7 @@ static int casadi_f2(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w08);
   arg1[1]=wr02;
   res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
   arg1[0]=w05;
   arg1[1]=(&w06);
@@ -9775,7 +9817,7 @@ static int casadi_f2(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #11: {@5, @0} = landing_with_derivative(@10, @1, @7, @2) */
   arg1[0]=w10;
   arg1[1]=w01;
@@ -9783,7 +9825,7 @@ static int casadi_f2(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=wr02;
   res1[0]=w05;
   res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @5 */
   casadi_copy(w05, 36, res[0]);
   /* #13: output[1][0] = @0 */
@@ -9791,8 +9833,44 @@ static int casadi_f2(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   return 0;
 }
 
+/* scaled_jacobian_12:(u[6],p[8])->(J[6x6],R[6]) */
+static int casadi_f3(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_int i;
+  casadi_real **res1=res+2, *rr, *w0=w+576, *w1=w+612, *w3=w+618, *w4=w+654;
+  const casadi_real **arg1=arg+2, *cr, *cs, *wr0, *wr2;
+  /* #0: @0 = 
+  [[1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [0.5, 0.5, 0.5, 0.5, 0.5, 0.5]] */
+  wr0 = casadi_c0;
+  /* #1: @1 = input[0][0] */
+  casadi_copy(arg[0], 6, w1);
+  /* #2: @2 = input[1][0] */
+  wr2 = arg[1] ? arg[1] : casadi_zeros;
+  /* #3: {@3, @4} = wobbling_jacobian_12(@1, @2) */
+  arg1[0]=w1;
+  arg1[1]=wr2;
+  res1[0]=w3;
+  res1[1]=w4;
+  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  /* #4: @0 = (@0*@3) */
+  for (i=0, rr=w0, cr=wr0, cs=w3; i<36; ++i) (*rr++)  = ((*cr++)*(*cs++));
+  /* #5: output[0][0] = @0 */
+  casadi_copy(w0, 36, res[0]);
+  /* #6: @1 = [1, 1, 1, 1, 1, 2] */
+  casadi_copy(casadi_c1, 6, w1);
+  /* #7: @4 = (@4/@1) */
+  for (i=0, rr=w4, cs=w1; i<6; ++i) (*rr++) /= (*cs++);
+  /* #8: output[1][0] = @4 */
+  casadi_copy(w4, 6, res[1]);
+  return 0;
+}
+
 /* newton_12:(u0[6],p[8])->(u[6]) */
-static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f2(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 6;
@@ -9818,7 +9896,7 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f2(arg+2, res+1, iw, w+108, 0)) return 1;
+    if (casadi_f3(arg+2, res+1, iw, w+108, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -9826,8 +9904,26 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   return 0;
 }
 
+/* scaled_newton_12:(i0[6],i1[8])->(o0[6]) */
+static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *w0=w+788, *w2=w+794;
+  const casadi_real **arg1=arg+2, *wr1;
+  /* #0: @0 = input[0][0] */
+  casadi_copy(arg[0], 6, w0);
+  /* #1: @1 = input[1][0] */
+  wr1 = arg[1] ? arg[1] : casadi_zeros;
+  /* #2: @2 = newton_12(@0, @1) */
+  arg1[0]=w0;
+  arg1[1]=wr1;
+  res1[0]=w2;
+  if (casadi_f2(arg1, res1, iw, w, 0)) return 1;
+  /* #3: output[0][0] = @2 */
+  casadi_copy(w2, 6, res[0]);
+  return 0;
+}
+
 /* plain_step:(y[6],phase[2],turns[2x12],h,p[8])->(y_end[6]) */
-static int casadi_f11(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f13(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a000, a001, a002, a003, a004, a005, a006, a007, a008, a009, a010, a011;
   casadi_real a012, a013, a014, a015, a016, a017, a018, a019, a020, a021, a022, a023;
   casadi_real a024, a025, a026, a027, a028, a029, a030, a031, a032, a033, a034, a035;
@@ -11560,7 +11656,7 @@ static int casadi_f11(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* plain_steps:(y[6],t,turns[2x12],h,p[8])->(y_end[6]) */
-static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f12(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *w0=w+109, w1, *w3=w+115, w5, *w6=w+117, w7;
   const casadi_real **arg1=arg+5, *wr2, *wr4;
   /* #0: @0 = input[0][0] */
@@ -11573,7 +11669,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w1);
   arg1[1]=wr2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = input[2][0] */
   wr4 = arg[2] ? arg[2] : casadi_zeros;
   /* #5: @5 = input[3][0] */
@@ -11585,14 +11681,14 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=wr2;
   res1[0]=w6;
-  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
   /* #7: @7 = (@1+@5) */
   w7  = (w1+w5);
   /* #8: @3 = phase(@7, @2) */
   arg1[0]=(&w7);
   arg1[1]=wr2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #9: @0 = plain_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -11600,7 +11696,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
   /* #10: @7 = (2.*@5) */
   w7 = (2.* w5 );
   /* #11: @7 = (@1+@7) */
@@ -11609,7 +11705,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w7);
   arg1[1]=wr2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #13: @6 = plain_step(@0, @3, @4, @5, @2) */
   arg1[0]=w0;
   arg1[1]=w3;
@@ -11617,7 +11713,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=wr2;
   res1[0]=w6;
-  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
   /* #14: @7 = 3 */
   w7 = 3.;
   /* #15: @7 = (@7*@5) */
@@ -11628,7 +11724,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w7);
   arg1[1]=wr2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #18: @0 = plain_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -11636,7 +11732,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
   /* #19: @7 = 4 */
   w7 = 4.;
   /* #20: @7 = (@7*@5) */
@@ -11647,7 +11743,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w7);
   arg1[1]=wr2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #23: @6 = plain_step(@0, @3, @4, @5, @2) */
   arg1[0]=w0;
   arg1[1]=w3;
@@ -11655,7 +11751,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=wr2;
   res1[0]=w6;
-  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
   /* #24: @7 = 5 */
   w7 = 5.;
   /* #25: @7 = (@7*@5) */
@@ -11666,7 +11762,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w7);
   arg1[1]=wr2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #28: @0 = plain_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -11674,7 +11770,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
   /* #29: @7 = 6 */
   w7 = 6.;
   /* #30: @7 = (@7*@5) */
@@ -11685,7 +11781,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w7);
   arg1[1]=wr2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #33: @6 = plain_step(@0, @3, @4, @5, @2) */
   arg1[0]=w0;
   arg1[1]=w3;
@@ -11693,7 +11789,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=wr2;
   res1[0]=w6;
-  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
   /* #34: @7 = 7 */
   w7 = 7.;
   /* #35: @7 = (@7*@5) */
@@ -11704,7 +11800,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w7);
   arg1[1]=wr2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #38: @0 = plain_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -11712,7 +11808,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
   /* #39: @7 = 8 */
   w7 = 8.;
   /* #40: @7 = (@7*@5) */
@@ -11723,7 +11819,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w7);
   arg1[1]=wr2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #43: @6 = plain_step(@0, @3, @4, @5, @2) */
   arg1[0]=w0;
   arg1[1]=w3;
@@ -11731,7 +11827,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=wr2;
   res1[0]=w6;
-  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
   /* #44: @7 = 9 */
   w7 = 9.;
   /* #45: @7 = (@7*@5) */
@@ -11742,7 +11838,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w7);
   arg1[1]=wr2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #48: @0 = plain_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -11750,7 +11846,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
   /* #49: @7 = 10 */
   w7 = 10.;
   /* #50: @7 = (@7*@5) */
@@ -11761,7 +11857,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w7);
   arg1[1]=wr2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #53: @6 = plain_step(@0, @3, @4, @5, @2) */
   arg1[0]=w0;
   arg1[1]=w3;
@@ -11769,7 +11865,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=wr2;
   res1[0]=w6;
-  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
   /* #54: @7 = 11 */
   w7 = 11.;
   /* #55: @7 = (@7*@5) */
@@ -11780,7 +11876,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w1);
   arg1[1]=wr2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #58: @0 = plain_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -11788,14 +11884,14 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
   /* #59: output[0][0] = @0 */
   casadi_copy(w0, 6, res[0]);
   return 0;
 }
 
 /* landing:(y[6],z[5],p[8])->(R[6]) */
-static int casadi_f12(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f14(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14;
   a00=arg[0]? arg[0][0] : 0;
@@ -11870,7 +11966,7 @@ static int casadi_f12(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* wobbling_residual_12:(u[6],p[8])->(R[6]) */
-static int casadi_f9(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f11(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+158, *w1=w+164, *w3=w+169, w4, w5, w6, *w7=w+175;
   const casadi_real **arg1=arg+2, *cs, *wr2;
   /* #0: @0 = input[0][0] */
@@ -11884,7 +11980,7 @@ static int casadi_f9(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[1]=wr2;
   res1[0]=w3;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = 0 */
   w4 = 0.;
   /* #5: @5 = @0[5] */
@@ -11897,7 +11993,7 @@ static int casadi_f9(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w5);
   arg1[1]=wr2;
   res1[0]=w7;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #9: @0 = plain_steps(@3, @4, @7, @5, @2) */
   arg1[0]=w3;
   arg1[1]=(&w4);
@@ -11905,13 +12001,13 @@ static int casadi_f9(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #10: @3 = landing(@0, @1, @2) */
   arg1[0]=w0;
   arg1[1]=w1;
   arg1[2]=wr2;
   res1[0]=w3;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #11: output[0][0] = @3 */
   casadi_copy(w3, 6, res[0]);
   return 0;
@@ -11919,13 +12015,13 @@ static int casadi_f9(const casadi_real** arg, casadi_real** res, casadi_int* iw,
 
 /* wobbling_search_12:(u0[6],p[8])->(u[6],R[6]) */
 static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+2, *w0=w+696, *w2=w+702;
+  casadi_real **res1=res+2, *w0=w+808, *w2=w+814;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 6, w0);
   /* #1: @1 = input[1][0] */
   wr1 = arg[1] ? arg[1] : casadi_zeros;
-  /* #2: @2 = newton_12(@0, @1) */
+  /* #2: @2 = scaled_newton_12(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w2;
@@ -11936,7 +12032,7 @@ static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=w2;
   arg1[1]=wr1;
   res1[0]=w0;
-  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @0 */
   casadi_copy(w0, 6, res[1]);
   return 0;
@@ -12002,23 +12098,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* wobbling_search_12_sparsity_out(casadi_in
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_search_12_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 16;
-  if (sz_res) *sz_res = 7;
+  if (sz_arg) *sz_arg = 20;
+  if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 708;
+  if (sz_w) *sz_w = 820;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_search_12_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 16*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 7*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 20*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 708*sizeof(casadi_real);
+  if (sz_w) *sz_w = 820*sizeof(casadi_real);
   return 0;
 }
 
 /* wobbling_jacobian_24:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f15(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w03=w+433, *w04=w+439, *w05=w+469, w06, w07, w08, *w09=w+505, *w10=w+529;
   const casadi_real **arg1=arg+2, *cs, *wr02;
@@ -12033,7 +12129,7 @@ static int casadi_f15(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr02;
   res1[0]=w03;
   res1[1]=w04;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @5 = horzcat(@3, @4) */
   rr=w05;
   for (i=0, cs=w03; i<6; ++i) *rr++ = *cs++;
@@ -12050,7 +12146,7 @@ static int casadi_f15(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w08);
   arg1[1]=wr02;
   res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
   arg1[0]=w05;
   arg1[1]=(&w06);
@@ -12058,7 +12154,7 @@ static int casadi_f15(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #11: @6 = 0.5 */
   w06 = 5.0000000000000000e-01;
   /* #12: @6 = (@6*@7) */
@@ -12070,7 +12166,7 @@ static int casadi_f15(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #14: {@10, @0} = landing_with_derivative(@5, @1, @7, @2) */
   arg1[0]=w05;
   arg1[1]=w01;
@@ -12078,7 +12174,7 @@ static int casadi_f15(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=wr02;
   res1[0]=w10;
   res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #15: output[0][0] = @10 */
   casadi_copy(w10, 36, res[0]);
   /* #16: output[1][0] = @0 */
@@ -12086,8 +12182,44 @@ static int casadi_f15(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
+/* scaled_jacobian_24:(u[6],p[8])->(J[6x6],R[6]) */
+static int casadi_f18(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_int i;
+  casadi_real **res1=res+2, *rr, *w0=w+576, *w1=w+612, *w3=w+618, *w4=w+654;
+  const casadi_real **arg1=arg+2, *cr, *cs, *wr0, *wr2;
+  /* #0: @0 = 
+  [[1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [0.5, 0.5, 0.5, 0.5, 0.5, 0.5]] */
+  wr0 = casadi_c0;
+  /* #1: @1 = input[0][0] */
+  casadi_copy(arg[0], 6, w1);
+  /* #2: @2 = input[1][0] */
+  wr2 = arg[1] ? arg[1] : casadi_zeros;
+  /* #3: {@3, @4} = wobbling_jacobian_24(@1, @2) */
+  arg1[0]=w1;
+  arg1[1]=wr2;
+  res1[0]=w3;
+  res1[1]=w4;
+  if (casadi_f19(arg1, res1, iw, w, 0)) return 1;
+  /* #4: @0 = (@0*@3) */
+  for (i=0, rr=w0, cr=wr0, cs=w3; i<36; ++i) (*rr++)  = ((*cr++)*(*cs++));
+  /* #5: output[0][0] = @0 */
+  casadi_copy(w0, 36, res[0]);
+  /* #6: @1 = [1, 1, 1, 1, 1, 2] */
+  casadi_copy(casadi_c1, 6, w1);
+  /* #7: @4 = (@4/@1) */
+  for (i=0, rr=w4, cs=w1; i<6; ++i) (*rr++) /= (*cs++);
+  /* #8: output[1][0] = @4 */
+  casadi_copy(w4, 6, res[1]);
+  return 0;
+}
+
 /* newton_24:(u0[6],p[8])->(u[6]) */
-static int casadi_f14(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f17(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 6;
@@ -12113,7 +12245,7 @@ static int casadi_f14(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f15(arg+2, res+1, iw, w+108, 0)) return 1;
+    if (casadi_f18(arg+2, res+1, iw, w+108, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -12121,8 +12253,26 @@ static int casadi_f14(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* wobbling_residual_24:(u[6],p[8])->(R[6]) */
+/* scaled_newton_24:(i0[6],i1[8])->(o0[6]) */
 static int casadi_f16(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *w0=w+788, *w2=w+794;
+  const casadi_real **arg1=arg+2, *wr1;
+  /* #0: @0 = input[0][0] */
+  casadi_copy(arg[0], 6, w0);
+  /* #1: @1 = input[1][0] */
+  wr1 = arg[1] ? arg[1] : casadi_zeros;
+  /* #2: @2 = newton_24(@0, @1) */
+  arg1[0]=w0;
+  arg1[1]=wr1;
+  res1[0]=w2;
+  if (casadi_f17(arg1, res1, iw, w, 0)) return 1;
+  /* #3: output[0][0] = @2 */
+  casadi_copy(w2, 6, res[0]);
+  return 0;
+}
+
+/* wobbling_residual_24:(u[6],p[8])->(R[6]) */
+static int casadi_f20(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+158, *w1=w+164, *w3=w+169, w4, w5, w6, *w7=w+175;
   const casadi_real **arg1=arg+2, *cs, *wr2;
   /* #0: @0 = input[0][0] */
@@ -12136,7 +12286,7 @@ static int casadi_f16(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr2;
   res1[0]=w3;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = 0 */
   w4 = 0.;
   /* #5: @5 = @0[5] */
@@ -12149,7 +12299,7 @@ static int casadi_f16(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w6);
   arg1[1]=wr2;
   res1[0]=w7;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #9: @0 = plain_steps(@3, @4, @7, @6, @2) */
   arg1[0]=w3;
   arg1[1]=(&w4);
@@ -12157,7 +12307,7 @@ static int casadi_f16(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #10: @4 = 0.5 */
   w4 = 5.0000000000000000e-01;
   /* #11: @4 = (@4*@5) */
@@ -12169,45 +12319,45 @@ static int casadi_f16(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #13: @0 = landing(@3, @1, @2) */
   arg1[0]=w3;
   arg1[1]=w1;
   arg1[2]=wr2;
   res1[0]=w0;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #14: output[0][0] = @0 */
   casadi_copy(w0, 6, res[0]);
   return 0;
 }
 
 /* wobbling_search_24:(u0[6],p[8])->(u[6],R[6]) */
-static int casadi_f13(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+2, *w0=w+696, *w2=w+702;
+static int casadi_f15(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+2, *w0=w+808, *w2=w+814;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 6, w0);
   /* #1: @1 = input[1][0] */
   wr1 = arg[1] ? arg[1] : casadi_zeros;
-  /* #2: @2 = newton_24(@0, @1) */
+  /* #2: @2 = scaled_newton_24(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w2;
-  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f16(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 6, res[0]);
   /* #4: @0 = wobbling_residual_24(@2, @1) */
   arg1[0]=w2;
   arg1[1]=wr1;
   res1[0]=w0;
-  if (casadi_f16(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f20(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @0 */
   casadi_copy(w0, 6, res[1]);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_search_24(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f13(arg, res, iw, w, mem);
+  return casadi_f15(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_search_24_checkout(void) {
@@ -12266,23 +12416,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* wobbling_search_24_sparsity_out(casadi_in
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_search_24_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 16;
-  if (sz_res) *sz_res = 7;
+  if (sz_arg) *sz_arg = 20;
+  if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 708;
+  if (sz_w) *sz_w = 820;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_search_24_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 16*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 7*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 20*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 708*sizeof(casadi_real);
+  if (sz_w) *sz_w = 820*sizeof(casadi_real);
   return 0;
 }
 
 /* wobbling_jacobian_48:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f25(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w03=w+433, *w04=w+439, *w05=w+469, w06, w07, w08, *w09=w+505, *w10=w+529;
   const casadi_real **arg1=arg+2, *cs, *wr02;
@@ -12297,7 +12447,7 @@ static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr02;
   res1[0]=w03;
   res1[1]=w04;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @5 = horzcat(@3, @4) */
   rr=w05;
   for (i=0, cs=w03; i<6; ++i) *rr++ = *cs++;
@@ -12314,7 +12464,7 @@ static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w08);
   arg1[1]=wr02;
   res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
   arg1[0]=w05;
   arg1[1]=(&w06);
@@ -12322,7 +12472,7 @@ static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #11: @6 = 0.25 */
   w06 = 2.5000000000000000e-01;
   /* #12: @6 = (@6*@7) */
@@ -12334,7 +12484,7 @@ static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #14: @6 = 0.5 */
   w06 = 5.0000000000000000e-01;
   /* #15: @6 = (@6*@7) */
@@ -12346,7 +12496,7 @@ static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #17: @6 = 0.75 */
   w06 = 7.5000000000000000e-01;
   /* #18: @6 = (@6*@7) */
@@ -12358,7 +12508,7 @@ static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #20: {@10, @0} = landing_with_derivative(@5, @1, @7, @2) */
   arg1[0]=w05;
   arg1[1]=w01;
@@ -12366,7 +12516,7 @@ static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=wr02;
   res1[0]=w10;
   res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #21: output[0][0] = @10 */
   casadi_copy(w10, 36, res[0]);
   /* #22: output[1][0] = @0 */
@@ -12374,8 +12524,44 @@ static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
+/* scaled_jacobian_48:(u[6],p[8])->(J[6x6],R[6]) */
+static int casadi_f24(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_int i;
+  casadi_real **res1=res+2, *rr, *w0=w+576, *w1=w+612, *w3=w+618, *w4=w+654;
+  const casadi_real **arg1=arg+2, *cr, *cs, *wr0, *wr2;
+  /* #0: @0 = 
+  [[1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [0.5, 0.5, 0.5, 0.5, 0.5, 0.5]] */
+  wr0 = casadi_c0;
+  /* #1: @1 = input[0][0] */
+  casadi_copy(arg[0], 6, w1);
+  /* #2: @2 = input[1][0] */
+  wr2 = arg[1] ? arg[1] : casadi_zeros;
+  /* #3: {@3, @4} = wobbling_jacobian_48(@1, @2) */
+  arg1[0]=w1;
+  arg1[1]=wr2;
+  res1[0]=w3;
+  res1[1]=w4;
+  if (casadi_f25(arg1, res1, iw, w, 0)) return 1;
+  /* #4: @0 = (@0*@3) */
+  for (i=0, rr=w0, cr=wr0, cs=w3; i<36; ++i) (*rr++)  = ((*cr++)*(*cs++));
+  /* #5: output[0][0] = @0 */
+  casadi_copy(w0, 36, res[0]);
+  /* #6: @1 = [1, 1, 1, 1, 1, 2] */
+  casadi_copy(casadi_c1, 6, w1);
+  /* #7: @4 = (@4/@1) */
+  for (i=0, rr=w4, cs=w1; i<6; ++i) (*rr++) /= (*cs++);
+  /* #8: output[1][0] = @4 */
+  casadi_copy(w4, 6, res[1]);
+  return 0;
+}
+
 /* newton_48:(u0[6],p[8])->(u[6]) */
-static int casadi_f18(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f23(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 6;
@@ -12401,7 +12587,7 @@ static int casadi_f18(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f19(arg+2, res+1, iw, w+108, 0)) return 1;
+    if (casadi_f24(arg+2, res+1, iw, w+108, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -12409,8 +12595,26 @@ static int casadi_f18(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
+/* scaled_newton_48:(i0[6],i1[8])->(o0[6]) */
+static int casadi_f22(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *w0=w+788, *w2=w+794;
+  const casadi_real **arg1=arg+2, *wr1;
+  /* #0: @0 = input[0][0] */
+  casadi_copy(arg[0], 6, w0);
+  /* #1: @1 = input[1][0] */
+  wr1 = arg[1] ? arg[1] : casadi_zeros;
+  /* #2: @2 = newton_48(@0, @1) */
+  arg1[0]=w0;
+  arg1[1]=wr1;
+  res1[0]=w2;
+  if (casadi_f23(arg1, res1, iw, w, 0)) return 1;
+  /* #3: output[0][0] = @2 */
+  casadi_copy(w2, 6, res[0]);
+  return 0;
+}
+
 /* wobbling_residual_48:(u[6],p[8])->(R[6]) */
-static int casadi_f20(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f26(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+158, *w1=w+164, *w3=w+169, w4, w5, w6, *w7=w+175;
   const casadi_real **arg1=arg+2, *cs, *wr2;
   /* #0: @0 = input[0][0] */
@@ -12424,7 +12628,7 @@ static int casadi_f20(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr2;
   res1[0]=w3;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = 0 */
   w4 = 0.;
   /* #5: @5 = @0[5] */
@@ -12437,7 +12641,7 @@ static int casadi_f20(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w6);
   arg1[1]=wr2;
   res1[0]=w7;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #9: @0 = plain_steps(@3, @4, @7, @6, @2) */
   arg1[0]=w3;
   arg1[1]=(&w4);
@@ -12445,7 +12649,7 @@ static int casadi_f20(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #10: @4 = 0.25 */
   w4 = 2.5000000000000000e-01;
   /* #11: @4 = (@4*@5) */
@@ -12457,7 +12661,7 @@ static int casadi_f20(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #13: @4 = 0.5 */
   w4 = 5.0000000000000000e-01;
   /* #14: @4 = (@4*@5) */
@@ -12469,7 +12673,7 @@ static int casadi_f20(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #16: @4 = 0.75 */
   w4 = 7.5000000000000000e-01;
   /* #17: @4 = (@4*@5) */
@@ -12481,45 +12685,45 @@ static int casadi_f20(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #19: @0 = landing(@3, @1, @2) */
   arg1[0]=w3;
   arg1[1]=w1;
   arg1[2]=wr2;
   res1[0]=w0;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][0] = @0 */
   casadi_copy(w0, 6, res[0]);
   return 0;
 }
 
 /* wobbling_search_48:(u0[6],p[8])->(u[6],R[6]) */
-static int casadi_f17(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+2, *w0=w+696, *w2=w+702;
+static int casadi_f21(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+2, *w0=w+808, *w2=w+814;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 6, w0);
   /* #1: @1 = input[1][0] */
   wr1 = arg[1] ? arg[1] : casadi_zeros;
-  /* #2: @2 = newton_48(@0, @1) */
+  /* #2: @2 = scaled_newton_48(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w2;
-  if (casadi_f18(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f22(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 6, res[0]);
   /* #4: @0 = wobbling_residual_48(@2, @1) */
   arg1[0]=w2;
   arg1[1]=wr1;
   res1[0]=w0;
-  if (casadi_f20(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f26(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @0 */
   casadi_copy(w0, 6, res[1]);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_search_48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f17(arg, res, iw, w, mem);
+  return casadi_f21(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_search_48_checkout(void) {
@@ -12578,23 +12782,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* wobbling_search_48_sparsity_out(casadi_in
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_search_48_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 16;
-  if (sz_res) *sz_res = 7;
+  if (sz_arg) *sz_arg = 20;
+  if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 708;
+  if (sz_w) *sz_w = 820;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_search_48_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 16*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 7*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 20*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 708*sizeof(casadi_real);
+  if (sz_w) *sz_w = 820*sizeof(casadi_real);
   return 0;
 }
 
 /* coarse_jacobian_24:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f23(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f31(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+576, *w2=w+582, *w3=w+618;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
@@ -12606,21 +12810,57 @@ static int casadi_f23(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f2(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 36, res[0]);
   /* #4: @3 = wobbling_residual_24(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w3;
-  if (casadi_f16(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f20(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 6, res[1]);
   return 0;
 }
 
+/* scaled_jacobian_24:(u[6],p[8])->(J[6x6],R[6]) */
+static int casadi_f30(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_int i;
+  casadi_real **res1=res+2, *rr, *w0=w+632, *w1=w+668, *w3=w+674, *w4=w+710;
+  const casadi_real **arg1=arg+2, *cr, *cs, *wr0, *wr2;
+  /* #0: @0 = 
+  [[1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [0.5, 0.5, 0.5, 0.5, 0.5, 0.5]] */
+  wr0 = casadi_c0;
+  /* #1: @1 = input[0][0] */
+  casadi_copy(arg[0], 6, w1);
+  /* #2: @2 = input[1][0] */
+  wr2 = arg[1] ? arg[1] : casadi_zeros;
+  /* #3: {@3, @4} = coarse_jacobian_24(@1, @2) */
+  arg1[0]=w1;
+  arg1[1]=wr2;
+  res1[0]=w3;
+  res1[1]=w4;
+  if (casadi_f31(arg1, res1, iw, w, 0)) return 1;
+  /* #4: @0 = (@0*@3) */
+  for (i=0, rr=w0, cr=wr0, cs=w3; i<36; ++i) (*rr++)  = ((*cr++)*(*cs++));
+  /* #5: output[0][0] = @0 */
+  casadi_copy(w0, 36, res[0]);
+  /* #6: @1 = [1, 1, 1, 1, 1, 2] */
+  casadi_copy(casadi_c1, 6, w1);
+  /* #7: @4 = (@4/@1) */
+  for (i=0, rr=w4, cs=w1; i<6; ++i) (*rr++) /= (*cs++);
+  /* #8: output[1][0] = @4 */
+  casadi_copy(w4, 6, res[1]);
+  return 0;
+}
+
 /* newton_24:(u0[6],p[8])->(u[6]) */
-static int casadi_f22(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f29(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 6;
@@ -12646,7 +12886,7 @@ static int casadi_f22(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f23(arg+2, res+1, iw, w+108, 0)) return 1;
+    if (casadi_f30(arg+2, res+1, iw, w+108, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -12654,9 +12894,9 @@ static int casadi_f22(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* wobbling_limit_cycle_24:(u0[6],p[8])->(u[6],J[6x6],R[6]) */
-static int casadi_f21(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+3, *w0=w+752, *w2=w+758, *w3=w+764;
+/* scaled_newton_24:(i0[6],i1[8])->(o0[6]) */
+static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *w0=w+844, *w2=w+850;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 6, w0);
@@ -12666,7 +12906,25 @@ static int casadi_f21(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w2;
-  if (casadi_f22(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f29(arg1, res1, iw, w, 0)) return 1;
+  /* #3: output[0][0] = @2 */
+  casadi_copy(w2, 6, res[0]);
+  return 0;
+}
+
+/* wobbling_limit_cycle_24:(u0[6],p[8])->(u[6],J[6x6],R[6]) */
+static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+3, *w0=w+864, *w2=w+870, *w3=w+876;
+  const casadi_real **arg1=arg+2, *wr1;
+  /* #0: @0 = input[0][0] */
+  casadi_copy(arg[0], 6, w0);
+  /* #1: @1 = input[1][0] */
+  wr1 = arg[1] ? arg[1] : casadi_zeros;
+  /* #2: @2 = scaled_newton_24(@0, @1) */
+  arg1[0]=w0;
+  arg1[1]=wr1;
+  res1[0]=w2;
+  if (casadi_f28(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 6, res[0]);
   /* #4: {@3, @0} = wobbling_jacobian_24(@2, @1) */
@@ -12674,7 +12932,7 @@ static int casadi_f21(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f15(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f19(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 36, res[1]);
   /* #6: output[2][0] = @0 */
@@ -12683,7 +12941,7 @@ static int casadi_f21(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_24(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f21(arg, res, iw, w, mem);
+  return casadi_f27(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_24_checkout(void) {
@@ -12744,23 +13002,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* wobbling_limit_cycle_24_sparsity_out(casa
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_24_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18;
-  if (sz_res) *sz_res = 10;
+  if (sz_arg) *sz_arg = 22;
+  if (sz_res) *sz_res = 13;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 800;
+  if (sz_w) *sz_w = 912;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_24_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 22*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 13*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 800*sizeof(casadi_real);
+  if (sz_w) *sz_w = 912*sizeof(casadi_real);
   return 0;
 }
 
 /* wobbling_residual_36:(u[6],p[8])->(R[6]) */
-static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f37(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+158, *w1=w+164, *w3=w+169, w4, w5, w6, *w7=w+175;
   const casadi_real **arg1=arg+2, *cs, *wr2;
   /* #0: @0 = input[0][0] */
@@ -12774,7 +13032,7 @@ static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr2;
   res1[0]=w3;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = 0 */
   w4 = 0.;
   /* #5: @5 = @0[5] */
@@ -12787,7 +13045,7 @@ static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w6);
   arg1[1]=wr2;
   res1[0]=w7;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #9: @0 = plain_steps(@3, @4, @7, @6, @2) */
   arg1[0]=w3;
   arg1[1]=(&w4);
@@ -12795,7 +13053,7 @@ static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #10: @4 = 0.333333 */
   w4 = 3.3333333333333331e-01;
   /* #11: @4 = (@4*@5) */
@@ -12807,7 +13065,7 @@ static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #13: @4 = 0.666667 */
   w4 = 6.6666666666666663e-01;
   /* #14: @4 = (@4*@5) */
@@ -12819,20 +13077,20 @@ static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #16: @3 = landing(@0, @1, @2) */
   arg1[0]=w0;
   arg1[1]=w1;
   arg1[2]=wr2;
   res1[0]=w3;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #17: output[0][0] = @3 */
   casadi_copy(w3, 6, res[0]);
   return 0;
 }
 
 /* coarse_jacobian_36:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f26(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+576, *w2=w+582, *w3=w+618;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
@@ -12844,21 +13102,57 @@ static int casadi_f26(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f2(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 36, res[0]);
   /* #4: @3 = wobbling_residual_36(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w3;
-  if (casadi_f27(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f37(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 6, res[1]);
   return 0;
 }
 
+/* scaled_jacobian_36:(u[6],p[8])->(J[6x6],R[6]) */
+static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_int i;
+  casadi_real **res1=res+2, *rr, *w0=w+632, *w1=w+668, *w3=w+674, *w4=w+710;
+  const casadi_real **arg1=arg+2, *cr, *cs, *wr0, *wr2;
+  /* #0: @0 = 
+  [[1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [0.5, 0.5, 0.5, 0.5, 0.5, 0.5]] */
+  wr0 = casadi_c0;
+  /* #1: @1 = input[0][0] */
+  casadi_copy(arg[0], 6, w1);
+  /* #2: @2 = input[1][0] */
+  wr2 = arg[1] ? arg[1] : casadi_zeros;
+  /* #3: {@3, @4} = coarse_jacobian_36(@1, @2) */
+  arg1[0]=w1;
+  arg1[1]=wr2;
+  res1[0]=w3;
+  res1[1]=w4;
+  if (casadi_f36(arg1, res1, iw, w, 0)) return 1;
+  /* #4: @0 = (@0*@3) */
+  for (i=0, rr=w0, cr=wr0, cs=w3; i<36; ++i) (*rr++)  = ((*cr++)*(*cs++));
+  /* #5: output[0][0] = @0 */
+  casadi_copy(w0, 36, res[0]);
+  /* #6: @1 = [1, 1, 1, 1, 1, 2] */
+  casadi_copy(casadi_c1, 6, w1);
+  /* #7: @4 = (@4/@1) */
+  for (i=0, rr=w4, cs=w1; i<6; ++i) (*rr++) /= (*cs++);
+  /* #8: output[1][0] = @4 */
+  casadi_copy(w4, 6, res[1]);
+  return 0;
+}
+
 /* newton_36:(u0[6],p[8])->(u[6]) */
-static int casadi_f25(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f34(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 6;
@@ -12884,7 +13178,7 @@ static int casadi_f25(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f26(arg+2, res+1, iw, w+108, 0)) return 1;
+    if (casadi_f35(arg+2, res+1, iw, w+108, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -12892,8 +13186,26 @@ static int casadi_f25(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
+/* scaled_newton_36:(i0[6],i1[8])->(o0[6]) */
+static int casadi_f33(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *w0=w+844, *w2=w+850;
+  const casadi_real **arg1=arg+2, *wr1;
+  /* #0: @0 = input[0][0] */
+  casadi_copy(arg[0], 6, w0);
+  /* #1: @1 = input[1][0] */
+  wr1 = arg[1] ? arg[1] : casadi_zeros;
+  /* #2: @2 = newton_36(@0, @1) */
+  arg1[0]=w0;
+  arg1[1]=wr1;
+  res1[0]=w2;
+  if (casadi_f34(arg1, res1, iw, w, 0)) return 1;
+  /* #3: output[0][0] = @2 */
+  casadi_copy(w2, 6, res[0]);
+  return 0;
+}
+
 /* wobbling_jacobian_36:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f38(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w03=w+433, *w04=w+439, *w05=w+469, w06, w07, w08, *w09=w+505, *w10=w+529;
   const casadi_real **arg1=arg+2, *cs, *wr02;
@@ -12908,7 +13220,7 @@ static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr02;
   res1[0]=w03;
   res1[1]=w04;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @5 = horzcat(@3, @4) */
   rr=w05;
   for (i=0, cs=w03; i<6; ++i) *rr++ = *cs++;
@@ -12925,7 +13237,7 @@ static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w08);
   arg1[1]=wr02;
   res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
   arg1[0]=w05;
   arg1[1]=(&w06);
@@ -12933,7 +13245,7 @@ static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #11: @6 = 0.333333 */
   w06 = 3.3333333333333331e-01;
   /* #12: @6 = (@6*@7) */
@@ -12945,7 +13257,7 @@ static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #14: @6 = 0.666667 */
   w06 = 6.6666666666666663e-01;
   /* #15: @6 = (@6*@7) */
@@ -12957,7 +13269,7 @@ static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #17: {@5, @0} = landing_with_derivative(@10, @1, @7, @2) */
   arg1[0]=w10;
   arg1[1]=w01;
@@ -12965,7 +13277,7 @@ static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=wr02;
   res1[0]=w05;
   res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #18: output[0][0] = @5 */
   casadi_copy(w05, 36, res[0]);
   /* #19: output[1][0] = @0 */
@@ -12974,18 +13286,18 @@ static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* wobbling_limit_cycle_36:(u0[6],p[8])->(u[6],J[6x6],R[6]) */
-static int casadi_f24(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+3, *w0=w+752, *w2=w+758, *w3=w+764;
+static int casadi_f32(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+3, *w0=w+864, *w2=w+870, *w3=w+876;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 6, w0);
   /* #1: @1 = input[1][0] */
   wr1 = arg[1] ? arg[1] : casadi_zeros;
-  /* #2: @2 = newton_36(@0, @1) */
+  /* #2: @2 = scaled_newton_36(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w2;
-  if (casadi_f25(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f33(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 6, res[0]);
   /* #4: {@3, @0} = wobbling_jacobian_36(@2, @1) */
@@ -12993,7 +13305,7 @@ static int casadi_f24(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f28(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f38(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 36, res[1]);
   /* #6: output[2][0] = @0 */
@@ -13002,7 +13314,7 @@ static int casadi_f24(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_36(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f24(arg, res, iw, w, mem);
+  return casadi_f32(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_36_checkout(void) {
@@ -13063,23 +13375,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* wobbling_limit_cycle_36_sparsity_out(casa
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_36_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18;
-  if (sz_res) *sz_res = 10;
+  if (sz_arg) *sz_arg = 22;
+  if (sz_res) *sz_res = 13;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 800;
+  if (sz_w) *sz_w = 912;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_36_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 22*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 13*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 800*sizeof(casadi_real);
+  if (sz_w) *sz_w = 912*sizeof(casadi_real);
   return 0;
 }
 
 /* coarse_jacobian_48:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f31(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f43(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+576, *w2=w+582, *w3=w+618;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
@@ -13091,21 +13403,57 @@ static int casadi_f31(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f15(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f19(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 36, res[0]);
   /* #4: @3 = wobbling_residual_48(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w3;
-  if (casadi_f20(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f26(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 6, res[1]);
   return 0;
 }
 
+/* scaled_jacobian_48:(u[6],p[8])->(J[6x6],R[6]) */
+static int casadi_f42(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_int i;
+  casadi_real **res1=res+2, *rr, *w0=w+632, *w1=w+668, *w3=w+674, *w4=w+710;
+  const casadi_real **arg1=arg+2, *cr, *cs, *wr0, *wr2;
+  /* #0: @0 = 
+  [[1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [0.5, 0.5, 0.5, 0.5, 0.5, 0.5]] */
+  wr0 = casadi_c0;
+  /* #1: @1 = input[0][0] */
+  casadi_copy(arg[0], 6, w1);
+  /* #2: @2 = input[1][0] */
+  wr2 = arg[1] ? arg[1] : casadi_zeros;
+  /* #3: {@3, @4} = coarse_jacobian_48(@1, @2) */
+  arg1[0]=w1;
+  arg1[1]=wr2;
+  res1[0]=w3;
+  res1[1]=w4;
+  if (casadi_f43(arg1, res1, iw, w, 0)) return 1;
+  /* #4: @0 = (@0*@3) */
+  for (i=0, rr=w0, cr=wr0, cs=w3; i<36; ++i) (*rr++)  = ((*cr++)*(*cs++));
+  /* #5: output[0][0] = @0 */
+  casadi_copy(w0, 36, res[0]);
+  /* #6: @1 = [1, 1, 1, 1, 1, 2] */
+  casadi_copy(casadi_c1, 6, w1);
+  /* #7: @4 = (@4/@1) */
+  for (i=0, rr=w4, cs=w1; i<6; ++i) (*rr++) /= (*cs++);
+  /* #8: output[1][0] = @4 */
+  casadi_copy(w4, 6, res[1]);
+  return 0;
+}
+
 /* newton_48:(u0[6],p[8])->(u[6]) */
-static int casadi_f30(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 6;
@@ -13131,7 +13479,7 @@ static int casadi_f30(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f31(arg+2, res+1, iw, w+108, 0)) return 1;
+    if (casadi_f42(arg+2, res+1, iw, w+108, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -13139,9 +13487,9 @@ static int casadi_f30(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* wobbling_limit_cycle_48:(u0[6],p[8])->(u[6],J[6x6],R[6]) */
-static int casadi_f29(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+3, *w0=w+752, *w2=w+758, *w3=w+764;
+/* scaled_newton_48:(i0[6],i1[8])->(o0[6]) */
+static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *w0=w+844, *w2=w+850;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 6, w0);
@@ -13151,7 +13499,25 @@ static int casadi_f29(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w2;
-  if (casadi_f30(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f41(arg1, res1, iw, w, 0)) return 1;
+  /* #3: output[0][0] = @2 */
+  casadi_copy(w2, 6, res[0]);
+  return 0;
+}
+
+/* wobbling_limit_cycle_48:(u0[6],p[8])->(u[6],J[6x6],R[6]) */
+static int casadi_f39(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+3, *w0=w+864, *w2=w+870, *w3=w+876;
+  const casadi_real **arg1=arg+2, *wr1;
+  /* #0: @0 = input[0][0] */
+  casadi_copy(arg[0], 6, w0);
+  /* #1: @1 = input[1][0] */
+  wr1 = arg[1] ? arg[1] : casadi_zeros;
+  /* #2: @2 = scaled_newton_48(@0, @1) */
+  arg1[0]=w0;
+  arg1[1]=wr1;
+  res1[0]=w2;
+  if (casadi_f40(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 6, res[0]);
   /* #4: {@3, @0} = wobbling_jacobian_48(@2, @1) */
@@ -13159,7 +13525,7 @@ static int casadi_f29(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f19(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f25(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 36, res[1]);
   /* #6: output[2][0] = @0 */
@@ -13168,7 +13534,7 @@ static int casadi_f29(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f29(arg, res, iw, w, mem);
+  return casadi_f39(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_48_checkout(void) {
@@ -13229,23 +13595,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* wobbling_limit_cycle_48_sparsity_out(casa
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_48_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18;
-  if (sz_res) *sz_res = 10;
+  if (sz_arg) *sz_arg = 22;
+  if (sz_res) *sz_res = 13;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 800;
+  if (sz_w) *sz_w = 912;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_48_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 22*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 13*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 800*sizeof(casadi_real);
+  if (sz_w) *sz_w = 912*sizeof(casadi_real);
   return 0;
 }
 
 /* wobbling_residual_72:(u[6],p[8])->(R[6]) */
-static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f49(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+158, *w1=w+164, *w3=w+169, w4, w5, w6, *w7=w+175;
   const casadi_real **arg1=arg+2, *cs, *wr2;
   /* #0: @0 = input[0][0] */
@@ -13259,7 +13625,7 @@ static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr2;
   res1[0]=w3;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = 0 */
   w4 = 0.;
   /* #5: @5 = @0[5] */
@@ -13272,7 +13638,7 @@ static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w6);
   arg1[1]=wr2;
   res1[0]=w7;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #9: @0 = plain_steps(@3, @4, @7, @6, @2) */
   arg1[0]=w3;
   arg1[1]=(&w4);
@@ -13280,7 +13646,7 @@ static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #10: @4 = 0.166667 */
   w4 = 1.6666666666666666e-01;
   /* #11: @4 = (@4*@5) */
@@ -13292,7 +13658,7 @@ static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #13: @4 = 0.333333 */
   w4 = 3.3333333333333331e-01;
   /* #14: @4 = (@4*@5) */
@@ -13304,7 +13670,7 @@ static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #16: @4 = 0.5 */
   w4 = 5.0000000000000000e-01;
   /* #17: @4 = (@4*@5) */
@@ -13316,7 +13682,7 @@ static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #19: @4 = 0.666667 */
   w4 = 6.6666666666666663e-01;
   /* #20: @4 = (@4*@5) */
@@ -13328,7 +13694,7 @@ static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #22: @4 = 0.833333 */
   w4 = 8.3333333333333337e-01;
   /* #23: @4 = (@4*@5) */
@@ -13340,20 +13706,20 @@ static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #25: @0 = landing(@3, @1, @2) */
   arg1[0]=w3;
   arg1[1]=w1;
   arg1[2]=wr2;
   res1[0]=w0;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #26: output[0][0] = @0 */
   casadi_copy(w0, 6, res[0]);
   return 0;
 }
 
 /* coarse_jacobian_72:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f34(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+576, *w2=w+582, *w3=w+618;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
@@ -13365,21 +13731,57 @@ static int casadi_f34(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f28(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f38(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 36, res[0]);
   /* #4: @3 = wobbling_residual_72(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w3;
-  if (casadi_f35(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f49(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 6, res[1]);
   return 0;
 }
 
+/* scaled_jacobian_72:(u[6],p[8])->(J[6x6],R[6]) */
+static int casadi_f47(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_int i;
+  casadi_real **res1=res+2, *rr, *w0=w+632, *w1=w+668, *w3=w+674, *w4=w+710;
+  const casadi_real **arg1=arg+2, *cr, *cs, *wr0, *wr2;
+  /* #0: @0 = 
+  [[1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [0.5, 0.5, 0.5, 0.5, 0.5, 0.5]] */
+  wr0 = casadi_c0;
+  /* #1: @1 = input[0][0] */
+  casadi_copy(arg[0], 6, w1);
+  /* #2: @2 = input[1][0] */
+  wr2 = arg[1] ? arg[1] : casadi_zeros;
+  /* #3: {@3, @4} = coarse_jacobian_72(@1, @2) */
+  arg1[0]=w1;
+  arg1[1]=wr2;
+  res1[0]=w3;
+  res1[1]=w4;
+  if (casadi_f48(arg1, res1, iw, w, 0)) return 1;
+  /* #4: @0 = (@0*@3) */
+  for (i=0, rr=w0, cr=wr0, cs=w3; i<36; ++i) (*rr++)  = ((*cr++)*(*cs++));
+  /* #5: output[0][0] = @0 */
+  casadi_copy(w0, 36, res[0]);
+  /* #6: @1 = [1, 1, 1, 1, 1, 2] */
+  casadi_copy(casadi_c1, 6, w1);
+  /* #7: @4 = (@4/@1) */
+  for (i=0, rr=w4, cs=w1; i<6; ++i) (*rr++) /= (*cs++);
+  /* #8: output[1][0] = @4 */
+  casadi_copy(w4, 6, res[1]);
+  return 0;
+}
+
 /* newton_72:(u0[6],p[8])->(u[6]) */
-static int casadi_f33(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 6;
@@ -13405,7 +13807,7 @@ static int casadi_f33(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f34(arg+2, res+1, iw, w+108, 0)) return 1;
+    if (casadi_f47(arg+2, res+1, iw, w+108, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -13413,8 +13815,26 @@ static int casadi_f33(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
+/* scaled_newton_72:(i0[6],i1[8])->(o0[6]) */
+static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *w0=w+844, *w2=w+850;
+  const casadi_real **arg1=arg+2, *wr1;
+  /* #0: @0 = input[0][0] */
+  casadi_copy(arg[0], 6, w0);
+  /* #1: @1 = input[1][0] */
+  wr1 = arg[1] ? arg[1] : casadi_zeros;
+  /* #2: @2 = newton_72(@0, @1) */
+  arg1[0]=w0;
+  arg1[1]=wr1;
+  res1[0]=w2;
+  if (casadi_f46(arg1, res1, iw, w, 0)) return 1;
+  /* #3: output[0][0] = @2 */
+  casadi_copy(w2, 6, res[0]);
+  return 0;
+}
+
 /* wobbling_jacobian_72:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w03=w+433, *w04=w+439, *w05=w+469, w06, w07, w08, *w09=w+505, *w10=w+529;
   const casadi_real **arg1=arg+2, *cs, *wr02;
@@ -13429,7 +13849,7 @@ static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr02;
   res1[0]=w03;
   res1[1]=w04;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @5 = horzcat(@3, @4) */
   rr=w05;
   for (i=0, cs=w03; i<6; ++i) *rr++ = *cs++;
@@ -13446,7 +13866,7 @@ static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w08);
   arg1[1]=wr02;
   res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
   arg1[0]=w05;
   arg1[1]=(&w06);
@@ -13454,7 +13874,7 @@ static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #11: @6 = 0.166667 */
   w06 = 1.6666666666666666e-01;
   /* #12: @6 = (@6*@7) */
@@ -13466,7 +13886,7 @@ static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #14: @6 = 0.333333 */
   w06 = 3.3333333333333331e-01;
   /* #15: @6 = (@6*@7) */
@@ -13478,7 +13898,7 @@ static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #17: @6 = 0.5 */
   w06 = 5.0000000000000000e-01;
   /* #18: @6 = (@6*@7) */
@@ -13490,7 +13910,7 @@ static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #20: @6 = 0.666667 */
   w06 = 6.6666666666666663e-01;
   /* #21: @6 = (@6*@7) */
@@ -13502,7 +13922,7 @@ static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #23: @6 = 0.833333 */
   w06 = 8.3333333333333337e-01;
   /* #24: @6 = (@6*@7) */
@@ -13514,7 +13934,7 @@ static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #26: {@10, @0} = landing_with_derivative(@5, @1, @7, @2) */
   arg1[0]=w05;
   arg1[1]=w01;
@@ -13522,7 +13942,7 @@ static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=wr02;
   res1[0]=w10;
   res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #27: output[0][0] = @10 */
   casadi_copy(w10, 36, res[0]);
   /* #28: output[1][0] = @0 */
@@ -13531,18 +13951,18 @@ static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* wobbling_limit_cycle_72:(u0[6],p[8])->(u[6],J[6x6],R[6]) */
-static int casadi_f32(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+3, *w0=w+752, *w2=w+758, *w3=w+764;
+static int casadi_f44(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+3, *w0=w+864, *w2=w+870, *w3=w+876;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 6, w0);
   /* #1: @1 = input[1][0] */
   wr1 = arg[1] ? arg[1] : casadi_zeros;
-  /* #2: @2 = newton_72(@0, @1) */
+  /* #2: @2 = scaled_newton_72(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w2;
-  if (casadi_f33(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f45(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 6, res[0]);
   /* #4: {@3, @0} = wobbling_jacobian_72(@2, @1) */
@@ -13550,7 +13970,7 @@ static int casadi_f32(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f36(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f50(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 36, res[1]);
   /* #6: output[2][0] = @0 */
@@ -13559,7 +13979,7 @@ static int casadi_f32(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_72(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f32(arg, res, iw, w, mem);
+  return casadi_f44(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_72_checkout(void) {
@@ -13620,23 +14040,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* wobbling_limit_cycle_72_sparsity_out(casa
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_72_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18;
-  if (sz_res) *sz_res = 10;
+  if (sz_arg) *sz_arg = 22;
+  if (sz_res) *sz_res = 13;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 800;
+  if (sz_w) *sz_w = 912;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_72_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 22*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 13*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 800*sizeof(casadi_real);
+  if (sz_w) *sz_w = 912*sizeof(casadi_real);
   return 0;
 }
 
 /* wobbling_residual_96:(u[6],p[8])->(R[6]) */
-static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+158, *w1=w+164, *w3=w+169, w4, w5, w6, *w7=w+175;
   const casadi_real **arg1=arg+2, *cs, *wr2;
   /* #0: @0 = input[0][0] */
@@ -13650,7 +14070,7 @@ static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr2;
   res1[0]=w3;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = 0 */
   w4 = 0.;
   /* #5: @5 = @0[5] */
@@ -13663,7 +14083,7 @@ static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w6);
   arg1[1]=wr2;
   res1[0]=w7;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #9: @0 = plain_steps(@3, @4, @7, @6, @2) */
   arg1[0]=w3;
   arg1[1]=(&w4);
@@ -13671,7 +14091,7 @@ static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #10: @4 = 0.125 */
   w4 = 1.2500000000000000e-01;
   /* #11: @4 = (@4*@5) */
@@ -13683,7 +14103,7 @@ static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #13: @4 = 0.25 */
   w4 = 2.5000000000000000e-01;
   /* #14: @4 = (@4*@5) */
@@ -13695,7 +14115,7 @@ static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #16: @4 = 0.375 */
   w4 = 3.7500000000000000e-01;
   /* #17: @4 = (@4*@5) */
@@ -13707,7 +14127,7 @@ static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #19: @4 = 0.5 */
   w4 = 5.0000000000000000e-01;
   /* #20: @4 = (@4*@5) */
@@ -13719,7 +14139,7 @@ static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #22: @4 = 0.625 */
   w4 = 6.2500000000000000e-01;
   /* #23: @4 = (@4*@5) */
@@ -13731,7 +14151,7 @@ static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #25: @4 = 0.75 */
   w4 = 7.5000000000000000e-01;
   /* #26: @4 = (@4*@5) */
@@ -13743,7 +14163,7 @@ static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #28: @4 = 0.875 */
   w4 = 8.7500000000000000e-01;
   /* #29: @4 = (@4*@5) */
@@ -13755,20 +14175,20 @@ static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #31: @0 = landing(@3, @1, @2) */
   arg1[0]=w3;
   arg1[1]=w1;
   arg1[2]=wr2;
   res1[0]=w0;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][0] = @0 */
   casadi_copy(w0, 6, res[0]);
   return 0;
 }
 
 /* coarse_jacobian_96:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f39(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+576, *w2=w+582, *w3=w+618;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
@@ -13780,21 +14200,57 @@ static int casadi_f39(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f19(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f25(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 36, res[0]);
   /* #4: @3 = wobbling_residual_96(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w3;
-  if (casadi_f40(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f56(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 6, res[1]);
   return 0;
 }
 
+/* scaled_jacobian_96:(u[6],p[8])->(J[6x6],R[6]) */
+static int casadi_f54(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_int i;
+  casadi_real **res1=res+2, *rr, *w0=w+632, *w1=w+668, *w3=w+674, *w4=w+710;
+  const casadi_real **arg1=arg+2, *cr, *cs, *wr0, *wr2;
+  /* #0: @0 = 
+  [[1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [0.5, 0.5, 0.5, 0.5, 0.5, 0.5]] */
+  wr0 = casadi_c0;
+  /* #1: @1 = input[0][0] */
+  casadi_copy(arg[0], 6, w1);
+  /* #2: @2 = input[1][0] */
+  wr2 = arg[1] ? arg[1] : casadi_zeros;
+  /* #3: {@3, @4} = coarse_jacobian_96(@1, @2) */
+  arg1[0]=w1;
+  arg1[1]=wr2;
+  res1[0]=w3;
+  res1[1]=w4;
+  if (casadi_f55(arg1, res1, iw, w, 0)) return 1;
+  /* #4: @0 = (@0*@3) */
+  for (i=0, rr=w0, cr=wr0, cs=w3; i<36; ++i) (*rr++)  = ((*cr++)*(*cs++));
+  /* #5: output[0][0] = @0 */
+  casadi_copy(w0, 36, res[0]);
+  /* #6: @1 = [1, 1, 1, 1, 1, 2] */
+  casadi_copy(casadi_c1, 6, w1);
+  /* #7: @4 = (@4/@1) */
+  for (i=0, rr=w4, cs=w1; i<6; ++i) (*rr++) /= (*cs++);
+  /* #8: output[1][0] = @4 */
+  casadi_copy(w4, 6, res[1]);
+  return 0;
+}
+
 /* newton_96:(u0[6],p[8])->(u[6]) */
-static int casadi_f38(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f53(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 6;
@@ -13820,7 +14276,7 @@ static int casadi_f38(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f39(arg+2, res+1, iw, w+108, 0)) return 1;
+    if (casadi_f54(arg+2, res+1, iw, w+108, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -13828,8 +14284,26 @@ static int casadi_f38(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
+/* scaled_newton_96:(i0[6],i1[8])->(o0[6]) */
+static int casadi_f52(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *w0=w+844, *w2=w+850;
+  const casadi_real **arg1=arg+2, *wr1;
+  /* #0: @0 = input[0][0] */
+  casadi_copy(arg[0], 6, w0);
+  /* #1: @1 = input[1][0] */
+  wr1 = arg[1] ? arg[1] : casadi_zeros;
+  /* #2: @2 = newton_96(@0, @1) */
+  arg1[0]=w0;
+  arg1[1]=wr1;
+  res1[0]=w2;
+  if (casadi_f53(arg1, res1, iw, w, 0)) return 1;
+  /* #3: output[0][0] = @2 */
+  casadi_copy(w2, 6, res[0]);
+  return 0;
+}
+
 /* wobbling_jacobian_96:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f57(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w03=w+433, *w04=w+439, *w05=w+469, w06, w07, w08, *w09=w+505, *w10=w+529;
   const casadi_real **arg1=arg+2, *cs, *wr02;
@@ -13844,7 +14318,7 @@ static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr02;
   res1[0]=w03;
   res1[1]=w04;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @5 = horzcat(@3, @4) */
   rr=w05;
   for (i=0, cs=w03; i<6; ++i) *rr++ = *cs++;
@@ -13861,7 +14335,7 @@ static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w08);
   arg1[1]=wr02;
   res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
   arg1[0]=w05;
   arg1[1]=(&w06);
@@ -13869,7 +14343,7 @@ static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #11: @6 = 0.125 */
   w06 = 1.2500000000000000e-01;
   /* #12: @6 = (@6*@7) */
@@ -13881,7 +14355,7 @@ static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #14: @6 = 0.25 */
   w06 = 2.5000000000000000e-01;
   /* #15: @6 = (@6*@7) */
@@ -13893,7 +14367,7 @@ static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #17: @6 = 0.375 */
   w06 = 3.7500000000000000e-01;
   /* #18: @6 = (@6*@7) */
@@ -13905,7 +14379,7 @@ static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #20: @6 = 0.5 */
   w06 = 5.0000000000000000e-01;
   /* #21: @6 = (@6*@7) */
@@ -13917,7 +14391,7 @@ static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #23: @6 = 0.625 */
   w06 = 6.2500000000000000e-01;
   /* #24: @6 = (@6*@7) */
@@ -13929,7 +14403,7 @@ static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #26: @6 = 0.75 */
   w06 = 7.5000000000000000e-01;
   /* #27: @6 = (@6*@7) */
@@ -13941,7 +14415,7 @@ static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #29: @6 = 0.875 */
   w06 = 8.7500000000000000e-01;
   /* #30: @6 = (@6*@7) */
@@ -13953,7 +14427,7 @@ static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #32: {@10, @0} = landing_with_derivative(@5, @1, @7, @2) */
   arg1[0]=w05;
   arg1[1]=w01;
@@ -13961,7 +14435,7 @@ static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=wr02;
   res1[0]=w10;
   res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #33: output[0][0] = @10 */
   casadi_copy(w10, 36, res[0]);
   /* #34: output[1][0] = @0 */
@@ -13970,18 +14444,18 @@ static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* wobbling_limit_cycle_96:(u0[6],p[8])->(u[6],J[6x6],R[6]) */
-static int casadi_f37(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+3, *w0=w+752, *w2=w+758, *w3=w+764;
+static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+3, *w0=w+864, *w2=w+870, *w3=w+876;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 6, w0);
   /* #1: @1 = input[1][0] */
   wr1 = arg[1] ? arg[1] : casadi_zeros;
-  /* #2: @2 = newton_96(@0, @1) */
+  /* #2: @2 = scaled_newton_96(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w2;
-  if (casadi_f38(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f52(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 6, res[0]);
   /* #4: {@3, @0} = wobbling_jacobian_96(@2, @1) */
@@ -13989,7 +14463,7 @@ static int casadi_f37(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f41(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f57(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 36, res[1]);
   /* #6: output[2][0] = @0 */
@@ -13998,7 +14472,7 @@ static int casadi_f37(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_96(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f37(arg, res, iw, w, mem);
+  return casadi_f51(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_96_checkout(void) {
@@ -14059,23 +14533,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* wobbling_limit_cycle_96_sparsity_out(casa
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_96_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18;
-  if (sz_res) *sz_res = 10;
+  if (sz_arg) *sz_arg = 22;
+  if (sz_res) *sz_res = 13;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 800;
+  if (sz_w) *sz_w = 912;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_96_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 22*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 13*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 800*sizeof(casadi_real);
+  if (sz_w) *sz_w = 912*sizeof(casadi_real);
   return 0;
 }
 
 /* wobbling_residual_144:(u[6],p[8])->(R[6]) */
-static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+158, *w1=w+164, *w3=w+169, w4, w5, w6, *w7=w+175;
   const casadi_real **arg1=arg+2, *cs, *wr2;
   /* #0: @0 = input[0][0] */
@@ -14089,7 +14563,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr2;
   res1[0]=w3;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = 0 */
   w4 = 0.;
   /* #5: @5 = @0[5] */
@@ -14102,7 +14576,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w6);
   arg1[1]=wr2;
   res1[0]=w7;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #9: @0 = plain_steps(@3, @4, @7, @6, @2) */
   arg1[0]=w3;
   arg1[1]=(&w4);
@@ -14110,7 +14584,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #10: @4 = 0.0833333 */
   w4 = 8.3333333333333329e-02;
   /* #11: @4 = (@4*@5) */
@@ -14122,7 +14596,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #13: @4 = 0.166667 */
   w4 = 1.6666666666666666e-01;
   /* #14: @4 = (@4*@5) */
@@ -14134,7 +14608,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #16: @4 = 0.25 */
   w4 = 2.5000000000000000e-01;
   /* #17: @4 = (@4*@5) */
@@ -14146,7 +14620,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #19: @4 = 0.333333 */
   w4 = 3.3333333333333331e-01;
   /* #20: @4 = (@4*@5) */
@@ -14158,7 +14632,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #22: @4 = 0.416667 */
   w4 = 4.1666666666666669e-01;
   /* #23: @4 = (@4*@5) */
@@ -14170,7 +14644,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #25: @4 = 0.5 */
   w4 = 5.0000000000000000e-01;
   /* #26: @4 = (@4*@5) */
@@ -14182,7 +14656,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #28: @4 = 0.583333 */
   w4 = 5.8333333333333337e-01;
   /* #29: @4 = (@4*@5) */
@@ -14194,7 +14668,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #31: @4 = 0.666667 */
   w4 = 6.6666666666666663e-01;
   /* #32: @4 = (@4*@5) */
@@ -14206,7 +14680,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #34: @4 = 0.75 */
   w4 = 7.5000000000000000e-01;
   /* #35: @4 = (@4*@5) */
@@ -14218,7 +14692,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #37: @4 = 0.833333 */
   w4 = 8.3333333333333337e-01;
   /* #38: @4 = (@4*@5) */
@@ -14230,7 +14704,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #40: @4 = 0.916667 */
   w4 = 9.1666666666666663e-01;
   /* #41: @4 = (@4*@5) */
@@ -14242,20 +14716,20 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #43: @0 = landing(@3, @1, @2) */
   arg1[0]=w3;
   arg1[1]=w1;
   arg1[2]=wr2;
   res1[0]=w0;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #44: output[0][0] = @0 */
   casadi_copy(w0, 6, res[0]);
   return 0;
 }
 
 /* coarse_jacobian_144:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f44(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+576, *w2=w+582, *w3=w+618;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
@@ -14267,21 +14741,57 @@ static int casadi_f44(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f36(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f50(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 36, res[0]);
   /* #4: @3 = wobbling_residual_144(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w3;
-  if (casadi_f45(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 6, res[1]);
   return 0;
 }
 
+/* scaled_jacobian_144:(u[6],p[8])->(J[6x6],R[6]) */
+static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_int i;
+  casadi_real **res1=res+2, *rr, *w0=w+632, *w1=w+668, *w3=w+674, *w4=w+710;
+  const casadi_real **arg1=arg+2, *cr, *cs, *wr0, *wr2;
+  /* #0: @0 = 
+  [[1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [0.5, 0.5, 0.5, 0.5, 0.5, 0.5]] */
+  wr0 = casadi_c0;
+  /* #1: @1 = input[0][0] */
+  casadi_copy(arg[0], 6, w1);
+  /* #2: @2 = input[1][0] */
+  wr2 = arg[1] ? arg[1] : casadi_zeros;
+  /* #3: {@3, @4} = coarse_jacobian_144(@1, @2) */
+  arg1[0]=w1;
+  arg1[1]=wr2;
+  res1[0]=w3;
+  res1[1]=w4;
+  if (casadi_f62(arg1, res1, iw, w, 0)) return 1;
+  /* #4: @0 = (@0*@3) */
+  for (i=0, rr=w0, cr=wr0, cs=w3; i<36; ++i) (*rr++)  = ((*cr++)*(*cs++));
+  /* #5: output[0][0] = @0 */
+  casadi_copy(w0, 36, res[0]);
+  /* #6: @1 = [1, 1, 1, 1, 1, 2] */
+  casadi_copy(casadi_c1, 6, w1);
+  /* #7: @4 = (@4/@1) */
+  for (i=0, rr=w4, cs=w1; i<6; ++i) (*rr++) /= (*cs++);
+  /* #8: output[1][0] = @4 */
+  casadi_copy(w4, 6, res[1]);
+  return 0;
+}
+
 /* newton_144:(u0[6],p[8])->(u[6]) */
-static int casadi_f43(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 6;
@@ -14307,7 +14817,7 @@ static int casadi_f43(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f44(arg+2, res+1, iw, w+108, 0)) return 1;
+    if (casadi_f61(arg+2, res+1, iw, w+108, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -14315,8 +14825,26 @@ static int casadi_f43(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
+/* scaled_newton_144:(i0[6],i1[8])->(o0[6]) */
+static int casadi_f59(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *w0=w+844, *w2=w+850;
+  const casadi_real **arg1=arg+2, *wr1;
+  /* #0: @0 = input[0][0] */
+  casadi_copy(arg[0], 6, w0);
+  /* #1: @1 = input[1][0] */
+  wr1 = arg[1] ? arg[1] : casadi_zeros;
+  /* #2: @2 = newton_144(@0, @1) */
+  arg1[0]=w0;
+  arg1[1]=wr1;
+  res1[0]=w2;
+  if (casadi_f60(arg1, res1, iw, w, 0)) return 1;
+  /* #3: output[0][0] = @2 */
+  casadi_copy(w2, 6, res[0]);
+  return 0;
+}
+
 /* wobbling_jacobian_144:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f64(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w03=w+433, *w04=w+439, *w05=w+469, w06, w07, w08, *w09=w+505, *w10=w+529;
   const casadi_real **arg1=arg+2, *cs, *wr02;
@@ -14331,7 +14859,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr02;
   res1[0]=w03;
   res1[1]=w04;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @5 = horzcat(@3, @4) */
   rr=w05;
   for (i=0, cs=w03; i<6; ++i) *rr++ = *cs++;
@@ -14348,7 +14876,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w08);
   arg1[1]=wr02;
   res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
   arg1[0]=w05;
   arg1[1]=(&w06);
@@ -14356,7 +14884,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #11: @6 = 0.0833333 */
   w06 = 8.3333333333333329e-02;
   /* #12: @6 = (@6*@7) */
@@ -14368,7 +14896,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #14: @6 = 0.166667 */
   w06 = 1.6666666666666666e-01;
   /* #15: @6 = (@6*@7) */
@@ -14380,7 +14908,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #17: @6 = 0.25 */
   w06 = 2.5000000000000000e-01;
   /* #18: @6 = (@6*@7) */
@@ -14392,7 +14920,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #20: @6 = 0.333333 */
   w06 = 3.3333333333333331e-01;
   /* #21: @6 = (@6*@7) */
@@ -14404,7 +14932,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #23: @6 = 0.416667 */
   w06 = 4.1666666666666669e-01;
   /* #24: @6 = (@6*@7) */
@@ -14416,7 +14944,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #26: @6 = 0.5 */
   w06 = 5.0000000000000000e-01;
   /* #27: @6 = (@6*@7) */
@@ -14428,7 +14956,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #29: @6 = 0.583333 */
   w06 = 5.8333333333333337e-01;
   /* #30: @6 = (@6*@7) */
@@ -14440,7 +14968,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #32: @6 = 0.666667 */
   w06 = 6.6666666666666663e-01;
   /* #33: @6 = (@6*@7) */
@@ -14452,7 +14980,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #35: @6 = 0.75 */
   w06 = 7.5000000000000000e-01;
   /* #36: @6 = (@6*@7) */
@@ -14464,7 +14992,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #38: @6 = 0.833333 */
   w06 = 8.3333333333333337e-01;
   /* #39: @6 = (@6*@7) */
@@ -14476,7 +15004,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #41: @6 = 0.916667 */
   w06 = 9.1666666666666663e-01;
   /* #42: @6 = (@6*@7) */
@@ -14488,7 +15016,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #44: {@10, @0} = landing_with_derivative(@5, @1, @7, @2) */
   arg1[0]=w05;
   arg1[1]=w01;
@@ -14496,7 +15024,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=wr02;
   res1[0]=w10;
   res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #45: output[0][0] = @10 */
   casadi_copy(w10, 36, res[0]);
   /* #46: output[1][0] = @0 */
@@ -14505,18 +15033,18 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* wobbling_limit_cycle_144:(u0[6],p[8])->(u[6],J[6x6],R[6]) */
-static int casadi_f42(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+3, *w0=w+752, *w2=w+758, *w3=w+764;
+static int casadi_f58(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+3, *w0=w+864, *w2=w+870, *w3=w+876;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 6, w0);
   /* #1: @1 = input[1][0] */
   wr1 = arg[1] ? arg[1] : casadi_zeros;
-  /* #2: @2 = newton_144(@0, @1) */
+  /* #2: @2 = scaled_newton_144(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w2;
-  if (casadi_f43(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f59(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 6, res[0]);
   /* #4: {@3, @0} = wobbling_jacobian_144(@2, @1) */
@@ -14524,7 +15052,7 @@ static int casadi_f42(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f46(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 36, res[1]);
   /* #6: output[2][0] = @0 */
@@ -14533,7 +15061,7 @@ static int casadi_f42(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_144(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f42(arg, res, iw, w, mem);
+  return casadi_f58(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_144_checkout(void) {
@@ -14594,23 +15122,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* wobbling_limit_cycle_144_sparsity_out(cas
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_144_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18;
-  if (sz_res) *sz_res = 10;
+  if (sz_arg) *sz_arg = 22;
+  if (sz_res) *sz_res = 13;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 800;
+  if (sz_w) *sz_w = 912;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_144_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 22*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 13*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 800*sizeof(casadi_real);
+  if (sz_w) *sz_w = 912*sizeof(casadi_real);
   return 0;
 }
 
 /* wobbling_residual_192:(u[6],p[8])->(R[6]) */
-static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+158, *w1=w+164, *w3=w+169, w4, w5, w6, *w7=w+175;
   const casadi_real **arg1=arg+2, *cs, *wr2;
   /* #0: @0 = input[0][0] */
@@ -14624,7 +15152,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr2;
   res1[0]=w3;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = 0 */
   w4 = 0.;
   /* #5: @5 = @0[5] */
@@ -14637,7 +15165,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w6);
   arg1[1]=wr2;
   res1[0]=w7;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #9: @0 = plain_steps(@3, @4, @7, @6, @2) */
   arg1[0]=w3;
   arg1[1]=(&w4);
@@ -14645,7 +15173,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #10: @4 = 0.0625 */
   w4 = 6.2500000000000000e-02;
   /* #11: @4 = (@4*@5) */
@@ -14657,7 +15185,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #13: @4 = 0.125 */
   w4 = 1.2500000000000000e-01;
   /* #14: @4 = (@4*@5) */
@@ -14669,7 +15197,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #16: @4 = 0.1875 */
   w4 = 1.8750000000000000e-01;
   /* #17: @4 = (@4*@5) */
@@ -14681,7 +15209,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #19: @4 = 0.25 */
   w4 = 2.5000000000000000e-01;
   /* #20: @4 = (@4*@5) */
@@ -14693,7 +15221,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #22: @4 = 0.3125 */
   w4 = 3.1250000000000000e-01;
   /* #23: @4 = (@4*@5) */
@@ -14705,7 +15233,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #25: @4 = 0.375 */
   w4 = 3.7500000000000000e-01;
   /* #26: @4 = (@4*@5) */
@@ -14717,7 +15245,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #28: @4 = 0.4375 */
   w4 = 4.3750000000000000e-01;
   /* #29: @4 = (@4*@5) */
@@ -14729,7 +15257,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #31: @4 = 0.5 */
   w4 = 5.0000000000000000e-01;
   /* #32: @4 = (@4*@5) */
@@ -14741,7 +15269,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #34: @4 = 0.5625 */
   w4 = 5.6250000000000000e-01;
   /* #35: @4 = (@4*@5) */
@@ -14753,7 +15281,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #37: @4 = 0.625 */
   w4 = 6.2500000000000000e-01;
   /* #38: @4 = (@4*@5) */
@@ -14765,7 +15293,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #40: @4 = 0.6875 */
   w4 = 6.8750000000000000e-01;
   /* #41: @4 = (@4*@5) */
@@ -14777,7 +15305,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #43: @4 = 0.75 */
   w4 = 7.5000000000000000e-01;
   /* #44: @4 = (@4*@5) */
@@ -14789,7 +15317,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #46: @4 = 0.8125 */
   w4 = 8.1250000000000000e-01;
   /* #47: @4 = (@4*@5) */
@@ -14801,7 +15329,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #49: @4 = 0.875 */
   w4 = 8.7500000000000000e-01;
   /* #50: @4 = (@4*@5) */
@@ -14813,7 +15341,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #52: @4 = 0.9375 */
   w4 = 9.3750000000000000e-01;
   /* #53: @4 = (@4*@5) */
@@ -14825,20 +15353,20 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #55: @0 = landing(@3, @1, @2) */
   arg1[0]=w3;
   arg1[1]=w1;
   arg1[2]=wr2;
   res1[0]=w0;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #56: output[0][0] = @0 */
   casadi_copy(w0, 6, res[0]);
   return 0;
 }
 
 /* coarse_jacobian_192:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f49(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+576, *w2=w+582, *w3=w+618;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
@@ -14850,21 +15378,57 @@ static int casadi_f49(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f41(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f57(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 36, res[0]);
   /* #4: @3 = wobbling_residual_192(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w3;
-  if (casadi_f50(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f70(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 6, res[1]);
   return 0;
 }
 
+/* scaled_jacobian_192:(u[6],p[8])->(J[6x6],R[6]) */
+static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_int i;
+  casadi_real **res1=res+2, *rr, *w0=w+632, *w1=w+668, *w3=w+674, *w4=w+710;
+  const casadi_real **arg1=arg+2, *cr, *cs, *wr0, *wr2;
+  /* #0: @0 = 
+  [[1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [0.5, 0.5, 0.5, 0.5, 0.5, 0.5]] */
+  wr0 = casadi_c0;
+  /* #1: @1 = input[0][0] */
+  casadi_copy(arg[0], 6, w1);
+  /* #2: @2 = input[1][0] */
+  wr2 = arg[1] ? arg[1] : casadi_zeros;
+  /* #3: {@3, @4} = coarse_jacobian_192(@1, @2) */
+  arg1[0]=w1;
+  arg1[1]=wr2;
+  res1[0]=w3;
+  res1[1]=w4;
+  if (casadi_f69(arg1, res1, iw, w, 0)) return 1;
+  /* #4: @0 = (@0*@3) */
+  for (i=0, rr=w0, cr=wr0, cs=w3; i<36; ++i) (*rr++)  = ((*cr++)*(*cs++));
+  /* #5: output[0][0] = @0 */
+  casadi_copy(w0, 36, res[0]);
+  /* #6: @1 = [1, 1, 1, 1, 1, 2] */
+  casadi_copy(casadi_c1, 6, w1);
+  /* #7: @4 = (@4/@1) */
+  for (i=0, rr=w4, cs=w1; i<6; ++i) (*rr++) /= (*cs++);
+  /* #8: output[1][0] = @4 */
+  casadi_copy(w4, 6, res[1]);
+  return 0;
+}
+
 /* newton_192:(u0[6],p[8])->(u[6]) */
-static int casadi_f48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 6;
@@ -14890,7 +15454,7 @@ static int casadi_f48(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f49(arg+2, res+1, iw, w+108, 0)) return 1;
+    if (casadi_f68(arg+2, res+1, iw, w+108, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -14898,8 +15462,26 @@ static int casadi_f48(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
+/* scaled_newton_192:(i0[6],i1[8])->(o0[6]) */
+static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *w0=w+844, *w2=w+850;
+  const casadi_real **arg1=arg+2, *wr1;
+  /* #0: @0 = input[0][0] */
+  casadi_copy(arg[0], 6, w0);
+  /* #1: @1 = input[1][0] */
+  wr1 = arg[1] ? arg[1] : casadi_zeros;
+  /* #2: @2 = newton_192(@0, @1) */
+  arg1[0]=w0;
+  arg1[1]=wr1;
+  res1[0]=w2;
+  if (casadi_f67(arg1, res1, iw, w, 0)) return 1;
+  /* #3: output[0][0] = @2 */
+  casadi_copy(w2, 6, res[0]);
+  return 0;
+}
+
 /* wobbling_jacobian_192:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w03=w+433, *w04=w+439, *w05=w+469, w06, w07, w08, *w09=w+505, *w10=w+529;
   const casadi_real **arg1=arg+2, *cs, *wr02;
@@ -14914,7 +15496,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr02;
   res1[0]=w03;
   res1[1]=w04;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @5 = horzcat(@3, @4) */
   rr=w05;
   for (i=0, cs=w03; i<6; ++i) *rr++ = *cs++;
@@ -14931,7 +15513,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w08);
   arg1[1]=wr02;
   res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
   arg1[0]=w05;
   arg1[1]=(&w06);
@@ -14939,7 +15521,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #11: @6 = 0.0625 */
   w06 = 6.2500000000000000e-02;
   /* #12: @6 = (@6*@7) */
@@ -14951,7 +15533,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #14: @6 = 0.125 */
   w06 = 1.2500000000000000e-01;
   /* #15: @6 = (@6*@7) */
@@ -14963,7 +15545,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #17: @6 = 0.1875 */
   w06 = 1.8750000000000000e-01;
   /* #18: @6 = (@6*@7) */
@@ -14975,7 +15557,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #20: @6 = 0.25 */
   w06 = 2.5000000000000000e-01;
   /* #21: @6 = (@6*@7) */
@@ -14987,7 +15569,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #23: @6 = 0.3125 */
   w06 = 3.1250000000000000e-01;
   /* #24: @6 = (@6*@7) */
@@ -14999,7 +15581,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #26: @6 = 0.375 */
   w06 = 3.7500000000000000e-01;
   /* #27: @6 = (@6*@7) */
@@ -15011,7 +15593,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #29: @6 = 0.4375 */
   w06 = 4.3750000000000000e-01;
   /* #30: @6 = (@6*@7) */
@@ -15023,7 +15605,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #32: @6 = 0.5 */
   w06 = 5.0000000000000000e-01;
   /* #33: @6 = (@6*@7) */
@@ -15035,7 +15617,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #35: @6 = 0.5625 */
   w06 = 5.6250000000000000e-01;
   /* #36: @6 = (@6*@7) */
@@ -15047,7 +15629,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #38: @6 = 0.625 */
   w06 = 6.2500000000000000e-01;
   /* #39: @6 = (@6*@7) */
@@ -15059,7 +15641,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #41: @6 = 0.6875 */
   w06 = 6.8750000000000000e-01;
   /* #42: @6 = (@6*@7) */
@@ -15071,7 +15653,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #44: @6 = 0.75 */
   w06 = 7.5000000000000000e-01;
   /* #45: @6 = (@6*@7) */
@@ -15083,7 +15665,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #47: @6 = 0.8125 */
   w06 = 8.1250000000000000e-01;
   /* #48: @6 = (@6*@7) */
@@ -15095,7 +15677,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #50: @6 = 0.875 */
   w06 = 8.7500000000000000e-01;
   /* #51: @6 = (@6*@7) */
@@ -15107,7 +15689,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #53: @6 = 0.9375 */
   w06 = 9.3750000000000000e-01;
   /* #54: @6 = (@6*@7) */
@@ -15119,7 +15701,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #56: {@10, @0} = landing_with_derivative(@5, @1, @7, @2) */
   arg1[0]=w05;
   arg1[1]=w01;
@@ -15127,7 +15709,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=wr02;
   res1[0]=w10;
   res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #57: output[0][0] = @10 */
   casadi_copy(w10, 36, res[0]);
   /* #58: output[1][0] = @0 */
@@ -15136,18 +15718,18 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* wobbling_limit_cycle_192:(u0[6],p[8])->(u[6],J[6x6],R[6]) */
-static int casadi_f47(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+3, *w0=w+752, *w2=w+758, *w3=w+764;
+static int casadi_f65(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+3, *w0=w+864, *w2=w+870, *w3=w+876;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 6, w0);
   /* #1: @1 = input[1][0] */
   wr1 = arg[1] ? arg[1] : casadi_zeros;
-  /* #2: @2 = newton_192(@0, @1) */
+  /* #2: @2 = scaled_newton_192(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w2;
-  if (casadi_f48(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f66(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 6, res[0]);
   /* #4: {@3, @0} = wobbling_jacobian_192(@2, @1) */
@@ -15155,7 +15737,7 @@ static int casadi_f47(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f51(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f71(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 36, res[1]);
   /* #6: output[2][0] = @0 */
@@ -15164,7 +15746,7 @@ static int casadi_f47(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_192(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f47(arg, res, iw, w, mem);
+  return casadi_f65(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_192_checkout(void) {
@@ -15225,23 +15807,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* wobbling_limit_cycle_192_sparsity_out(cas
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_192_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18;
-  if (sz_res) *sz_res = 10;
+  if (sz_arg) *sz_arg = 22;
+  if (sz_res) *sz_res = 13;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 800;
+  if (sz_w) *sz_w = 912;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_192_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 22*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 13*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 800*sizeof(casadi_real);
+  if (sz_w) *sz_w = 912*sizeof(casadi_real);
   return 0;
 }
 
 /* wobbling_residual_288:(u[6],p[8])->(R[6]) */
-static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f77(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+158, *w1=w+164, *w3=w+169, w4, w5, w6, *w7=w+175;
   const casadi_real **arg1=arg+2, *cs, *wr2;
   /* #0: @0 = input[0][0] */
@@ -15255,7 +15837,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr2;
   res1[0]=w3;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = 0 */
   w4 = 0.;
   /* #5: @5 = @0[5] */
@@ -15268,7 +15850,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w6);
   arg1[1]=wr2;
   res1[0]=w7;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #9: @0 = plain_steps(@3, @4, @7, @6, @2) */
   arg1[0]=w3;
   arg1[1]=(&w4);
@@ -15276,7 +15858,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #10: @4 = 0.0416667 */
   w4 = 4.1666666666666664e-02;
   /* #11: @4 = (@4*@5) */
@@ -15288,7 +15870,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #13: @4 = 0.0833333 */
   w4 = 8.3333333333333329e-02;
   /* #14: @4 = (@4*@5) */
@@ -15300,7 +15882,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #16: @4 = 0.125 */
   w4 = 1.2500000000000000e-01;
   /* #17: @4 = (@4*@5) */
@@ -15312,7 +15894,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #19: @4 = 0.166667 */
   w4 = 1.6666666666666666e-01;
   /* #20: @4 = (@4*@5) */
@@ -15324,7 +15906,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #22: @4 = 0.208333 */
   w4 = 2.0833333333333334e-01;
   /* #23: @4 = (@4*@5) */
@@ -15336,7 +15918,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #25: @4 = 0.25 */
   w4 = 2.5000000000000000e-01;
   /* #26: @4 = (@4*@5) */
@@ -15348,7 +15930,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #28: @4 = 0.291667 */
   w4 = 2.9166666666666669e-01;
   /* #29: @4 = (@4*@5) */
@@ -15360,7 +15942,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #31: @4 = 0.333333 */
   w4 = 3.3333333333333331e-01;
   /* #32: @4 = (@4*@5) */
@@ -15372,7 +15954,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #34: @4 = 0.375 */
   w4 = 3.7500000000000000e-01;
   /* #35: @4 = (@4*@5) */
@@ -15384,7 +15966,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #37: @4 = 0.416667 */
   w4 = 4.1666666666666669e-01;
   /* #38: @4 = (@4*@5) */
@@ -15396,7 +15978,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #40: @4 = 0.458333 */
   w4 = 4.5833333333333331e-01;
   /* #41: @4 = (@4*@5) */
@@ -15408,7 +15990,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #43: @4 = 0.5 */
   w4 = 5.0000000000000000e-01;
   /* #44: @4 = (@4*@5) */
@@ -15420,7 +16002,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #46: @4 = 0.541667 */
   w4 = 5.4166666666666663e-01;
   /* #47: @4 = (@4*@5) */
@@ -15432,7 +16014,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #49: @4 = 0.583333 */
   w4 = 5.8333333333333337e-01;
   /* #50: @4 = (@4*@5) */
@@ -15444,7 +16026,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #52: @4 = 0.625 */
   w4 = 6.2500000000000000e-01;
   /* #53: @4 = (@4*@5) */
@@ -15456,7 +16038,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #55: @4 = 0.666667 */
   w4 = 6.6666666666666663e-01;
   /* #56: @4 = (@4*@5) */
@@ -15468,7 +16050,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #58: @4 = 0.708333 */
   w4 = 7.0833333333333337e-01;
   /* #59: @4 = (@4*@5) */
@@ -15480,7 +16062,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #61: @4 = 0.75 */
   w4 = 7.5000000000000000e-01;
   /* #62: @4 = (@4*@5) */
@@ -15492,7 +16074,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #64: @4 = 0.791667 */
   w4 = 7.9166666666666663e-01;
   /* #65: @4 = (@4*@5) */
@@ -15504,7 +16086,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #67: @4 = 0.833333 */
   w4 = 8.3333333333333337e-01;
   /* #68: @4 = (@4*@5) */
@@ -15516,7 +16098,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #70: @4 = 0.875 */
   w4 = 8.7500000000000000e-01;
   /* #71: @4 = (@4*@5) */
@@ -15528,7 +16110,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #73: @4 = 0.916667 */
   w4 = 9.1666666666666663e-01;
   /* #74: @4 = (@4*@5) */
@@ -15540,7 +16122,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #76: @4 = 0.958333 */
   w4 = 9.5833333333333337e-01;
   /* #77: @4 = (@4*@5) */
@@ -15552,20 +16134,20 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #79: @0 = landing(@3, @1, @2) */
   arg1[0]=w3;
   arg1[1]=w1;
   arg1[2]=wr2;
   res1[0]=w0;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #80: output[0][0] = @0 */
   casadi_copy(w0, 6, res[0]);
   return 0;
 }
 
 /* coarse_jacobian_288:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f54(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+576, *w2=w+582, *w3=w+618;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
@@ -15577,21 +16159,57 @@ static int casadi_f54(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f46(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 36, res[0]);
   /* #4: @3 = wobbling_residual_288(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w3;
-  if (casadi_f55(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 6, res[1]);
   return 0;
 }
 
+/* scaled_jacobian_288:(u[6],p[8])->(J[6x6],R[6]) */
+static int casadi_f75(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_int i;
+  casadi_real **res1=res+2, *rr, *w0=w+632, *w1=w+668, *w3=w+674, *w4=w+710;
+  const casadi_real **arg1=arg+2, *cr, *cs, *wr0, *wr2;
+  /* #0: @0 = 
+  [[1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [0.5, 0.5, 0.5, 0.5, 0.5, 0.5]] */
+  wr0 = casadi_c0;
+  /* #1: @1 = input[0][0] */
+  casadi_copy(arg[0], 6, w1);
+  /* #2: @2 = input[1][0] */
+  wr2 = arg[1] ? arg[1] : casadi_zeros;
+  /* #3: {@3, @4} = coarse_jacobian_288(@1, @2) */
+  arg1[0]=w1;
+  arg1[1]=wr2;
+  res1[0]=w3;
+  res1[1]=w4;
+  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  /* #4: @0 = (@0*@3) */
+  for (i=0, rr=w0, cr=wr0, cs=w3; i<36; ++i) (*rr++)  = ((*cr++)*(*cs++));
+  /* #5: output[0][0] = @0 */
+  casadi_copy(w0, 36, res[0]);
+  /* #6: @1 = [1, 1, 1, 1, 1, 2] */
+  casadi_copy(casadi_c1, 6, w1);
+  /* #7: @4 = (@4/@1) */
+  for (i=0, rr=w4, cs=w1; i<6; ++i) (*rr++) /= (*cs++);
+  /* #8: output[1][0] = @4 */
+  casadi_copy(w4, 6, res[1]);
+  return 0;
+}
+
 /* newton_288:(u0[6],p[8])->(u[6]) */
-static int casadi_f53(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f74(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 6;
@@ -15617,7 +16235,7 @@ static int casadi_f53(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f54(arg+2, res+1, iw, w+108, 0)) return 1;
+    if (casadi_f75(arg+2, res+1, iw, w+108, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -15625,8 +16243,26 @@ static int casadi_f53(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
+/* scaled_newton_288:(i0[6],i1[8])->(o0[6]) */
+static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *w0=w+844, *w2=w+850;
+  const casadi_real **arg1=arg+2, *wr1;
+  /* #0: @0 = input[0][0] */
+  casadi_copy(arg[0], 6, w0);
+  /* #1: @1 = input[1][0] */
+  wr1 = arg[1] ? arg[1] : casadi_zeros;
+  /* #2: @2 = newton_288(@0, @1) */
+  arg1[0]=w0;
+  arg1[1]=wr1;
+  res1[0]=w2;
+  if (casadi_f74(arg1, res1, iw, w, 0)) return 1;
+  /* #3: output[0][0] = @2 */
+  casadi_copy(w2, 6, res[0]);
+  return 0;
+}
+
 /* wobbling_jacobian_288:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f78(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w03=w+433, *w04=w+439, *w05=w+469, w06, w07, w08, *w09=w+505, *w10=w+529;
   const casadi_real **arg1=arg+2, *cs, *wr02;
@@ -15641,7 +16277,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr02;
   res1[0]=w03;
   res1[1]=w04;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @5 = horzcat(@3, @4) */
   rr=w05;
   for (i=0, cs=w03; i<6; ++i) *rr++ = *cs++;
@@ -15658,7 +16294,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w08);
   arg1[1]=wr02;
   res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
   arg1[0]=w05;
   arg1[1]=(&w06);
@@ -15666,7 +16302,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #11: @6 = 0.0416667 */
   w06 = 4.1666666666666664e-02;
   /* #12: @6 = (@6*@7) */
@@ -15678,7 +16314,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #14: @6 = 0.0833333 */
   w06 = 8.3333333333333329e-02;
   /* #15: @6 = (@6*@7) */
@@ -15690,7 +16326,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #17: @6 = 0.125 */
   w06 = 1.2500000000000000e-01;
   /* #18: @6 = (@6*@7) */
@@ -15702,7 +16338,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #20: @6 = 0.166667 */
   w06 = 1.6666666666666666e-01;
   /* #21: @6 = (@6*@7) */
@@ -15714,7 +16350,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #23: @6 = 0.208333 */
   w06 = 2.0833333333333334e-01;
   /* #24: @6 = (@6*@7) */
@@ -15726,7 +16362,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #26: @6 = 0.25 */
   w06 = 2.5000000000000000e-01;
   /* #27: @6 = (@6*@7) */
@@ -15738,7 +16374,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #29: @6 = 0.291667 */
   w06 = 2.9166666666666669e-01;
   /* #30: @6 = (@6*@7) */
@@ -15750,7 +16386,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #32: @6 = 0.333333 */
   w06 = 3.3333333333333331e-01;
   /* #33: @6 = (@6*@7) */
@@ -15762,7 +16398,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #35: @6 = 0.375 */
   w06 = 3.7500000000000000e-01;
   /* #36: @6 = (@6*@7) */
@@ -15774,7 +16410,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #38: @6 = 0.416667 */
   w06 = 4.1666666666666669e-01;
   /* #39: @6 = (@6*@7) */
@@ -15786,7 +16422,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #41: @6 = 0.458333 */
   w06 = 4.5833333333333331e-01;
   /* #42: @6 = (@6*@7) */
@@ -15798,7 +16434,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #44: @6 = 0.5 */
   w06 = 5.0000000000000000e-01;
   /* #45: @6 = (@6*@7) */
@@ -15810,7 +16446,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #47: @6 = 0.541667 */
   w06 = 5.4166666666666663e-01;
   /* #48: @6 = (@6*@7) */
@@ -15822,7 +16458,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #50: @6 = 0.583333 */
   w06 = 5.8333333333333337e-01;
   /* #51: @6 = (@6*@7) */
@@ -15834,7 +16470,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #53: @6 = 0.625 */
   w06 = 6.2500000000000000e-01;
   /* #54: @6 = (@6*@7) */
@@ -15846,7 +16482,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #56: @6 = 0.666667 */
   w06 = 6.6666666666666663e-01;
   /* #57: @6 = (@6*@7) */
@@ -15858,7 +16494,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #59: @6 = 0.708333 */
   w06 = 7.0833333333333337e-01;
   /* #60: @6 = (@6*@7) */
@@ -15870,7 +16506,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #62: @6 = 0.75 */
   w06 = 7.5000000000000000e-01;
   /* #63: @6 = (@6*@7) */
@@ -15882,7 +16518,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #65: @6 = 0.791667 */
   w06 = 7.9166666666666663e-01;
   /* #66: @6 = (@6*@7) */
@@ -15894,7 +16530,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #68: @6 = 0.833333 */
   w06 = 8.3333333333333337e-01;
   /* #69: @6 = (@6*@7) */
@@ -15906,7 +16542,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #71: @6 = 0.875 */
   w06 = 8.7500000000000000e-01;
   /* #72: @6 = (@6*@7) */
@@ -15918,7 +16554,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #74: @6 = 0.916667 */
   w06 = 9.1666666666666663e-01;
   /* #75: @6 = (@6*@7) */
@@ -15930,7 +16566,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #77: @6 = 0.958333 */
   w06 = 9.5833333333333337e-01;
   /* #78: @6 = (@6*@7) */
@@ -15942,7 +16578,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #80: {@10, @0} = landing_with_derivative(@5, @1, @7, @2) */
   arg1[0]=w05;
   arg1[1]=w01;
@@ -15950,7 +16586,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=wr02;
   res1[0]=w10;
   res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #81: output[0][0] = @10 */
   casadi_copy(w10, 36, res[0]);
   /* #82: output[1][0] = @0 */
@@ -15959,18 +16595,18 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* wobbling_limit_cycle_288:(u0[6],p[8])->(u[6],J[6x6],R[6]) */
-static int casadi_f52(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+3, *w0=w+752, *w2=w+758, *w3=w+764;
+static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+3, *w0=w+864, *w2=w+870, *w3=w+876;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 6, w0);
   /* #1: @1 = input[1][0] */
   wr1 = arg[1] ? arg[1] : casadi_zeros;
-  /* #2: @2 = newton_288(@0, @1) */
+  /* #2: @2 = scaled_newton_288(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w2;
-  if (casadi_f53(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f73(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 6, res[0]);
   /* #4: {@3, @0} = wobbling_jacobian_288(@2, @1) */
@@ -15978,7 +16614,7 @@ static int casadi_f52(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f56(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 36, res[1]);
   /* #6: output[2][0] = @0 */
@@ -15987,7 +16623,7 @@ static int casadi_f52(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_288(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f52(arg, res, iw, w, mem);
+  return casadi_f72(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_288_checkout(void) {
@@ -16048,23 +16684,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* wobbling_limit_cycle_288_sparsity_out(cas
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_288_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18;
-  if (sz_res) *sz_res = 10;
+  if (sz_arg) *sz_arg = 22;
+  if (sz_res) *sz_res = 13;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 800;
+  if (sz_w) *sz_w = 912;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_288_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 22*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 13*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 800*sizeof(casadi_real);
+  if (sz_w) *sz_w = 912*sizeof(casadi_real);
   return 0;
 }
 
 /* wobbling_residual_384:(u[6],p[8])->(R[6]) */
-static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+158, *w1=w+164, *w3=w+169, w4, w5, w6, *w7=w+175;
   const casadi_real **arg1=arg+2, *cs, *wr2;
   /* #0: @0 = input[0][0] */
@@ -16078,7 +16714,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr2;
   res1[0]=w3;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = 0 */
   w4 = 0.;
   /* #5: @5 = @0[5] */
@@ -16091,7 +16727,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w6);
   arg1[1]=wr2;
   res1[0]=w7;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #9: @0 = plain_steps(@3, @4, @7, @6, @2) */
   arg1[0]=w3;
   arg1[1]=(&w4);
@@ -16099,7 +16735,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #10: @4 = 0.03125 */
   w4 = 3.1250000000000000e-02;
   /* #11: @4 = (@4*@5) */
@@ -16111,7 +16747,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #13: @4 = 0.0625 */
   w4 = 6.2500000000000000e-02;
   /* #14: @4 = (@4*@5) */
@@ -16123,7 +16759,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #16: @4 = 0.09375 */
   w4 = 9.3750000000000000e-02;
   /* #17: @4 = (@4*@5) */
@@ -16135,7 +16771,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #19: @4 = 0.125 */
   w4 = 1.2500000000000000e-01;
   /* #20: @4 = (@4*@5) */
@@ -16147,7 +16783,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #22: @4 = 0.15625 */
   w4 = 1.5625000000000000e-01;
   /* #23: @4 = (@4*@5) */
@@ -16159,7 +16795,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #25: @4 = 0.1875 */
   w4 = 1.8750000000000000e-01;
   /* #26: @4 = (@4*@5) */
@@ -16171,7 +16807,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #28: @4 = 0.21875 */
   w4 = 2.1875000000000000e-01;
   /* #29: @4 = (@4*@5) */
@@ -16183,7 +16819,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #31: @4 = 0.25 */
   w4 = 2.5000000000000000e-01;
   /* #32: @4 = (@4*@5) */
@@ -16195,7 +16831,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #34: @4 = 0.28125 */
   w4 = 2.8125000000000000e-01;
   /* #35: @4 = (@4*@5) */
@@ -16207,7 +16843,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #37: @4 = 0.3125 */
   w4 = 3.1250000000000000e-01;
   /* #38: @4 = (@4*@5) */
@@ -16219,7 +16855,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #40: @4 = 0.34375 */
   w4 = 3.4375000000000000e-01;
   /* #41: @4 = (@4*@5) */
@@ -16231,7 +16867,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #43: @4 = 0.375 */
   w4 = 3.7500000000000000e-01;
   /* #44: @4 = (@4*@5) */
@@ -16243,7 +16879,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #46: @4 = 0.40625 */
   w4 = 4.0625000000000000e-01;
   /* #47: @4 = (@4*@5) */
@@ -16255,7 +16891,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #49: @4 = 0.4375 */
   w4 = 4.3750000000000000e-01;
   /* #50: @4 = (@4*@5) */
@@ -16267,7 +16903,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #52: @4 = 0.46875 */
   w4 = 4.6875000000000000e-01;
   /* #53: @4 = (@4*@5) */
@@ -16279,7 +16915,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #55: @4 = 0.5 */
   w4 = 5.0000000000000000e-01;
   /* #56: @4 = (@4*@5) */
@@ -16291,7 +16927,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #58: @4 = 0.53125 */
   w4 = 5.3125000000000000e-01;
   /* #59: @4 = (@4*@5) */
@@ -16303,7 +16939,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #61: @4 = 0.5625 */
   w4 = 5.6250000000000000e-01;
   /* #62: @4 = (@4*@5) */
@@ -16315,7 +16951,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #64: @4 = 0.59375 */
   w4 = 5.9375000000000000e-01;
   /* #65: @4 = (@4*@5) */
@@ -16327,7 +16963,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #67: @4 = 0.625 */
   w4 = 6.2500000000000000e-01;
   /* #68: @4 = (@4*@5) */
@@ -16339,7 +16975,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #70: @4 = 0.65625 */
   w4 = 6.5625000000000000e-01;
   /* #71: @4 = (@4*@5) */
@@ -16351,7 +16987,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #73: @4 = 0.6875 */
   w4 = 6.8750000000000000e-01;
   /* #74: @4 = (@4*@5) */
@@ -16363,7 +16999,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #76: @4 = 0.71875 */
   w4 = 7.1875000000000000e-01;
   /* #77: @4 = (@4*@5) */
@@ -16375,7 +17011,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #79: @4 = 0.75 */
   w4 = 7.5000000000000000e-01;
   /* #80: @4 = (@4*@5) */
@@ -16387,7 +17023,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #82: @4 = 0.78125 */
   w4 = 7.8125000000000000e-01;
   /* #83: @4 = (@4*@5) */
@@ -16399,7 +17035,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #85: @4 = 0.8125 */
   w4 = 8.1250000000000000e-01;
   /* #86: @4 = (@4*@5) */
@@ -16411,7 +17047,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #88: @4 = 0.84375 */
   w4 = 8.4375000000000000e-01;
   /* #89: @4 = (@4*@5) */
@@ -16423,7 +17059,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #91: @4 = 0.875 */
   w4 = 8.7500000000000000e-01;
   /* #92: @4 = (@4*@5) */
@@ -16435,7 +17071,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #94: @4 = 0.90625 */
   w4 = 9.0625000000000000e-01;
   /* #95: @4 = (@4*@5) */
@@ -16447,7 +17083,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #97: @4 = 0.9375 */
   w4 = 9.3750000000000000e-01;
   /* #98: @4 = (@4*@5) */
@@ -16459,7 +17095,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #100: @4 = 0.96875 */
   w4 = 9.6875000000000000e-01;
   /* #101: @4 = (@4*@5) */
@@ -16471,20 +17107,20 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #103: @0 = landing(@3, @1, @2) */
   arg1[0]=w3;
   arg1[1]=w1;
   arg1[2]=wr2;
   res1[0]=w0;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #104: output[0][0] = @0 */
   casadi_copy(w0, 6, res[0]);
   return 0;
 }
 
 /* coarse_jacobian_384:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f59(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+576, *w2=w+582, *w3=w+618;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
@@ -16496,21 +17132,57 @@ static int casadi_f59(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f51(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f71(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 36, res[0]);
   /* #4: @3 = wobbling_residual_384(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w3;
-  if (casadi_f60(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f84(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 6, res[1]);
   return 0;
 }
 
+/* scaled_jacobian_384:(u[6],p[8])->(J[6x6],R[6]) */
+static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_int i;
+  casadi_real **res1=res+2, *rr, *w0=w+632, *w1=w+668, *w3=w+674, *w4=w+710;
+  const casadi_real **arg1=arg+2, *cr, *cs, *wr0, *wr2;
+  /* #0: @0 = 
+  [[1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [0.5, 0.5, 0.5, 0.5, 0.5, 0.5]] */
+  wr0 = casadi_c0;
+  /* #1: @1 = input[0][0] */
+  casadi_copy(arg[0], 6, w1);
+  /* #2: @2 = input[1][0] */
+  wr2 = arg[1] ? arg[1] : casadi_zeros;
+  /* #3: {@3, @4} = coarse_jacobian_384(@1, @2) */
+  arg1[0]=w1;
+  arg1[1]=wr2;
+  res1[0]=w3;
+  res1[1]=w4;
+  if (casadi_f83(arg1, res1, iw, w, 0)) return 1;
+  /* #4: @0 = (@0*@3) */
+  for (i=0, rr=w0, cr=wr0, cs=w3; i<36; ++i) (*rr++)  = ((*cr++)*(*cs++));
+  /* #5: output[0][0] = @0 */
+  casadi_copy(w0, 36, res[0]);
+  /* #6: @1 = [1, 1, 1, 1, 1, 2] */
+  casadi_copy(casadi_c1, 6, w1);
+  /* #7: @4 = (@4/@1) */
+  for (i=0, rr=w4, cs=w1; i<6; ++i) (*rr++) /= (*cs++);
+  /* #8: output[1][0] = @4 */
+  casadi_copy(w4, 6, res[1]);
+  return 0;
+}
+
 /* newton_384:(u0[6],p[8])->(u[6]) */
-static int casadi_f58(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 6;
@@ -16536,7 +17208,7 @@ static int casadi_f58(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f59(arg+2, res+1, iw, w+108, 0)) return 1;
+    if (casadi_f82(arg+2, res+1, iw, w+108, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -16544,8 +17216,26 @@ static int casadi_f58(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
+/* scaled_newton_384:(i0[6],i1[8])->(o0[6]) */
+static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *w0=w+844, *w2=w+850;
+  const casadi_real **arg1=arg+2, *wr1;
+  /* #0: @0 = input[0][0] */
+  casadi_copy(arg[0], 6, w0);
+  /* #1: @1 = input[1][0] */
+  wr1 = arg[1] ? arg[1] : casadi_zeros;
+  /* #2: @2 = newton_384(@0, @1) */
+  arg1[0]=w0;
+  arg1[1]=wr1;
+  res1[0]=w2;
+  if (casadi_f81(arg1, res1, iw, w, 0)) return 1;
+  /* #3: output[0][0] = @2 */
+  casadi_copy(w2, 6, res[0]);
+  return 0;
+}
+
 /* wobbling_jacobian_384:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w03=w+433, *w04=w+439, *w05=w+469, w06, w07, w08, *w09=w+505, *w10=w+529;
   const casadi_real **arg1=arg+2, *cs, *wr02;
@@ -16560,7 +17250,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr02;
   res1[0]=w03;
   res1[1]=w04;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @5 = horzcat(@3, @4) */
   rr=w05;
   for (i=0, cs=w03; i<6; ++i) *rr++ = *cs++;
@@ -16577,7 +17267,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w08);
   arg1[1]=wr02;
   res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
   arg1[0]=w05;
   arg1[1]=(&w06);
@@ -16585,7 +17275,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #11: @6 = 0.03125 */
   w06 = 3.1250000000000000e-02;
   /* #12: @6 = (@6*@7) */
@@ -16597,7 +17287,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #14: @6 = 0.0625 */
   w06 = 6.2500000000000000e-02;
   /* #15: @6 = (@6*@7) */
@@ -16609,7 +17299,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #17: @6 = 0.09375 */
   w06 = 9.3750000000000000e-02;
   /* #18: @6 = (@6*@7) */
@@ -16621,7 +17311,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #20: @6 = 0.125 */
   w06 = 1.2500000000000000e-01;
   /* #21: @6 = (@6*@7) */
@@ -16633,7 +17323,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #23: @6 = 0.15625 */
   w06 = 1.5625000000000000e-01;
   /* #24: @6 = (@6*@7) */
@@ -16645,7 +17335,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #26: @6 = 0.1875 */
   w06 = 1.8750000000000000e-01;
   /* #27: @6 = (@6*@7) */
@@ -16657,7 +17347,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #29: @6 = 0.21875 */
   w06 = 2.1875000000000000e-01;
   /* #30: @6 = (@6*@7) */
@@ -16669,7 +17359,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #32: @6 = 0.25 */
   w06 = 2.5000000000000000e-01;
   /* #33: @6 = (@6*@7) */
@@ -16681,7 +17371,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #35: @6 = 0.28125 */
   w06 = 2.8125000000000000e-01;
   /* #36: @6 = (@6*@7) */
@@ -16693,7 +17383,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #38: @6 = 0.3125 */
   w06 = 3.1250000000000000e-01;
   /* #39: @6 = (@6*@7) */
@@ -16705,7 +17395,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #41: @6 = 0.34375 */
   w06 = 3.4375000000000000e-01;
   /* #42: @6 = (@6*@7) */
@@ -16717,7 +17407,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #44: @6 = 0.375 */
   w06 = 3.7500000000000000e-01;
   /* #45: @6 = (@6*@7) */
@@ -16729,7 +17419,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #47: @6 = 0.40625 */
   w06 = 4.0625000000000000e-01;
   /* #48: @6 = (@6*@7) */
@@ -16741,7 +17431,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #50: @6 = 0.4375 */
   w06 = 4.3750000000000000e-01;
   /* #51: @6 = (@6*@7) */
@@ -16753,7 +17443,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #53: @6 = 0.46875 */
   w06 = 4.6875000000000000e-01;
   /* #54: @6 = (@6*@7) */
@@ -16765,7 +17455,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #56: @6 = 0.5 */
   w06 = 5.0000000000000000e-01;
   /* #57: @6 = (@6*@7) */
@@ -16777,7 +17467,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #59: @6 = 0.53125 */
   w06 = 5.3125000000000000e-01;
   /* #60: @6 = (@6*@7) */
@@ -16789,7 +17479,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #62: @6 = 0.5625 */
   w06 = 5.6250000000000000e-01;
   /* #63: @6 = (@6*@7) */
@@ -16801,7 +17491,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #65: @6 = 0.59375 */
   w06 = 5.9375000000000000e-01;
   /* #66: @6 = (@6*@7) */
@@ -16813,7 +17503,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #68: @6 = 0.625 */
   w06 = 6.2500000000000000e-01;
   /* #69: @6 = (@6*@7) */
@@ -16825,7 +17515,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #71: @6 = 0.65625 */
   w06 = 6.5625000000000000e-01;
   /* #72: @6 = (@6*@7) */
@@ -16837,7 +17527,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #74: @6 = 0.6875 */
   w06 = 6.8750000000000000e-01;
   /* #75: @6 = (@6*@7) */
@@ -16849,7 +17539,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #77: @6 = 0.71875 */
   w06 = 7.1875000000000000e-01;
   /* #78: @6 = (@6*@7) */
@@ -16861,7 +17551,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #80: @6 = 0.75 */
   w06 = 7.5000000000000000e-01;
   /* #81: @6 = (@6*@7) */
@@ -16873,7 +17563,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #83: @6 = 0.78125 */
   w06 = 7.8125000000000000e-01;
   /* #84: @6 = (@6*@7) */
@@ -16885,7 +17575,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #86: @6 = 0.8125 */
   w06 = 8.1250000000000000e-01;
   /* #87: @6 = (@6*@7) */
@@ -16897,7 +17587,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #89: @6 = 0.84375 */
   w06 = 8.4375000000000000e-01;
   /* #90: @6 = (@6*@7) */
@@ -16909,7 +17599,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #92: @6 = 0.875 */
   w06 = 8.7500000000000000e-01;
   /* #93: @6 = (@6*@7) */
@@ -16921,7 +17611,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #95: @6 = 0.90625 */
   w06 = 9.0625000000000000e-01;
   /* #96: @6 = (@6*@7) */
@@ -16933,7 +17623,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #98: @6 = 0.9375 */
   w06 = 9.3750000000000000e-01;
   /* #99: @6 = (@6*@7) */
@@ -16945,7 +17635,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #101: @6 = 0.96875 */
   w06 = 9.6875000000000000e-01;
   /* #102: @6 = (@6*@7) */
@@ -16957,7 +17647,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #104: {@10, @0} = landing_with_derivative(@5, @1, @7, @2) */
   arg1[0]=w05;
   arg1[1]=w01;
@@ -16965,7 +17655,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=wr02;
   res1[0]=w10;
   res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #105: output[0][0] = @10 */
   casadi_copy(w10, 36, res[0]);
   /* #106: output[1][0] = @0 */
@@ -16974,18 +17664,18 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* wobbling_limit_cycle_384:(u0[6],p[8])->(u[6],J[6x6],R[6]) */
-static int casadi_f57(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+3, *w0=w+752, *w2=w+758, *w3=w+764;
+static int casadi_f79(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+3, *w0=w+864, *w2=w+870, *w3=w+876;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 6, w0);
   /* #1: @1 = input[1][0] */
   wr1 = arg[1] ? arg[1] : casadi_zeros;
-  /* #2: @2 = newton_384(@0, @1) */
+  /* #2: @2 = scaled_newton_384(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w2;
-  if (casadi_f58(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f80(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 6, res[0]);
   /* #4: {@3, @0} = wobbling_jacobian_384(@2, @1) */
@@ -16993,7 +17683,7 @@ static int casadi_f57(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f61(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f85(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 36, res[1]);
   /* #6: output[2][0] = @0 */
@@ -17002,7 +17692,7 @@ static int casadi_f57(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_384(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f57(arg, res, iw, w, mem);
+  return casadi_f79(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_384_checkout(void) {
@@ -17063,23 +17753,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* wobbling_limit_cycle_384_sparsity_out(cas
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_384_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18;
-  if (sz_res) *sz_res = 10;
+  if (sz_arg) *sz_arg = 22;
+  if (sz_res) *sz_res = 13;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 800;
+  if (sz_w) *sz_w = 912;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_384_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 22*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 13*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 800*sizeof(casadi_real);
+  if (sz_w) *sz_w = 912*sizeof(casadi_real);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_residual_12(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f9(arg, res, iw, w, mem);
+  return casadi_f11(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_residual_12_checkout(void) {
@@ -17152,7 +17842,7 @@ CASADI_SYMBOL_EXPORT int wobbling_residual_12_work_bytes(casadi_int *sz_arg, cas
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_residual_24(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f16(arg, res, iw, w, mem);
+  return casadi_f20(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_residual_24_checkout(void) {
@@ -17225,7 +17915,7 @@ CASADI_SYMBOL_EXPORT int wobbling_residual_24_work_bytes(casadi_int *sz_arg, cas
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_residual_36(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f27(arg, res, iw, w, mem);
+  return casadi_f37(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_residual_36_checkout(void) {
@@ -17298,7 +17988,7 @@ CASADI_SYMBOL_EXPORT int wobbling_residual_36_work_bytes(casadi_int *sz_arg, cas
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_residual_48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f20(arg, res, iw, w, mem);
+  return casadi_f26(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_residual_48_checkout(void) {
@@ -17371,7 +18061,7 @@ CASADI_SYMBOL_EXPORT int wobbling_residual_48_work_bytes(casadi_int *sz_arg, cas
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_residual_72(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f35(arg, res, iw, w, mem);
+  return casadi_f49(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_residual_72_checkout(void) {
@@ -17444,7 +18134,7 @@ CASADI_SYMBOL_EXPORT int wobbling_residual_72_work_bytes(casadi_int *sz_arg, cas
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_residual_96(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f40(arg, res, iw, w, mem);
+  return casadi_f56(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_residual_96_checkout(void) {
@@ -17517,7 +18207,7 @@ CASADI_SYMBOL_EXPORT int wobbling_residual_96_work_bytes(casadi_int *sz_arg, cas
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_residual_144(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f45(arg, res, iw, w, mem);
+  return casadi_f63(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_residual_144_checkout(void) {
@@ -17590,7 +18280,7 @@ CASADI_SYMBOL_EXPORT int wobbling_residual_144_work_bytes(casadi_int *sz_arg, ca
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_residual_192(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f50(arg, res, iw, w, mem);
+  return casadi_f70(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_residual_192_checkout(void) {
@@ -17663,7 +18353,7 @@ CASADI_SYMBOL_EXPORT int wobbling_residual_192_work_bytes(casadi_int *sz_arg, ca
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_residual_288(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f55(arg, res, iw, w, mem);
+  return casadi_f77(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_residual_288_checkout(void) {
@@ -17736,7 +18426,7 @@ CASADI_SYMBOL_EXPORT int wobbling_residual_288_work_bytes(casadi_int *sz_arg, ca
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_residual_384(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f60(arg, res, iw, w, mem);
+  return casadi_f84(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_residual_384_checkout(void) {
@@ -17809,7 +18499,7 @@ CASADI_SYMBOL_EXPORT int wobbling_residual_384_work_bytes(casadi_int *sz_arg, ca
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_jacobian_12(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f2(arg, res, iw, w, mem);
+  return casadi_f4(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_jacobian_12_checkout(void) {
@@ -17884,7 +18574,7 @@ CASADI_SYMBOL_EXPORT int wobbling_jacobian_12_work_bytes(casadi_int *sz_arg, cas
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_jacobian_24(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f15(arg, res, iw, w, mem);
+  return casadi_f19(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_jacobian_24_checkout(void) {
@@ -17959,7 +18649,7 @@ CASADI_SYMBOL_EXPORT int wobbling_jacobian_24_work_bytes(casadi_int *sz_arg, cas
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_jacobian_36(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f28(arg, res, iw, w, mem);
+  return casadi_f38(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_jacobian_36_checkout(void) {
@@ -18034,7 +18724,7 @@ CASADI_SYMBOL_EXPORT int wobbling_jacobian_36_work_bytes(casadi_int *sz_arg, cas
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_jacobian_48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f19(arg, res, iw, w, mem);
+  return casadi_f25(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_jacobian_48_checkout(void) {
@@ -18109,7 +18799,7 @@ CASADI_SYMBOL_EXPORT int wobbling_jacobian_48_work_bytes(casadi_int *sz_arg, cas
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_jacobian_72(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f36(arg, res, iw, w, mem);
+  return casadi_f50(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_jacobian_72_checkout(void) {
@@ -18184,7 +18874,7 @@ CASADI_SYMBOL_EXPORT int wobbling_jacobian_72_work_bytes(casadi_int *sz_arg, cas
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_jacobian_96(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f41(arg, res, iw, w, mem);
+  return casadi_f57(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_jacobian_96_checkout(void) {
@@ -18259,7 +18949,7 @@ CASADI_SYMBOL_EXPORT int wobbling_jacobian_96_work_bytes(casadi_int *sz_arg, cas
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_jacobian_144(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f46(arg, res, iw, w, mem);
+  return casadi_f64(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_jacobian_144_checkout(void) {
@@ -18334,7 +19024,7 @@ CASADI_SYMBOL_EXPORT int wobbling_jacobian_144_work_bytes(casadi_int *sz_arg, ca
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_jacobian_192(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f51(arg, res, iw, w, mem);
+  return casadi_f71(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_jacobian_192_checkout(void) {
@@ -18409,7 +19099,7 @@ CASADI_SYMBOL_EXPORT int wobbling_jacobian_192_work_bytes(casadi_int *sz_arg, ca
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_jacobian_288(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f56(arg, res, iw, w, mem);
+  return casadi_f78(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_jacobian_288_checkout(void) {
@@ -18484,7 +19174,7 @@ CASADI_SYMBOL_EXPORT int wobbling_jacobian_288_work_bytes(casadi_int *sz_arg, ca
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_jacobian_384(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f61(arg, res, iw, w, mem);
+  return casadi_f85(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_jacobian_384_checkout(void) {
@@ -18559,7 +19249,7 @@ CASADI_SYMBOL_EXPORT int wobbling_jacobian_384_work_bytes(casadi_int *sz_arg, ca
 }
 
 /* working_step:(y[7],phase[2],turns[2x12],h,p[8])->(y_end[7]) */
-static int casadi_f64(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f88(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a000, a001, a002, a003, a004, a005, a006, a007, a008, a009, a010, a011;
   casadi_real a012, a013, a014, a015, a016, a017, a018, a019, a020, a021, a022, a023;
   casadi_real a024, a025, a026, a027, a028, a029, a030, a031, a032, a033, a034, a035;
@@ -20318,7 +21008,7 @@ static int casadi_f64(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* observe:(t,y[6],p[8])->(g[8],dg[8]) */
-static int casadi_f65(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f89(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
@@ -20808,7 +21498,7 @@ static int casadi_f65(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* working_steps:(t,turns[2x12],w[7],h,p[8])->(w_end[7],nodes[7x12],g[8x12],dg[8x12]) */
-static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+4, *rr, *w00=w+115, w01, *w03=w+122, w05, *w06=w+124, w07, *w08=w+131, *w09=w+138, *w10=w+145, *w11=w+152;
   casadi_real *w12=w+159, *w13=w+166, *w14=w+173, *w15=w+180, *w16=w+187, *w17=w+194, *w18=w+201, *w19=w+208, *w20=w+214, *w21=w+222, *w22=w+230, *w23=w+238;
   casadi_real *w24=w+246, *w25=w+254, *w26=w+262, *w27=w+270, *w28=w+278, *w29=w+286, *w30=w+294, *w31=w+302, *w32=w+310;
@@ -20823,7 +21513,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w01);
   arg1[1]=wr02;
   res1[0]=w03;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = input[1][0] */
   wr04 = arg[1] ? arg[1] : casadi_zeros;
   /* #5: @5 = input[3][0] */
@@ -20835,14 +21525,14 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=wr02;
   res1[0]=w06;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
   /* #7: @7 = (@1+@5) */
   w07  = (w01+w05);
   /* #8: @3 = phase(@7, @2) */
   arg1[0]=(&w07);
   arg1[1]=wr02;
   res1[0]=w03;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #9: @8 = working_step(@6, @3, @4, @5, @2) */
   arg1[0]=w06;
   arg1[1]=w03;
@@ -20850,7 +21540,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=wr02;
   res1[0]=w08;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
   /* #10: @7 = (2.*@5) */
   w07 = (2.* w05 );
   /* #11: @7 = (@1+@7) */
@@ -20859,7 +21549,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w07);
   arg1[1]=wr02;
   res1[0]=w03;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #13: @9 = working_step(@8, @3, @4, @5, @2) */
   arg1[0]=w08;
   arg1[1]=w03;
@@ -20867,7 +21557,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=wr02;
   res1[0]=w09;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
   /* #14: @7 = 3 */
   w07 = 3.;
   /* #15: @7 = (@7*@5) */
@@ -20878,7 +21568,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w07);
   arg1[1]=wr02;
   res1[0]=w03;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #18: @10 = working_step(@9, @3, @4, @5, @2) */
   arg1[0]=w09;
   arg1[1]=w03;
@@ -20886,7 +21576,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
   /* #19: @7 = 4 */
   w07 = 4.;
   /* #20: @7 = (@7*@5) */
@@ -20897,7 +21587,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w07);
   arg1[1]=wr02;
   res1[0]=w03;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #23: @11 = working_step(@10, @3, @4, @5, @2) */
   arg1[0]=w10;
   arg1[1]=w03;
@@ -20905,7 +21595,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=wr02;
   res1[0]=w11;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
   /* #24: @7 = 5 */
   w07 = 5.;
   /* #25: @7 = (@7*@5) */
@@ -20916,7 +21606,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w07);
   arg1[1]=wr02;
   res1[0]=w03;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #28: @12 = working_step(@11, @3, @4, @5, @2) */
   arg1[0]=w11;
   arg1[1]=w03;
@@ -20924,7 +21614,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=wr02;
   res1[0]=w12;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
   /* #29: @7 = 6 */
   w07 = 6.;
   /* #30: @7 = (@7*@5) */
@@ -20935,7 +21625,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w07);
   arg1[1]=wr02;
   res1[0]=w03;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #33: @13 = working_step(@12, @3, @4, @5, @2) */
   arg1[0]=w12;
   arg1[1]=w03;
@@ -20943,7 +21633,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=wr02;
   res1[0]=w13;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
   /* #34: @7 = 7 */
   w07 = 7.;
   /* #35: @7 = (@7*@5) */
@@ -20954,7 +21644,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w07);
   arg1[1]=wr02;
   res1[0]=w03;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #38: @14 = working_step(@13, @3, @4, @5, @2) */
   arg1[0]=w13;
   arg1[1]=w03;
@@ -20962,7 +21652,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=wr02;
   res1[0]=w14;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
   /* #39: @7 = 8 */
   w07 = 8.;
   /* #40: @7 = (@7*@5) */
@@ -20973,7 +21663,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w07);
   arg1[1]=wr02;
   res1[0]=w03;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #43: @15 = working_step(@14, @3, @4, @5, @2) */
   arg1[0]=w14;
   arg1[1]=w03;
@@ -20981,7 +21671,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=wr02;
   res1[0]=w15;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
   /* #44: @7 = 9 */
   w07 = 9.;
   /* #45: @7 = (@7*@5) */
@@ -20992,7 +21682,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w07);
   arg1[1]=wr02;
   res1[0]=w03;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #48: @16 = working_step(@15, @3, @4, @5, @2) */
   arg1[0]=w15;
   arg1[1]=w03;
@@ -21000,7 +21690,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=wr02;
   res1[0]=w16;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
   /* #49: @7 = 10 */
   w07 = 10.;
   /* #50: @7 = (@7*@5) */
@@ -21011,7 +21701,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w07);
   arg1[1]=wr02;
   res1[0]=w03;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #53: @17 = working_step(@16, @3, @4, @5, @2) */
   arg1[0]=w16;
   arg1[1]=w03;
@@ -21019,7 +21709,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=wr02;
   res1[0]=w17;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
   /* #54: @7 = 11 */
   w07 = 11.;
   /* #55: @7 = (@7*@5) */
@@ -21030,7 +21720,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w07);
   arg1[1]=wr02;
   res1[0]=w03;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #58: @18 = working_step(@17, @3, @4, @5, @2) */
   arg1[0]=w17;
   arg1[1]=w03;
@@ -21038,7 +21728,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=wr02;
   res1[0]=w18;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
   /* #59: output[0][0] = @18 */
   casadi_copy(w18, 7, res[0]);
   /* #60: output[1][0] = @0 */
@@ -21073,7 +21763,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr02;
   res1[0]=w20;
   res1[1]=w21;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #74: output[2][0] = @20 */
   casadi_copy(w20, 8, res[2]);
   /* #75: @7 = (@1+@5) */
@@ -21086,7 +21776,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr02;
   res1[0]=w20;
   res1[1]=w22;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #78: output[2][1] = @20 */
   if (res[2]) casadi_copy(w20, 8, res[2]+8);
   /* #79: @7 = (2.*@5) */
@@ -21101,7 +21791,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr02;
   res1[0]=w20;
   res1[1]=w23;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #83: output[2][2] = @20 */
   if (res[2]) casadi_copy(w20, 8, res[2]+16);
   /* #84: @7 = 3 */
@@ -21118,7 +21808,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr02;
   res1[0]=w20;
   res1[1]=w24;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #89: output[2][3] = @20 */
   if (res[2]) casadi_copy(w20, 8, res[2]+24);
   /* #90: @7 = 4 */
@@ -21135,7 +21825,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr02;
   res1[0]=w20;
   res1[1]=w25;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #95: output[2][4] = @20 */
   if (res[2]) casadi_copy(w20, 8, res[2]+32);
   /* #96: @7 = 5 */
@@ -21152,7 +21842,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr02;
   res1[0]=w20;
   res1[1]=w26;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #101: output[2][5] = @20 */
   if (res[2]) casadi_copy(w20, 8, res[2]+40);
   /* #102: @7 = 6 */
@@ -21169,7 +21859,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr02;
   res1[0]=w20;
   res1[1]=w27;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #107: output[2][6] = @20 */
   if (res[2]) casadi_copy(w20, 8, res[2]+48);
   /* #108: @7 = 7 */
@@ -21186,7 +21876,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr02;
   res1[0]=w20;
   res1[1]=w28;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #113: output[2][7] = @20 */
   if (res[2]) casadi_copy(w20, 8, res[2]+56);
   /* #114: @7 = 8 */
@@ -21203,7 +21893,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr02;
   res1[0]=w20;
   res1[1]=w29;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #119: output[2][8] = @20 */
   if (res[2]) casadi_copy(w20, 8, res[2]+64);
   /* #120: @7 = 9 */
@@ -21220,7 +21910,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr02;
   res1[0]=w20;
   res1[1]=w30;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #125: output[2][9] = @20 */
   if (res[2]) casadi_copy(w20, 8, res[2]+72);
   /* #126: @7 = 10 */
@@ -21237,7 +21927,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr02;
   res1[0]=w20;
   res1[1]=w31;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #131: output[2][10] = @20 */
   if (res[2]) casadi_copy(w20, 8, res[2]+80);
   /* #132: @7 = 11 */
@@ -21254,7 +21944,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr02;
   res1[0]=w20;
   res1[1]=w32;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #137: output[2][11] = @20 */
   if (res[2]) casadi_copy(w20, 8, res[2]+88);
   /* #138: output[3][0] = @21 */
@@ -21285,7 +21975,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* wobbling_trace_48:(u[6],p[8])->(w[7x49],g[8x49],dg[8x49],R[6]) */
-static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w00, *w01=w+353, w02, w03, *w05=w+359, *w06=w+383, w07, *w08=w+388, *w09=w+395, *w10=w+402;
   casadi_real *w11=w+486, *w12=w+582, *w13=w+678, *w14=w+774, *w15=w+870, *w16=w+966, *w17=w+1062, *w18=w+1158, *w19=w+1254, *w20=w+1262, *w21=w+1270;
@@ -21306,7 +21996,7 @@ static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w03);
   arg1[1]=wr04;
   res1[0]=w05;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:5] */
   for (rr=w06, cs=w01+0; cs!=w01+5; cs+=1) *rr++ = *cs;
   /* #8: {@1, NULL} = start(@6, @4) */
@@ -21314,7 +22004,7 @@ static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr04;
   res1[0]=w01;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #9: @7 = 0 */
   w07 = 0.;
   /* #10: @8 = vertcat(@1, @7) */
@@ -21331,7 +22021,7 @@ static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w11;
   res1[3]=w12;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w10, 84, res[0]);
   /* #13: @0 = 0.25 */
@@ -21348,7 +22038,7 @@ static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w13;
   res1[3]=w14;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+84);
   /* #17: @0 = 0.5 */
@@ -21365,7 +22055,7 @@ static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w15;
   res1[3]=w16;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+168);
   /* #21: @0 = 0.75 */
@@ -21382,7 +22072,7 @@ static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w17;
   res1[3]=w18;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+252);
   /* #25: output[0][4] = @8 */
@@ -21403,7 +22093,7 @@ static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr04;
   res1[0]=w19;
   res1[1]=w20;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[1][4] = @19 */
   if (res[1]) casadi_copy(w19, 8, res[1]+384);
   /* #33: output[2][0] = @12 */
@@ -21423,14 +22113,14 @@ static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w06;
   arg1[2]=wr04;
   res1[0]=w21;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[3][0] = @21 */
   casadi_copy(w21, 6, res[3]);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f62(arg, res, iw, w, mem);
+  return casadi_f86(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_48_checkout(void) {
@@ -21509,7 +22199,7 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_48_work_bytes(casadi_int *sz_arg, casadi
 }
 
 /* wobbling_trace_72:(u[6],p[8])->(w[7x73],g[8x73],dg[8x73],R[6]) */
-static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f90(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w00, *w01=w+353, w02, w03, *w05=w+359, *w06=w+383, w07, *w08=w+388, *w09=w+395, *w10=w+402;
   casadi_real *w11=w+486, *w12=w+582, *w13=w+678, *w14=w+774, *w15=w+870, *w16=w+966, *w17=w+1062, *w18=w+1158, *w19=w+1254, *w20=w+1350, *w21=w+1446, *w22=w+1542;
@@ -21531,7 +22221,7 @@ static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w03);
   arg1[1]=wr04;
   res1[0]=w05;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:5] */
   for (rr=w06, cs=w01+0; cs!=w01+5; cs+=1) *rr++ = *cs;
   /* #8: {@1, NULL} = start(@6, @4) */
@@ -21539,7 +22229,7 @@ static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr04;
   res1[0]=w01;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #9: @7 = 0 */
   w07 = 0.;
   /* #10: @8 = vertcat(@1, @7) */
@@ -21556,7 +22246,7 @@ static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w11;
   res1[3]=w12;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w10, 84, res[0]);
   /* #13: @0 = 0.166667 */
@@ -21573,7 +22263,7 @@ static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w13;
   res1[3]=w14;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+84);
   /* #17: @0 = 0.333333 */
@@ -21590,7 +22280,7 @@ static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w15;
   res1[3]=w16;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+168);
   /* #21: @0 = 0.5 */
@@ -21607,7 +22297,7 @@ static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w17;
   res1[3]=w18;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+252);
   /* #25: @0 = 0.666667 */
@@ -21624,7 +22314,7 @@ static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w19;
   res1[3]=w20;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+336);
   /* #29: @0 = 0.833333 */
@@ -21641,7 +22331,7 @@ static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w21;
   res1[3]=w22;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+420);
   /* #33: output[0][6] = @8 */
@@ -21666,7 +22356,7 @@ static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr04;
   res1[0]=w23;
   res1[1]=w24;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #42: output[1][6] = @23 */
   if (res[1]) casadi_copy(w23, 8, res[1]+576);
   /* #43: output[2][0] = @12 */
@@ -21690,14 +22380,14 @@ static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w06;
   arg1[2]=wr04;
   res1[0]=w25;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[3][0] = @25 */
   casadi_copy(w25, 6, res[3]);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_72(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f66(arg, res, iw, w, mem);
+  return casadi_f90(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_72_checkout(void) {
@@ -21776,7 +22466,7 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_72_work_bytes(casadi_int *sz_arg, casadi
 }
 
 /* wobbling_trace_96:(u[6],p[8])->(w[7x97],g[8x97],dg[8x97],R[6]) */
-static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f91(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w00, *w01=w+353, w02, w03, *w05=w+359, *w06=w+383, w07, *w08=w+388, *w09=w+395, *w10=w+402;
   casadi_real *w11=w+486, *w12=w+582, *w13=w+678, *w14=w+774, *w15=w+870, *w16=w+966, *w17=w+1062, *w18=w+1158, *w19=w+1254, *w20=w+1350, *w21=w+1446, *w22=w+1542;
@@ -21798,7 +22488,7 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w03);
   arg1[1]=wr04;
   res1[0]=w05;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:5] */
   for (rr=w06, cs=w01+0; cs!=w01+5; cs+=1) *rr++ = *cs;
   /* #8: {@1, NULL} = start(@6, @4) */
@@ -21806,7 +22496,7 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr04;
   res1[0]=w01;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #9: @7 = 0 */
   w07 = 0.;
   /* #10: @8 = vertcat(@1, @7) */
@@ -21823,7 +22513,7 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w11;
   res1[3]=w12;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w10, 84, res[0]);
   /* #13: @0 = 0.125 */
@@ -21840,7 +22530,7 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w13;
   res1[3]=w14;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+84);
   /* #17: @0 = 0.25 */
@@ -21857,7 +22547,7 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w15;
   res1[3]=w16;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+168);
   /* #21: @0 = 0.375 */
@@ -21874,7 +22564,7 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w17;
   res1[3]=w18;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+252);
   /* #25: @0 = 0.5 */
@@ -21891,7 +22581,7 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w19;
   res1[3]=w20;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+336);
   /* #29: @0 = 0.625 */
@@ -21908,7 +22598,7 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w21;
   res1[3]=w22;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+420);
   /* #33: @0 = 0.75 */
@@ -21925,7 +22615,7 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w23;
   res1[3]=w24;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[0][6] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+504);
   /* #37: @0 = 0.875 */
@@ -21942,7 +22632,7 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w25;
   res1[3]=w26;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[0][7] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+588);
   /* #41: output[0][8] = @8 */
@@ -21971,7 +22661,7 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr04;
   res1[0]=w27;
   res1[1]=w28;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[1][8] = @27 */
   if (res[1]) casadi_copy(w27, 8, res[1]+768);
   /* #53: output[2][0] = @12 */
@@ -21999,14 +22689,14 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w06;
   arg1[2]=wr04;
   res1[0]=w29;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #64: output[3][0] = @29 */
   casadi_copy(w29, 6, res[3]);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_96(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f67(arg, res, iw, w, mem);
+  return casadi_f91(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_96_checkout(void) {
@@ -22085,7 +22775,7 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_96_work_bytes(casadi_int *sz_arg, casadi
 }
 
 /* wobbling_trace_144:(u[6],p[8])->(w[7x145],g[8x145],dg[8x145],R[6]) */
-static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f92(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w00, *w01=w+353, w02, w03, *w05=w+359, *w06=w+383, w07, *w08=w+388, *w09=w+395, *w10=w+402;
   casadi_real *w11=w+486, *w12=w+582, *w13=w+678, *w14=w+774, *w15=w+870, *w16=w+966, *w17=w+1062, *w18=w+1158, *w19=w+1254, *w20=w+1350, *w21=w+1446, *w22=w+1542;
@@ -22108,7 +22798,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w03);
   arg1[1]=wr04;
   res1[0]=w05;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:5] */
   for (rr=w06, cs=w01+0; cs!=w01+5; cs+=1) *rr++ = *cs;
   /* #8: {@1, NULL} = start(@6, @4) */
@@ -22116,7 +22806,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr04;
   res1[0]=w01;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #9: @7 = 0 */
   w07 = 0.;
   /* #10: @8 = vertcat(@1, @7) */
@@ -22133,7 +22823,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w11;
   res1[3]=w12;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w10, 84, res[0]);
   /* #13: @0 = 0.0833333 */
@@ -22150,7 +22840,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w13;
   res1[3]=w14;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+84);
   /* #17: @0 = 0.166667 */
@@ -22167,7 +22857,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w15;
   res1[3]=w16;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+168);
   /* #21: @0 = 0.25 */
@@ -22184,7 +22874,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w17;
   res1[3]=w18;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+252);
   /* #25: @0 = 0.333333 */
@@ -22201,7 +22891,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w19;
   res1[3]=w20;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+336);
   /* #29: @0 = 0.416667 */
@@ -22218,7 +22908,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w21;
   res1[3]=w22;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+420);
   /* #33: @0 = 0.5 */
@@ -22235,7 +22925,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w23;
   res1[3]=w24;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[0][6] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+504);
   /* #37: @0 = 0.583333 */
@@ -22252,7 +22942,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w25;
   res1[3]=w26;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[0][7] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+588);
   /* #41: @0 = 0.666667 */
@@ -22269,7 +22959,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w27;
   res1[3]=w28;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #44: output[0][8] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+672);
   /* #45: @0 = 0.75 */
@@ -22286,7 +22976,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w29;
   res1[3]=w30;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #48: output[0][9] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+756);
   /* #49: @0 = 0.833333 */
@@ -22303,7 +22993,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w31;
   res1[3]=w32;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[0][10] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+840);
   /* #53: @0 = 0.916667 */
@@ -22320,7 +23010,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w33;
   res1[3]=w34;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #56: output[0][11] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+924);
   /* #57: output[0][12] = @8 */
@@ -22357,7 +23047,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr04;
   res1[0]=w35;
   res1[1]=w36;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #72: output[1][12] = @35 */
   if (res[1]) casadi_copy(w35, 8, res[1]+1152);
   /* #73: output[2][0] = @12 */
@@ -22393,14 +23083,14 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w06;
   arg1[2]=wr04;
   res1[0]=w37;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #88: output[3][0] = @37 */
   casadi_copy(w37, 6, res[3]);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_144(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f68(arg, res, iw, w, mem);
+  return casadi_f92(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_144_checkout(void) {
@@ -22479,7 +23169,7 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_144_work_bytes(casadi_int *sz_arg, casad
 }
 
 /* wobbling_trace_192:(u[6],p[8])->(w[7x193],g[8x193],dg[8x193],R[6]) */
-static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f93(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w00, *w01=w+353, w02, w03, *w05=w+359, *w06=w+383, w07, *w08=w+388, *w09=w+395, *w10=w+402;
   casadi_real *w11=w+486, *w12=w+582, *w13=w+678, *w14=w+774, *w15=w+870, *w16=w+966, *w17=w+1062, *w18=w+1158, *w19=w+1254, *w20=w+1350, *w21=w+1446, *w22=w+1542;
@@ -22502,7 +23192,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w03);
   arg1[1]=wr04;
   res1[0]=w05;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:5] */
   for (rr=w06, cs=w01+0; cs!=w01+5; cs+=1) *rr++ = *cs;
   /* #8: {@1, NULL} = start(@6, @4) */
@@ -22510,7 +23200,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr04;
   res1[0]=w01;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #9: @7 = 0 */
   w07 = 0.;
   /* #10: @8 = vertcat(@1, @7) */
@@ -22527,7 +23217,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w11;
   res1[3]=w12;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w10, 84, res[0]);
   /* #13: @0 = 0.0625 */
@@ -22544,7 +23234,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w13;
   res1[3]=w14;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+84);
   /* #17: @0 = 0.125 */
@@ -22561,7 +23251,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w15;
   res1[3]=w16;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+168);
   /* #21: @0 = 0.1875 */
@@ -22578,7 +23268,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w17;
   res1[3]=w18;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+252);
   /* #25: @0 = 0.25 */
@@ -22595,7 +23285,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w19;
   res1[3]=w20;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+336);
   /* #29: @0 = 0.3125 */
@@ -22612,7 +23302,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w21;
   res1[3]=w22;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+420);
   /* #33: @0 = 0.375 */
@@ -22629,7 +23319,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w23;
   res1[3]=w24;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[0][6] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+504);
   /* #37: @0 = 0.4375 */
@@ -22646,7 +23336,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w25;
   res1[3]=w26;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[0][7] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+588);
   /* #41: @0 = 0.5 */
@@ -22663,7 +23353,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w27;
   res1[3]=w28;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #44: output[0][8] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+672);
   /* #45: @0 = 0.5625 */
@@ -22680,7 +23370,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w29;
   res1[3]=w30;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #48: output[0][9] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+756);
   /* #49: @0 = 0.625 */
@@ -22697,7 +23387,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w31;
   res1[3]=w32;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[0][10] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+840);
   /* #53: @0 = 0.6875 */
@@ -22714,7 +23404,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w33;
   res1[3]=w34;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #56: output[0][11] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+924);
   /* #57: @0 = 0.75 */
@@ -22731,7 +23421,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w35;
   res1[3]=w36;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #60: output[0][12] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1008);
   /* #61: @0 = 0.8125 */
@@ -22748,7 +23438,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w37;
   res1[3]=w38;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #64: output[0][13] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1092);
   /* #65: @0 = 0.875 */
@@ -22765,7 +23455,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w39;
   res1[3]=w40;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #68: output[0][14] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1176);
   /* #69: @0 = 0.9375 */
@@ -22782,7 +23472,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w41;
   res1[3]=w42;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #72: output[0][15] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1260);
   /* #73: output[0][16] = @8 */
@@ -22827,7 +23517,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr04;
   res1[0]=w43;
   res1[1]=w44;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #92: output[1][16] = @43 */
   if (res[1]) casadi_copy(w43, 8, res[1]+1536);
   /* #93: output[2][0] = @12 */
@@ -22871,14 +23561,14 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w06;
   arg1[2]=wr04;
   res1[0]=w45;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #112: output[3][0] = @45 */
   casadi_copy(w45, 6, res[3]);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_192(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f69(arg, res, iw, w, mem);
+  return casadi_f93(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_192_checkout(void) {
@@ -22957,7 +23647,7 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_192_work_bytes(casadi_int *sz_arg, casad
 }
 
 /* wobbling_trace_288:(u[6],p[8])->(w[7x289],g[8x289],dg[8x289],R[6]) */
-static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f94(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w00, *w01=w+353, w02, w03, *w05=w+359, *w06=w+383, w07, *w08=w+388, *w09=w+395, *w10=w+402;
   casadi_real *w11=w+486, *w12=w+582, *w13=w+678, *w14=w+774, *w15=w+870, *w16=w+966, *w17=w+1062, *w18=w+1158, *w19=w+1254, *w20=w+1350, *w21=w+1446, *w22=w+1542;
@@ -22982,7 +23672,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w03);
   arg1[1]=wr04;
   res1[0]=w05;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:5] */
   for (rr=w06, cs=w01+0; cs!=w01+5; cs+=1) *rr++ = *cs;
   /* #8: {@1, NULL} = start(@6, @4) */
@@ -22990,7 +23680,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr04;
   res1[0]=w01;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #9: @7 = 0 */
   w07 = 0.;
   /* #10: @8 = vertcat(@1, @7) */
@@ -23007,7 +23697,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w11;
   res1[3]=w12;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w10, 84, res[0]);
   /* #13: @0 = 0.0416667 */
@@ -23024,7 +23714,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w13;
   res1[3]=w14;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+84);
   /* #17: @0 = 0.0833333 */
@@ -23041,7 +23731,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w15;
   res1[3]=w16;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+168);
   /* #21: @0 = 0.125 */
@@ -23058,7 +23748,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w17;
   res1[3]=w18;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+252);
   /* #25: @0 = 0.166667 */
@@ -23075,7 +23765,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w19;
   res1[3]=w20;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+336);
   /* #29: @0 = 0.208333 */
@@ -23092,7 +23782,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w21;
   res1[3]=w22;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+420);
   /* #33: @0 = 0.25 */
@@ -23109,7 +23799,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w23;
   res1[3]=w24;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[0][6] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+504);
   /* #37: @0 = 0.291667 */
@@ -23126,7 +23816,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w25;
   res1[3]=w26;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[0][7] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+588);
   /* #41: @0 = 0.333333 */
@@ -23143,7 +23833,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w27;
   res1[3]=w28;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #44: output[0][8] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+672);
   /* #45: @0 = 0.375 */
@@ -23160,7 +23850,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w29;
   res1[3]=w30;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #48: output[0][9] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+756);
   /* #49: @0 = 0.416667 */
@@ -23177,7 +23867,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w31;
   res1[3]=w32;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[0][10] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+840);
   /* #53: @0 = 0.458333 */
@@ -23194,7 +23884,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w33;
   res1[3]=w34;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #56: output[0][11] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+924);
   /* #57: @0 = 0.5 */
@@ -23211,7 +23901,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w35;
   res1[3]=w36;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #60: output[0][12] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1008);
   /* #61: @0 = 0.541667 */
@@ -23228,7 +23918,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w37;
   res1[3]=w38;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #64: output[0][13] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1092);
   /* #65: @0 = 0.583333 */
@@ -23245,7 +23935,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w39;
   res1[3]=w40;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #68: output[0][14] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1176);
   /* #69: @0 = 0.625 */
@@ -23262,7 +23952,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w41;
   res1[3]=w42;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #72: output[0][15] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1260);
   /* #73: @0 = 0.666667 */
@@ -23279,7 +23969,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w43;
   res1[3]=w44;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #76: output[0][16] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1344);
   /* #77: @0 = 0.708333 */
@@ -23296,7 +23986,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w45;
   res1[3]=w46;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #80: output[0][17] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1428);
   /* #81: @0 = 0.75 */
@@ -23313,7 +24003,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w47;
   res1[3]=w48;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #84: output[0][18] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1512);
   /* #85: @0 = 0.791667 */
@@ -23330,7 +24020,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w49;
   res1[3]=w50;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #88: output[0][19] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1596);
   /* #89: @0 = 0.833333 */
@@ -23347,7 +24037,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w51;
   res1[3]=w52;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #92: output[0][20] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1680);
   /* #93: @0 = 0.875 */
@@ -23364,7 +24054,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w53;
   res1[3]=w54;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #96: output[0][21] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1764);
   /* #97: @0 = 0.916667 */
@@ -23381,7 +24071,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w55;
   res1[3]=w56;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #100: output[0][22] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1848);
   /* #101: @0 = 0.958333 */
@@ -23398,7 +24088,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w57;
   res1[3]=w58;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #104: output[0][23] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1932);
   /* #105: output[0][24] = @8 */
@@ -23459,7 +24149,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr04;
   res1[0]=w59;
   res1[1]=w60;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #132: output[1][24] = @59 */
   if (res[1]) casadi_copy(w59, 8, res[1]+2304);
   /* #133: output[2][0] = @12 */
@@ -23519,14 +24209,14 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w06;
   arg1[2]=wr04;
   res1[0]=w61;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #160: output[3][0] = @61 */
   casadi_copy(w61, 6, res[3]);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_288(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f70(arg, res, iw, w, mem);
+  return casadi_f94(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_288_checkout(void) {
@@ -23605,7 +24295,7 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_288_work_bytes(casadi_int *sz_arg, casad
 }
 
 /* wobbling_trace_384:(u[6],p[8])->(w[7x385],g[8x385],dg[8x385],R[6]) */
-static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f95(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w00, *w01=w+353, w02, w03, *w05=w+359, *w06=w+383, w07, *w08=w+388, *w09=w+395, *w10=w+402;
   casadi_real *w11=w+486, *w12=w+582, *w13=w+678, *w14=w+774, *w15=w+870, *w16=w+966, *w17=w+1062, *w18=w+1158, *w19=w+1254, *w20=w+1350, *w21=w+1446, *w22=w+1542;
@@ -23631,7 +24321,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w03);
   arg1[1]=wr04;
   res1[0]=w05;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:5] */
   for (rr=w06, cs=w01+0; cs!=w01+5; cs+=1) *rr++ = *cs;
   /* #8: {@1, NULL} = start(@6, @4) */
@@ -23639,7 +24329,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr04;
   res1[0]=w01;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #9: @7 = 0 */
   w07 = 0.;
   /* #10: @8 = vertcat(@1, @7) */
@@ -23656,7 +24346,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w11;
   res1[3]=w12;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w10, 84, res[0]);
   /* #13: @0 = 0.03125 */
@@ -23673,7 +24363,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w13;
   res1[3]=w14;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+84);
   /* #17: @0 = 0.0625 */
@@ -23690,7 +24380,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w15;
   res1[3]=w16;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+168);
   /* #21: @0 = 0.09375 */
@@ -23707,7 +24397,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w17;
   res1[3]=w18;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+252);
   /* #25: @0 = 0.125 */
@@ -23724,7 +24414,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w19;
   res1[3]=w20;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+336);
   /* #29: @0 = 0.15625 */
@@ -23741,7 +24431,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w21;
   res1[3]=w22;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+420);
   /* #33: @0 = 0.1875 */
@@ -23758,7 +24448,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w23;
   res1[3]=w24;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[0][6] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+504);
   /* #37: @0 = 0.21875 */
@@ -23775,7 +24465,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w25;
   res1[3]=w26;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[0][7] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+588);
   /* #41: @0 = 0.25 */
@@ -23792,7 +24482,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w27;
   res1[3]=w28;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #44: output[0][8] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+672);
   /* #45: @0 = 0.28125 */
@@ -23809,7 +24499,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w29;
   res1[3]=w30;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #48: output[0][9] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+756);
   /* #49: @0 = 0.3125 */
@@ -23826,7 +24516,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w31;
   res1[3]=w32;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[0][10] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+840);
   /* #53: @0 = 0.34375 */
@@ -23843,7 +24533,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w33;
   res1[3]=w34;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #56: output[0][11] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+924);
   /* #57: @0 = 0.375 */
@@ -23860,7 +24550,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w35;
   res1[3]=w36;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #60: output[0][12] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1008);
   /* #61: @0 = 0.40625 */
@@ -23877,7 +24567,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w37;
   res1[3]=w38;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #64: output[0][13] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1092);
   /* #65: @0 = 0.4375 */
@@ -23894,7 +24584,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w39;
   res1[3]=w40;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #68: output[0][14] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1176);
   /* #69: @0 = 0.46875 */
@@ -23911,7 +24601,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w41;
   res1[3]=w42;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #72: output[0][15] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1260);
   /* #73: @0 = 0.5 */
@@ -23928,7 +24618,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w43;
   res1[3]=w44;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #76: output[0][16] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1344);
   /* #77: @0 = 0.53125 */
@@ -23945,7 +24635,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w45;
   res1[3]=w46;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #80: output[0][17] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1428);
   /* #81: @0 = 0.5625 */
@@ -23962,7 +24652,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w47;
   res1[3]=w48;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #84: output[0][18] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1512);
   /* #85: @0 = 0.59375 */
@@ -23979,7 +24669,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w49;
   res1[3]=w50;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #88: output[0][19] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1596);
   /* #89: @0 = 0.625 */
@@ -23996,7 +24686,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w51;
   res1[3]=w52;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #92: output[0][20] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1680);
   /* #93: @0 = 0.65625 */
@@ -24013,7 +24703,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w53;
   res1[3]=w54;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #96: output[0][21] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1764);
   /* #97: @0 = 0.6875 */
@@ -24030,7 +24720,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w55;
   res1[3]=w56;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #100: output[0][22] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1848);
   /* #101: @0 = 0.71875 */
@@ -24047,7 +24737,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w57;
   res1[3]=w58;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #104: output[0][23] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1932);
   /* #105: @0 = 0.75 */
@@ -24064,7 +24754,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w59;
   res1[3]=w60;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #108: output[0][24] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+2016);
   /* #109: @0 = 0.78125 */
@@ -24081,7 +24771,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w61;
   res1[3]=w62;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #112: output[0][25] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+2100);
   /* #113: @0 = 0.8125 */
@@ -24098,7 +24788,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w63;
   res1[3]=w64;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #116: output[0][26] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+2184);
   /* #117: @0 = 0.84375 */
@@ -24115,7 +24805,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w65;
   res1[3]=w66;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #120: output[0][27] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+2268);
   /* #121: @0 = 0.875 */
@@ -24132,7 +24822,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w67;
   res1[3]=w68;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #124: output[0][28] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+2352);
   /* #125: @0 = 0.90625 */
@@ -24149,7 +24839,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w69;
   res1[3]=w70;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #128: output[0][29] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+2436);
   /* #129: @0 = 0.9375 */
@@ -24166,7 +24856,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w71;
   res1[3]=w72;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #132: output[0][30] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+2520);
   /* #133: @0 = 0.96875 */
@@ -24183,7 +24873,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w73;
   res1[3]=w74;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #136: output[0][31] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+2604);
   /* #137: output[0][32] = @8 */
@@ -24260,7 +24950,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr04;
   res1[0]=w75;
   res1[1]=w76;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #172: output[1][32] = @75 */
   if (res[1]) casadi_copy(w75, 8, res[1]+3072);
   /* #173: output[2][0] = @12 */
@@ -24336,14 +25026,14 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w06;
   arg1[2]=wr04;
   res1[0]=w77;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #208: output[3][0] = @77 */
   casadi_copy(w77, 6, res[3]);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_384(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f71(arg, res, iw, w, mem);
+  return casadi_f95(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_384_checkout(void) {
@@ -24422,7 +25112,7 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_384_work_bytes(casadi_int *sz_arg, casad
 }
 
 /* wobbling_trace_576:(u[6],p[8])->(w[7x577],g[8x577],dg[8x577],R[6]) */
-static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f96(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w000, *w001=w+353, w002, w003, *w005=w+359, *w006=w+383, w007, *w008=w+388, *w009=w+395, *w010=w+402;
   casadi_real *w011=w+486, *w012=w+582, *w013=w+678, *w014=w+774, *w015=w+870, *w016=w+966, *w017=w+1062, *w018=w+1158, *w019=w+1254, *w020=w+1350, *w021=w+1446, *w022=w+1542;
@@ -24451,7 +25141,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w003);
   arg1[1]=wr004;
   res1[0]=w005;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:5] */
   for (rr=w006, cs=w001+0; cs!=w001+5; cs+=1) *rr++ = *cs;
   /* #8: {@1, NULL} = start(@6, @4) */
@@ -24459,7 +25149,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr004;
   res1[0]=w001;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #9: @7 = 0 */
   w007 = 0.;
   /* #10: @8 = vertcat(@1, @7) */
@@ -24476,7 +25166,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w011;
   res1[3]=w012;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w010, 84, res[0]);
   /* #13: @0 = 0.0208333 */
@@ -24493,7 +25183,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w013;
   res1[3]=w014;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+84);
   /* #17: @0 = 0.0416667 */
@@ -24510,7 +25200,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w015;
   res1[3]=w016;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+168);
   /* #21: @0 = 0.0625 */
@@ -24527,7 +25217,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w017;
   res1[3]=w018;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+252);
   /* #25: @0 = 0.0833333 */
@@ -24544,7 +25234,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w019;
   res1[3]=w020;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+336);
   /* #29: @0 = 0.104167 */
@@ -24561,7 +25251,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w021;
   res1[3]=w022;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+420);
   /* #33: @0 = 0.125 */
@@ -24578,7 +25268,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w023;
   res1[3]=w024;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[0][6] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+504);
   /* #37: @0 = 0.145833 */
@@ -24595,7 +25285,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w025;
   res1[3]=w026;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[0][7] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+588);
   /* #41: @0 = 0.166667 */
@@ -24612,7 +25302,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w027;
   res1[3]=w028;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #44: output[0][8] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+672);
   /* #45: @0 = 0.1875 */
@@ -24629,7 +25319,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w029;
   res1[3]=w030;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #48: output[0][9] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+756);
   /* #49: @0 = 0.208333 */
@@ -24646,7 +25336,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w031;
   res1[3]=w032;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[0][10] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+840);
   /* #53: @0 = 0.229167 */
@@ -24663,7 +25353,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w033;
   res1[3]=w034;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #56: output[0][11] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+924);
   /* #57: @0 = 0.25 */
@@ -24680,7 +25370,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w035;
   res1[3]=w036;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #60: output[0][12] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1008);
   /* #61: @0 = 0.270833 */
@@ -24697,7 +25387,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w037;
   res1[3]=w038;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #64: output[0][13] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1092);
   /* #65: @0 = 0.291667 */
@@ -24714,7 +25404,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w039;
   res1[3]=w040;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #68: output[0][14] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1176);
   /* #69: @0 = 0.3125 */
@@ -24731,7 +25421,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w041;
   res1[3]=w042;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #72: output[0][15] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1260);
   /* #73: @0 = 0.333333 */
@@ -24748,7 +25438,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w043;
   res1[3]=w044;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #76: output[0][16] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1344);
   /* #77: @0 = 0.354167 */
@@ -24765,7 +25455,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w045;
   res1[3]=w046;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #80: output[0][17] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1428);
   /* #81: @0 = 0.375 */
@@ -24782,7 +25472,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w047;
   res1[3]=w048;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #84: output[0][18] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1512);
   /* #85: @0 = 0.395833 */
@@ -24799,7 +25489,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w049;
   res1[3]=w050;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #88: output[0][19] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1596);
   /* #89: @0 = 0.416667 */
@@ -24816,7 +25506,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w051;
   res1[3]=w052;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #92: output[0][20] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1680);
   /* #93: @0 = 0.4375 */
@@ -24833,7 +25523,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w053;
   res1[3]=w054;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #96: output[0][21] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1764);
   /* #97: @0 = 0.458333 */
@@ -24850,7 +25540,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w055;
   res1[3]=w056;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #100: output[0][22] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1848);
   /* #101: @0 = 0.479167 */
@@ -24867,7 +25557,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w057;
   res1[3]=w058;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #104: output[0][23] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1932);
   /* #105: @0 = 0.5 */
@@ -24884,7 +25574,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w059;
   res1[3]=w060;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #108: output[0][24] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2016);
   /* #109: @0 = 0.520833 */
@@ -24901,7 +25591,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w061;
   res1[3]=w062;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #112: output[0][25] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2100);
   /* #113: @0 = 0.541667 */
@@ -24918,7 +25608,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w063;
   res1[3]=w064;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #116: output[0][26] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2184);
   /* #117: @0 = 0.5625 */
@@ -24935,7 +25625,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w065;
   res1[3]=w066;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #120: output[0][27] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2268);
   /* #121: @0 = 0.583333 */
@@ -24952,7 +25642,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w067;
   res1[3]=w068;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #124: output[0][28] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2352);
   /* #125: @0 = 0.604167 */
@@ -24969,7 +25659,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w069;
   res1[3]=w070;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #128: output[0][29] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2436);
   /* #129: @0 = 0.625 */
@@ -24986,7 +25676,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w071;
   res1[3]=w072;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #132: output[0][30] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2520);
   /* #133: @0 = 0.645833 */
@@ -25003,7 +25693,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w073;
   res1[3]=w074;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #136: output[0][31] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2604);
   /* #137: @0 = 0.666667 */
@@ -25020,7 +25710,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w075;
   res1[3]=w076;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #140: output[0][32] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2688);
   /* #141: @0 = 0.6875 */
@@ -25037,7 +25727,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w077;
   res1[3]=w078;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #144: output[0][33] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2772);
   /* #145: @0 = 0.708333 */
@@ -25054,7 +25744,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w079;
   res1[3]=w080;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #148: output[0][34] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2856);
   /* #149: @0 = 0.729167 */
@@ -25071,7 +25761,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w081;
   res1[3]=w082;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #152: output[0][35] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2940);
   /* #153: @0 = 0.75 */
@@ -25088,7 +25778,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w083;
   res1[3]=w084;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #156: output[0][36] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3024);
   /* #157: @0 = 0.770833 */
@@ -25105,7 +25795,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w085;
   res1[3]=w086;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #160: output[0][37] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3108);
   /* #161: @0 = 0.791667 */
@@ -25122,7 +25812,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w087;
   res1[3]=w088;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #164: output[0][38] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3192);
   /* #165: @0 = 0.8125 */
@@ -25139,7 +25829,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w089;
   res1[3]=w090;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #168: output[0][39] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3276);
   /* #169: @0 = 0.833333 */
@@ -25156,7 +25846,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w091;
   res1[3]=w092;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #172: output[0][40] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3360);
   /* #173: @0 = 0.854167 */
@@ -25173,7 +25863,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w093;
   res1[3]=w094;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #176: output[0][41] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3444);
   /* #177: @0 = 0.875 */
@@ -25190,7 +25880,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w095;
   res1[3]=w096;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #180: output[0][42] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3528);
   /* #181: @0 = 0.895833 */
@@ -25207,7 +25897,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w097;
   res1[3]=w098;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #184: output[0][43] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3612);
   /* #185: @0 = 0.916667 */
@@ -25224,7 +25914,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w099;
   res1[3]=w100;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #188: output[0][44] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3696);
   /* #189: @0 = 0.9375 */
@@ -25241,7 +25931,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w101;
   res1[3]=w102;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #192: output[0][45] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3780);
   /* #193: @0 = 0.958333 */
@@ -25258,7 +25948,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w103;
   res1[3]=w104;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #196: output[0][46] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3864);
   /* #197: @0 = 0.979167 */
@@ -25275,7 +25965,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w105;
   res1[3]=w106;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #200: output[0][47] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3948);
   /* #201: output[0][48] = @8 */
@@ -25384,7 +26074,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr004;
   res1[0]=w107;
   res1[1]=w108;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #252: output[1][48] = @107 */
   if (res[1]) casadi_copy(w107, 8, res[1]+4608);
   /* #253: output[2][0] = @12 */
@@ -25492,14 +26182,14 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w006;
   arg1[2]=wr004;
   res1[0]=w109;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #304: output[3][0] = @109 */
   casadi_copy(w109, 6, res[3]);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_576(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f72(arg, res, iw, w, mem);
+  return casadi_f96(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_576_checkout(void) {
@@ -25578,7 +26268,7 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_576_work_bytes(casadi_int *sz_arg, casad
 }
 
 /* wobbling_trace_768:(u[6],p[8])->(w[7x769],g[8x769],dg[8x769],R[6]) */
-static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w000, *w001=w+353, w002, w003, *w005=w+359, *w006=w+383, w007, *w008=w+388, *w009=w+395, *w010=w+402;
   casadi_real *w011=w+486, *w012=w+582, *w013=w+678, *w014=w+774, *w015=w+870, *w016=w+966, *w017=w+1062, *w018=w+1158, *w019=w+1254, *w020=w+1350, *w021=w+1446, *w022=w+1542;
@@ -25609,7 +26299,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w003);
   arg1[1]=wr004;
   res1[0]=w005;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:5] */
   for (rr=w006, cs=w001+0; cs!=w001+5; cs+=1) *rr++ = *cs;
   /* #8: {@1, NULL} = start(@6, @4) */
@@ -25617,7 +26307,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr004;
   res1[0]=w001;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #9: @7 = 0 */
   w007 = 0.;
   /* #10: @8 = vertcat(@1, @7) */
@@ -25634,7 +26324,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w011;
   res1[3]=w012;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w010, 84, res[0]);
   /* #13: @0 = 0.015625 */
@@ -25651,7 +26341,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w013;
   res1[3]=w014;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+84);
   /* #17: @0 = 0.03125 */
@@ -25668,7 +26358,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w015;
   res1[3]=w016;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+168);
   /* #21: @0 = 0.046875 */
@@ -25685,7 +26375,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w017;
   res1[3]=w018;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+252);
   /* #25: @0 = 0.0625 */
@@ -25702,7 +26392,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w019;
   res1[3]=w020;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+336);
   /* #29: @0 = 0.078125 */
@@ -25719,7 +26409,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w021;
   res1[3]=w022;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+420);
   /* #33: @0 = 0.09375 */
@@ -25736,7 +26426,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w023;
   res1[3]=w024;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[0][6] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+504);
   /* #37: @0 = 0.109375 */
@@ -25753,7 +26443,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w025;
   res1[3]=w026;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[0][7] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+588);
   /* #41: @0 = 0.125 */
@@ -25770,7 +26460,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w027;
   res1[3]=w028;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #44: output[0][8] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+672);
   /* #45: @0 = 0.140625 */
@@ -25787,7 +26477,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w029;
   res1[3]=w030;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #48: output[0][9] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+756);
   /* #49: @0 = 0.15625 */
@@ -25804,7 +26494,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w031;
   res1[3]=w032;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[0][10] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+840);
   /* #53: @0 = 0.171875 */
@@ -25821,7 +26511,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w033;
   res1[3]=w034;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #56: output[0][11] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+924);
   /* #57: @0 = 0.1875 */
@@ -25838,7 +26528,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w035;
   res1[3]=w036;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #60: output[0][12] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1008);
   /* #61: @0 = 0.203125 */
@@ -25855,7 +26545,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w037;
   res1[3]=w038;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #64: output[0][13] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1092);
   /* #65: @0 = 0.21875 */
@@ -25872,7 +26562,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w039;
   res1[3]=w040;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #68: output[0][14] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1176);
   /* #69: @0 = 0.234375 */
@@ -25889,7 +26579,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w041;
   res1[3]=w042;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #72: output[0][15] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1260);
   /* #73: @0 = 0.25 */
@@ -25906,7 +26596,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w043;
   res1[3]=w044;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #76: output[0][16] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1344);
   /* #77: @0 = 0.265625 */
@@ -25923,7 +26613,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w045;
   res1[3]=w046;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #80: output[0][17] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1428);
   /* #81: @0 = 0.28125 */
@@ -25940,7 +26630,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w047;
   res1[3]=w048;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #84: output[0][18] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1512);
   /* #85: @0 = 0.296875 */
@@ -25957,7 +26647,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w049;
   res1[3]=w050;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #88: output[0][19] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1596);
   /* #89: @0 = 0.3125 */
@@ -25974,7 +26664,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w051;
   res1[3]=w052;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #92: output[0][20] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1680);
   /* #93: @0 = 0.328125 */
@@ -25991,7 +26681,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w053;
   res1[3]=w054;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #96: output[0][21] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1764);
   /* #97: @0 = 0.34375 */
@@ -26008,7 +26698,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w055;
   res1[3]=w056;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #100: output[0][22] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1848);
   /* #101: @0 = 0.359375 */
@@ -26025,7 +26715,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w057;
   res1[3]=w058;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #104: output[0][23] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1932);
   /* #105: @0 = 0.375 */
@@ -26042,7 +26732,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w059;
   res1[3]=w060;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #108: output[0][24] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2016);
   /* #109: @0 = 0.390625 */
@@ -26059,7 +26749,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w061;
   res1[3]=w062;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #112: output[0][25] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2100);
   /* #113: @0 = 0.40625 */
@@ -26076,7 +26766,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w063;
   res1[3]=w064;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #116: output[0][26] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2184);
   /* #117: @0 = 0.421875 */
@@ -26093,7 +26783,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w065;
   res1[3]=w066;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #120: output[0][27] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2268);
   /* #121: @0 = 0.4375 */
@@ -26110,7 +26800,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w067;
   res1[3]=w068;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #124: output[0][28] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2352);
   /* #125: @0 = 0.453125 */
@@ -26127,7 +26817,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w069;
   res1[3]=w070;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #128: output[0][29] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2436);
   /* #129: @0 = 0.46875 */
@@ -26144,7 +26834,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w071;
   res1[3]=w072;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #132: output[0][30] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2520);
   /* #133: @0 = 0.484375 */
@@ -26161,7 +26851,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w073;
   res1[3]=w074;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #136: output[0][31] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2604);
   /* #137: @0 = 0.5 */
@@ -26178,7 +26868,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w075;
   res1[3]=w076;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #140: output[0][32] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2688);
   /* #141: @0 = 0.515625 */
@@ -26195,7 +26885,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w077;
   res1[3]=w078;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #144: output[0][33] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2772);
   /* #145: @0 = 0.53125 */
@@ -26212,7 +26902,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w079;
   res1[3]=w080;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #148: output[0][34] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2856);
   /* #149: @0 = 0.546875 */
@@ -26229,7 +26919,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w081;
   res1[3]=w082;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #152: output[0][35] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2940);
   /* #153: @0 = 0.5625 */
@@ -26246,7 +26936,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w083;
   res1[3]=w084;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #156: output[0][36] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3024);
   /* #157: @0 = 0.578125 */
@@ -26263,7 +26953,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w085;
   res1[3]=w086;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #160: output[0][37] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3108);
   /* #161: @0 = 0.59375 */
@@ -26280,7 +26970,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w087;
   res1[3]=w088;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #164: output[0][38] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3192);
   /* #165: @0 = 0.609375 */
@@ -26297,7 +26987,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w089;
   res1[3]=w090;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #168: output[0][39] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3276);
   /* #169: @0 = 0.625 */
@@ -26314,7 +27004,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w091;
   res1[3]=w092;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #172: output[0][40] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3360);
   /* #173: @0 = 0.640625 */
@@ -26331,7 +27021,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w093;
   res1[3]=w094;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #176: output[0][41] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3444);
   /* #177: @0 = 0.65625 */
@@ -26348,7 +27038,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w095;
   res1[3]=w096;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #180: output[0][42] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3528);
   /* #181: @0 = 0.671875 */
@@ -26365,7 +27055,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w097;
   res1[3]=w098;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #184: output[0][43] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3612);
   /* #185: @0 = 0.6875 */
@@ -26382,7 +27072,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w099;
   res1[3]=w100;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #188: output[0][44] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3696);
   /* #189: @0 = 0.703125 */
@@ -26399,7 +27089,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w101;
   res1[3]=w102;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #192: output[0][45] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3780);
   /* #193: @0 = 0.71875 */
@@ -26416,7 +27106,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w103;
   res1[3]=w104;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #196: output[0][46] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3864);
   /* #197: @0 = 0.734375 */
@@ -26433,7 +27123,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w105;
   res1[3]=w106;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #200: output[0][47] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3948);
   /* #201: @0 = 0.75 */
@@ -26450,7 +27140,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w107;
   res1[3]=w108;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #204: output[0][48] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+4032);
   /* #205: @0 = 0.765625 */
@@ -26467,7 +27157,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w109;
   res1[3]=w110;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #208: output[0][49] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+4116);
   /* #209: @0 = 0.78125 */
@@ -26484,7 +27174,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w111;
   res1[3]=w112;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #212: output[0][50] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+4200);
   /* #213: @0 = 0.796875 */
@@ -26501,7 +27191,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w113;
   res1[3]=w114;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #216: output[0][51] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+4284);
   /* #217: @0 = 0.8125 */
@@ -26518,7 +27208,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w115;
   res1[3]=w116;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #220: output[0][52] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+4368);
   /* #221: @0 = 0.828125 */
@@ -26535,7 +27225,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w117;
   res1[3]=w118;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #224: output[0][53] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+4452);
   /* #225: @0 = 0.84375 */
@@ -26552,7 +27242,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w119;
   res1[3]=w120;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #228: output[0][54] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+4536);
   /* #229: @0 = 0.859375 */
@@ -26569,7 +27259,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w121;
   res1[3]=w122;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #232: output[0][55] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+4620);
   /* #233: @0 = 0.875 */
@@ -26586,7 +27276,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w123;
   res1[3]=w124;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #236: output[0][56] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+4704);
   /* #237: @0 = 0.890625 */
@@ -26603,7 +27293,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w125;
   res1[3]=w126;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #240: output[0][57] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+4788);
   /* #241: @0 = 0.90625 */
@@ -26620,7 +27310,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w127;
   res1[3]=w128;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #244: output[0][58] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+4872);
   /* #245: @0 = 0.921875 */
@@ -26637,7 +27327,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w129;
   res1[3]=w130;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #248: output[0][59] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+4956);
   /* #249: @0 = 0.9375 */
@@ -26654,7 +27344,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w131;
   res1[3]=w132;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #252: output[0][60] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+5040);
   /* #253: @0 = 0.953125 */
@@ -26671,7 +27361,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w133;
   res1[3]=w134;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #256: output[0][61] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+5124);
   /* #257: @0 = 0.96875 */
@@ -26688,7 +27378,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w135;
   res1[3]=w136;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #260: output[0][62] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+5208);
   /* #261: @0 = 0.984375 */
@@ -26705,7 +27395,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w137;
   res1[3]=w138;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #264: output[0][63] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+5292);
   /* #265: output[0][64] = @8 */
@@ -26846,7 +27536,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr004;
   res1[0]=w139;
   res1[1]=w140;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #332: output[1][64] = @139 */
   if (res[1]) casadi_copy(w139, 8, res[1]+6144);
   /* #333: output[2][0] = @12 */
@@ -26986,14 +27676,14 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w006;
   arg1[2]=wr004;
   res1[0]=w141;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #400: output[3][0] = @141 */
   casadi_copy(w141, 6, res[3]);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_768(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f73(arg, res, iw, w, mem);
+  return casadi_f97(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_768_checkout(void) {
@@ -27072,7 +27762,7 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_768_work_bytes(casadi_int *sz_arg, casad
 }
 
 /* wobbling_advance:(t,w[7],h,p[8])->(w_end[7],g[8],dg[8]) */
-static int casadi_f74(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f98(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+3, *rr, *w0=w+115, w1, *w3=w+122, w4, *w5=w+124, *w6=w+148, *w7=w+155, *w8=w+161, *w9=w+169;
   const casadi_real **arg1=arg+4, *cs, *wr2;
   /* #0: @0 = input[1][0] */
@@ -27085,14 +27775,14 @@ static int casadi_f74(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w1);
   arg1[1]=wr2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = input[2][0] */
   w4 = arg[2] ? arg[2][0] : 0;
   /* #5: @5 = turns(@4, @2) */
   arg1[0]=(&w4);
   arg1[1]=wr2;
   res1[0]=w5;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #6: @6 = working_step(@0, @3, @5, @4, @2) */
   arg1[0]=w0;
   arg1[1]=w3;
@@ -27100,7 +27790,7 @@ static int casadi_f74(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w4);
   arg1[4]=wr2;
   res1[0]=w6;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
   /* #7: output[0][0] = @6 */
   casadi_copy(w6, 7, res[0]);
   /* #8: @1 = (@1+@4) */
@@ -27113,7 +27803,7 @@ static int casadi_f74(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr2;
   res1[0]=w8;
   res1[1]=w9;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #11: output[1][0] = @8 */
   casadi_copy(w8, 8, res[1]);
   /* #12: output[2][0] = @9 */
@@ -27122,7 +27812,7 @@ static int casadi_f74(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_advance(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f74(arg, res, iw, w, mem);
+  return casadi_f98(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_advance_checkout(void) {
@@ -27199,6 +27889,437 @@ CASADI_SYMBOL_EXPORT int wobbling_advance_work_bytes(casadi_int *sz_arg, casadi_
   if (sz_res) *sz_res = 5*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
   if (sz_w) *sz_w = 177*sizeof(casadi_real);
+  return 0;
+}
+
+/* wobbling_begin:(u[6],p[8])->(y[6x6]) */
+static int casadi_f99(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *rr, *w0=w+2, *w1=w+8, *w3=w+13;
+  const casadi_real **arg1=arg+2, *cs, *wr2;
+  /* #0: @0 = input[0][0] */
+  casadi_copy(arg[0], 6, w0);
+  /* #1: @1 = @0[:5] */
+  for (rr=w1, cs=w0+0; cs!=w0+5; cs+=1) *rr++ = *cs;
+  /* #2: @2 = input[1][0] */
+  wr2 = arg[1] ? arg[1] : casadi_zeros;
+  /* #3: {@0, @3} = start(@1, @2) */
+  arg1[0]=w1;
+  arg1[1]=wr2;
+  res1[0]=w0;
+  res1[1]=w3;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  /* #4: output[0][0] = @0 */
+  casadi_copy(w0, 6, res[0]);
+  /* #5: output[0][1] = @3 */
+  if (res[0]) casadi_copy(w3, 30, res[0]+6);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_begin(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f99(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_begin_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_begin_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_begin_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_begin_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_begin_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_begin_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real wobbling_begin_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_begin_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_begin_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "y";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_begin_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_begin_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s6;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_begin_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 4;
+  if (sz_res) *sz_res = 3;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 43;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_begin_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 4*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 3*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 43*sizeof(casadi_real);
+  return 0;
+}
+
+/* wobbling_swing:(t,h,y[6x6],p[8])->(y_end[6x6]) */
+static int casadi_f100(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, w1, w2, *w4=w+422, *w5=w+446;
+  const casadi_real **arg1=arg+4, *wr0, *wr3;
+  /* #0: @0 = input[2][0] */
+  wr0 = arg[2] ? arg[2] : casadi_zeros;
+  /* #1: @1 = input[0][0] */
+  w1 = arg[0] ? arg[0][0] : 0;
+  /* #2: @2 = input[1][0] */
+  w2 = arg[1] ? arg[1][0] : 0;
+  /* #3: @3 = input[3][0] */
+  wr3 = arg[3] ? arg[3] : casadi_zeros;
+  /* #4: @4 = turns(@2, @3) */
+  arg1[0]=(&w2);
+  arg1[1]=wr3;
+  res1[0]=w4;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  /* #5: @5 = variational_steps(@0, @1, @4, @2, @3) */
+  arg1[0]=wr0;
+  arg1[1]=(&w1);
+  arg1[2]=w4;
+  arg1[3]=(&w2);
+  arg1[4]=wr3;
+  res1[0]=w5;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  /* #6: output[0][0] = @5 */
+  casadi_copy(w5, 36, res[0]);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_swing(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f100(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_swing_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_swing_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_swing_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_swing_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_swing_n_in(void) { return 4;}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_swing_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real wobbling_swing_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_swing_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "t";
+    case 1: return "h";
+    case 2: return "y";
+    case 3: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_swing_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "y_end";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_swing_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s25;
+    case 1: return casadi_s25;
+    case 2: return casadi_s6;
+    case 3: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_swing_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s6;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_swing_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 14;
+  if (sz_res) *sz_res = 3;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 482;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_swing_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 14*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 3*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 482*sizeof(casadi_real);
+  return 0;
+}
+
+/* wobbling_end:(y[6x6],u[6],p[8])->(J[6x6],R[6]) */
+static int casadi_f101(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+2, *rr, *w1=w+45, *w2=w+51, w3, *w5=w+56;
+  const casadi_real **arg1=arg+3, *cs, *wr0, *wr4;
+  /* #0: @0 = input[0][0] */
+  wr0 = arg[0] ? arg[0] : casadi_zeros;
+  /* #1: @1 = input[1][0] */
+  casadi_copy(arg[1], 6, w1);
+  /* #2: @2 = @1[:5] */
+  for (rr=w2, cs=w1+0; cs!=w1+5; cs+=1) *rr++ = *cs;
+  /* #3: @3 = @1[5] */
+  for (rr=(&w3), cs=w1+5; cs!=w1+6; cs+=1) *rr++ = *cs;
+  /* #4: @4 = input[2][0] */
+  wr4 = arg[2] ? arg[2] : casadi_zeros;
+  /* #5: {@5, @1} = landing_with_derivative(@0, @2, @3, @4) */
+  arg1[0]=wr0;
+  arg1[1]=w2;
+  arg1[2]=(&w3);
+  arg1[3]=wr4;
+  res1[0]=w5;
+  res1[1]=w1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  /* #6: output[0][0] = @5 */
+  casadi_copy(w5, 36, res[0]);
+  /* #7: output[1][0] = @1 */
+  casadi_copy(w1, 6, res[1]);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_end(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f101(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_end_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_end_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_end_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_end_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_end_n_in(void) { return 3;}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_end_n_out(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_real wobbling_end_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_end_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "y";
+    case 1: return "u";
+    case 2: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_end_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "J";
+    case 1: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_end_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s6;
+    case 1: return casadi_s4;
+    case 2: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_end_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s6;
+    case 1: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_end_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 7;
+  if (sz_res) *sz_res = 4;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 92;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_end_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 7*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 4*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 92*sizeof(casadi_real);
+  return 0;
+}
+
+/* wobbling_observed_swing:(t,h,w[7],p[8])->(w_end[7],nodes[7x12],g[8x12],dg[8x12]) */
+static int casadi_f102(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+4, w0, w1, *w3=w+353, *w4=w+377, *w5=w+384, *w6=w+391, *w7=w+475, *w8=w+571;
+  const casadi_real **arg1=arg+4, *wr2;
+  /* #0: @0 = input[0][0] */
+  w0 = arg[0] ? arg[0][0] : 0;
+  /* #1: @1 = input[1][0] */
+  w1 = arg[1] ? arg[1][0] : 0;
+  /* #2: @2 = input[3][0] */
+  wr2 = arg[3] ? arg[3] : casadi_zeros;
+  /* #3: @3 = turns(@1, @2) */
+  arg1[0]=(&w1);
+  arg1[1]=wr2;
+  res1[0]=w3;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  /* #4: @4 = input[2][0] */
+  casadi_copy(arg[2], 7, w4);
+  /* #5: {@5, @6, @7, @8} = working_steps(@0, @3, @4, @1, @2) */
+  arg1[0]=(&w0);
+  arg1[1]=w3;
+  arg1[2]=w4;
+  arg1[3]=(&w1);
+  arg1[4]=wr2;
+  res1[0]=w5;
+  res1[1]=w6;
+  res1[2]=w7;
+  res1[3]=w8;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  /* #6: output[0][0] = @5 */
+  casadi_copy(w5, 7, res[0]);
+  /* #7: output[1][0] = @6 */
+  casadi_copy(w6, 84, res[1]);
+  /* #8: output[2][0] = @7 */
+  casadi_copy(w7, 96, res[2]);
+  /* #9: output[3][0] = @8 */
+  casadi_copy(w8, 96, res[3]);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_observed_swing(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f102(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_observed_swing_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_observed_swing_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_observed_swing_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_observed_swing_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_observed_swing_n_in(void) { return 4;}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_observed_swing_n_out(void) { return 4;}
+
+CASADI_SYMBOL_EXPORT casadi_real wobbling_observed_swing_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_observed_swing_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "t";
+    case 1: return "h";
+    case 2: return "w";
+    case 3: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_observed_swing_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "w_end";
+    case 1: return "nodes";
+    case 2: return "g";
+    case 3: return "dg";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_observed_swing_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s25;
+    case 1: return casadi_s25;
+    case 2: return casadi_s26;
+    case 3: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_observed_swing_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s26;
+    case 1: return casadi_s27;
+    case 2: return casadi_s28;
+    case 3: return casadi_s28;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_observed_swing_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 14;
+  if (sz_res) *sz_res = 10;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 667;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_observed_swing_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 14*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 667*sizeof(casadi_real);
   return 0;
 }
 

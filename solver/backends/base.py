@@ -12,6 +12,7 @@ import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
+from stridemap.solver.backends import chained
 from stridemap.solver.kernels import catalogue
 from stridemap.solver.kernels.catalogue import ADVANCE, Kernel
 from stridemap.solver.model.model import Model
@@ -114,17 +115,24 @@ class Kernels(ABC):
 
     def limit_cycle(self, n_rk: int, u: Array, p: Array) -> Solved:
         """Newton's method from good guesses."""
-        u, jacobian, residual = self.call(catalogue.limit_cycle(n_rk), u, p)
+        kernel = catalogue.limit_cycle(n_rk)
+        compiled = kernel in self.functions
+        u, jacobian, residual = self.call(kernel, u, p) if compiled else chained.limit_cycle(self, n_rk, u, p)
         return Solved(u, _by_rows(jacobian), residual)
 
     def residual(self, n_rk: int, u: Array, p: Array) -> Array:
         """Closing errors with the touchdown condition, shape (n, nz + 1)."""
-        (residual,) = self.call(catalogue.residual(n_rk), u, p)
+        kernel = catalogue.residual(n_rk)
+        if kernel not in self.functions:
+            return chained.jacobian(self, n_rk, u, p)[1]
+        (residual,) = self.call(kernel, u, p)
         return residual
 
     def jacobian(self, n_rk: int, u: Array, p: Array) -> Linearised:
         """Residuals with their derivatives with respect to u."""
-        jacobian, residual = self.call(catalogue.jacobian(n_rk), u, p)
+        kernel = catalogue.jacobian(n_rk)
+        compiled = kernel in self.functions
+        jacobian, residual = self.call(kernel, u, p) if compiled else chained.jacobian(self, n_rk, u, p)
         return Linearised(_by_rows(jacobian), residual)
 
     def directional(self, n_rk: int, u: Array, p: Array, a: Array, b: Array) -> Directional:
@@ -148,7 +156,10 @@ class Kernels(ABC):
 
     def trace(self, n_rk: int, u: Array, p: Array) -> Traced:
         """Whole steps, observed at their nodes."""
-        return Traced(*self.call(catalogue.trace(n_rk), u, p))
+        kernel = catalogue.trace(n_rk)
+        return Traced(
+            *(self.call(kernel, u, p) if kernel in self.functions else chained.trace(self, n_rk, u, p))
+        )
 
     def advance(self, t: Array, w: Array, h: Array, p: Array) -> Advanced:
         """One RK step of size h from a node at time t, observed at its end."""

@@ -31,6 +31,7 @@ from stridemap.solver.kernels.catalogue import (
 )
 from stridemap.solver.model.files import kernels_file
 from stridemap.solver.model.model import Model
+from stridemap.solver.model.scales import Scales, rounded
 
 Array = NDArray[np.float64]
 
@@ -183,10 +184,13 @@ class LaneKernels(Kernels):
         """Newton's method from the guesses in `u`, which the solutions replace."""
         derivative = jacobian(method.jacobian_n_rk)
         alike = method.n_rk == method.jacobian_n_rk
+        scales = Scales.of(self.model)
+        unknowns, rows = rounded(scales.unknowns), rounded(scales.residual)
         status = self._library.lockstep_newton(
             self._shown(derivative), None if alike else self._shown(residual(method.n_rk)),
             ctypes.c_longlong(len(u)), ctypes.c_longlong(u.shape[1]), ctypes.c_longlong(params.shape[1]),
             ctypes.c_void_p(u.ctypes.data), ctypes.c_void_p(params.ctypes.data),
+            ctypes.c_void_p(unknowns.ctypes.data), ctypes.c_void_p(rows.ctypes.data),
             ctypes.c_double(method.abstol), ctypes.c_double(method.abstol_step), method.iterations,
         )  # fmt: skip
         check(status, derivative)

@@ -83,12 +83,12 @@ void get(const Lanes* from, int lane, casadi_int size, double* to)
     for (casadi_int k = 0; k < size; k++) to[k] = from[k].v[lane];
 }
 
-/* Largest modulus; NaN if there is one. */
-double norm(const double* x, casadi_int n)
+/* Largest modulus in terms of scales; NaN if there is one. */
+double norm(const double* x, const double* scale, casadi_int n)
 {
     double largest = 0;
     for (casadi_int k = 0; k < n; k++) {
-        const double size = fabs(x[k]);
+        const double size = fabs(x[k] / scale[k]);
         if (!(size <= largest)) largest = size;
         if (size != size) break;
     }
@@ -147,11 +147,13 @@ extern "C" int lockstep_map(const Kernel* kernel, casadi_int n, casadi_int n_in,
 
 /* Newton's method for n points, as CasADi's fast_newton: it stops at a residual of `abstol`, after a step of
  * `abstol_step`, or after `iterations`. A lane that is done takes the next point.
+ * The first is in terms of the scales in `rows`, the second of those in `unknowns`; nu each.
  *
  * jacobian: (u, p) -> (J, R). residual: (u, p) -> R in the place of the second output, or NULL.
  * u: guesses, shape (n, nu), replaced by the solutions. Returns as lockstep_map. */
 extern "C" int lockstep_newton(const Kernel* jacobian, const Kernel* residual, casadi_int n, casadi_int nu,
-    casadi_int np, double* u, const double* p, double abstol, double abstol_step, int iterations)
+    casadi_int np, double* u, const double* p, const double* unknowns, const double* rows, double abstol,
+    double abstol_step, int iterations)
 {
     const casadi_int in_size[] = {nu, np}, out_size[] = {nu * nu, nu};
     Call derivative(jacobian, 2, in_size, 2, out_size);
@@ -181,12 +183,12 @@ extern "C" int lockstep_newton(const Kernel* jacobian, const Kernel* residual, c
             if (point[lane] < 0) continue;
             double* const mine = u + point[lane] * nu;
             get(closing, lane, nu, r);
-            int done = !(norm(r, nu) > abstol);
+            int done = !(norm(r, rows, nu) > abstol);
             if (!done) {
                 get(derivative.out[0], lane, nu * nu, a);
                 solve(a, r, nu);
                 for (casadi_int k = 0; k < nu; k++) mine[k] -= r[k];
-                done = !(norm(r, nu) > abstol_step) || ++turn[lane] == iterations;
+                done = !(norm(r, unknowns, nu) > abstol_step) || ++turn[lane] == iterations;
             }
             if (done) {
                 open--;

@@ -22,6 +22,7 @@ from numpy.typing import NDArray
 
 from stridemap.solver.cycles.solver import Solver
 from stridemap.solver.linear import solved
+from stridemap.solver.model.scales import Scales
 from stridemap.solver.options import ContinuationOptions
 
 Array = NDArray[np.float64]
@@ -89,7 +90,7 @@ class _Branches:
     ) -> None:
         self.kernels, self.options = solver.kernels, options
         self.u, self.params, self.direction = u, params, target - params
-        self.scale = np.array([*solver.model.spec.scales, 1.0, 1.0])
+        self.scale = np.array([*solver.model.spec.scales, Scales.of(solver.model).time, 1.0])
         choose = solver.resolution.search_n_rk
         self.n_rk = np.maximum(choose(u[:, -1], params), choose(u[:, -1], target))
 

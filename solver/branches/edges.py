@@ -66,7 +66,7 @@ def bisected(
         Ordered by line, group, value and side.
     """
     group, position = group_numbers(orbits, parameter), np.searchsorted(values, values_of(orbits, parameter))
-    rows, sides = _at_edges(group, position, orbits.stable, len(values))
+    rows, sides = _at_edges(group, position, orbits.known_stable, len(values))
     inside = _bisect(solver, orbits.take(rows), parameter, values[position[rows] + sides], options)
     reach = (inside - values[position[rows]]) * sides
     order = np.lexsort((-reach, sides, position[rows], group[rows]))
@@ -100,7 +100,7 @@ def _bisect(
         middle = (inside + outside) / 2
         points[:, column] = middle
         found = continued(solver, points, guesses, options)
-        good = is_physical_gait(found) & found.stable & (found.group == orbits.group)
+        good = is_physical_gait(found) & found.known_stable & (found.group == orbits.group)
         inside, outside = np.where(good, middle, inside), np.where(good, outside, middle)
         guesses[good] = found.u[good]
     return inside

@@ -13,13 +13,14 @@ from stridemap.solver.branches.main_branch import fixed_point_index
 from stridemap.solver.cycles.orbits import Orbits
 from stridemap.solver.cycles.search import continued
 from stridemap.solver.cycles.solver import Solver
+from stridemap.solver.model.scales import Scales
 from stridemap.solver.options import SearchOptions
 
 Array = NDArray[np.float64]
 Index = NDArray[np.int64]
 
 MAX_CHANGE = 0.05
-"""Largest change, in any section coordinate or the period, from one cycle of a branch to the next."""
+"""Largest change, in any section coordinate or the period and in terms of the scales, from one cycle of a branch to the next."""
 
 MAX_HALVINGS = 14
 """A branch ends where it does not go on in steps of 2^-MAX_HALVINGS of the whole distance."""
@@ -65,6 +66,7 @@ def follow_parameter(
     if not len(starts):
         return []
     column = solver.model.spec.names.index(parameter)
+    scale = Scales.of(solver.model).unknowns
     index, begin, u = fixed_point_index(starts.multipliers), starts.params[:, column], starts.u.copy()
     done, step = np.zeros(len(u)), np.ones(len(u))  # as fractions of the whole distance
     slope = np.zeros_like(u)
@@ -77,7 +79,7 @@ def follow_parameter(
             ahead == 1, target[active], begin[active] + ahead * (target - begin)[active]
         )
         found = continued(solver, points, u[active] + slope[active] * step[active, None], options)
-        near = np.abs(found.u - u[active]).max(axis=1) < MAX_CHANGE
+        near = np.abs((found.u - u[active]) / scale).max(axis=1) < MAX_CHANGE
         good = found.found & near & (fixed_point_index(found.multipliers) == index[active])
         taken, failed = active[good], active[~good]
         slope[taken] = (found.u[good] - u[taken]) / step[taken, None]

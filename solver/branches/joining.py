@@ -100,7 +100,7 @@ def branches(
 
 def _linked(orbits: Orbits, position: Index) -> list[Index]:
     """Pieces that continue from each value to the next, as rows; `position` is each cycle's on the grid."""
-    u, index = orbits.u, fixed_point_index(orbits.multipliers)
+    u, index = orbits.scaled, fixed_point_index(orbits.multipliers)
     piece, before = np.full(len(u), -1), np.full(len(u), -1)
     ends, count = np.empty(0, dtype=np.int64), 0
     for i in range(position.max() + 1):
@@ -146,7 +146,7 @@ def _followed(
     starts, next_ = orbits.take(first), np.full(len(pieces), -1)
     for i, path in ahead.items():
         if path.reached:
-            near = np.abs(starts.u - path.orbits.u[-1]).max(axis=1) < SAME_CYCLE
+            near = np.abs(starts.scaled - path.orbits.scaled[-1]).max(axis=1) < SAME_CYCLE
             near &= values_of(starts, parameter) == values_of(path.orbits, parameter)[-1]
             if near.any() and near.argmax() not in next_:
                 next_[i] = near.argmax()
@@ -201,7 +201,7 @@ def _fold(pieces: list[Branch], parameter: str) -> tuple[tuple[int, int], tuple[
     """The two ends that meet most closely, as (piece, side) each, if any do."""
     ends = [(i, side) for i in range(len(pieces)) for side in (0, -1)]
     owner = np.array([i for i, _ in ends])
-    u = np.array([pieces[i].orbits.u[side] for i, side in ends])
+    u = np.array([pieces[i].orbits.scaled[side] for i, side in ends])
     at = np.array([values_of(pieces[i].orbits, parameter)[side] for i, side in ends])
     index = fixed_point_index(np.array([pieces[i].orbits.multipliers[side] for i, side in ends]))
     distance = np.abs(u[:, None] - u[None]).max(axis=2)

@@ -68,7 +68,7 @@ def on_main_branch(orbits: Orbits, parameter: str) -> NDArray[np.bool_]:
             one, other = _links(orbits.period[left], orbits.period[right])
             sheet[right[other]] = sheet[left[one]]
     main = np.zeros(len(orbits), dtype=bool)
-    main[upright] = np.isin(sheet[upright], sheet[upright[orbits.stable[upright]]])
+    main[upright] = np.isin(sheet[upright], sheet[upright[orbits.known_stable[upright]]])
     return main
 
 

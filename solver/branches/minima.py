@@ -110,7 +110,7 @@ def _starts(
     """The grid's smallest of each measure: its row, the measure's number, and whether of stable cycles."""
     amounts, starts = _amounts(orbits, measures), []
     for number in np.unique(group):
-        for keep, only_stable in ((orbits.stable, True), (on_main_branch, False)):
+        for keep, only_stable in ((orbits.known_stable, True), (on_main_branch, False)):
             rows = np.flatnonzero((group == number) & keep)
             for measure, amount in enumerate(amounts[:, rows]):
                 if np.isfinite(amount).any():
@@ -127,8 +127,8 @@ def _amounts(orbits: Orbits, measures: Sequence[str]) -> Array:
 
 def _of_the_same_kind(trial: Orbits, best: Orbits, only_stable: Mask) -> Mask:
     """Which cycles continue those that they were searched from."""
-    near = np.abs(trial.u - best.u).max(axis=1) < MAX_CHANGE
-    kind = (trial.group == best.group) & (trial.stable | ~only_stable)
+    near = np.abs(trial.scaled - best.scaled).max(axis=1) < MAX_CHANGE
+    kind = (trial.group == best.group) & (trial.known_stable | ~only_stable)
     return near & kind & is_physical_gait(trial)
 
 

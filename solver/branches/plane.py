@@ -92,7 +92,7 @@ def classified(cell: Index, orbits: Orbits, n_cells: int) -> tuple[Index, Index]
     """
     classes, groups = np.full(n_cells, NONE), np.full(n_cells, NO_GROUP)
     classes[cell] = UNSTABLE
-    classes[cell[orbits.stable]] = STABLE
+    classes[cell[orbits.known_stable]] = STABLE
     order = np.lexsort((orbits.spectral_radius, cell))
     cells, first = np.unique(cell[order], return_index=True)
     names, number = np.unique(orbits.group[order[first]].astype(str), return_inverse=True)

@@ -13,6 +13,7 @@ from stridemap.solver.cycles.gait import is_physical_gait
 from stridemap.solver.cycles.orbits import Orbits
 from stridemap.solver.cycles.search import distinct, merged
 from stridemap.solver.cycles.solver import Solver
+from stridemap.solver.model.scales import Scales
 from stridemap.solver.options import SearchOptions
 
 Array = NDArray[np.float64]
@@ -110,7 +111,7 @@ class _Cells:
     def _solved(self, points: Array, at: Index, guesses: Array) -> tuple[Index, Orbits]:
         """Limit cycles at m points, from guesses for some of them, and the number of each one's point."""
         u, closed = self.solver.search(guesses, points[at])
-        at, u = distinct(at[closed], u[closed])
+        at, u = distinct(at[closed], u[closed], scale=Scales.of(self.solver.model).unknowns)
         return merged(at, self.solver.converge(u, points[at], self.options.period_range))
 
     def _add(self, cell: Index, u: Array) -> None:

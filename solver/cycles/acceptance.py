@@ -7,8 +7,10 @@ from numpy.typing import NDArray
 
 from stridemap.solver.backends.base import Kernels
 from stridemap.solver.cycles import floquet
+from stridemap.solver.cycles.errors import Correction, multiplier_error, size
 from stridemap.solver.cycles.orbits import Orbits, column
 from stridemap.solver.cycles.status import CODES, FOUND, Status
+from stridemap.solver.model.scales import Scales
 from stridemap.solver.observables.events import Trace
 from stridemap.solver.observables.measures import Cycles, measured
 from stridemap.solver.observables.reductions import earlier_touchdown
@@ -19,30 +21,49 @@ Index = NDArray[np.int64]
 Mask = NDArray[np.bool_]
 
 
+NEARLY = 1e-2
+"""Residual below which a solution nearly closed, in terms of the scales: at a finer resolution it may close."""
+
+RESOLVED = 0.1
+"""Change of a residual at twice the resolution, in terms of the residual itself, below which a solution that does
+not close is not a matter of the resolution."""
+
+WORTHWHILE = 16 * np.finfo(float).eps
+"""Integration error that is rounding: a finer resolution does not lower it."""
+
+
 @dataclass(frozen=True)
 class Candidates:
     """Solutions of Newton's method at m points, and the traces of the c that closed.
 
+    Errors and residuals are in terms of the model's scales.
+
     Parameters
     ----------
     options : AcceptanceOptions
+    n_rk : int
+        RK steps with which they were solved.
     params : ndarray, shape (m, n_params)
     u : ndarray, shape (m, nz + 1)
         Section point and period.
     jacobian : ndarray, shape (m, nz + 1, nz + 1)
         Derivative of the residual.
     residual, integration_error : ndarray, shape (m,)
+    change : ndarray, shape (m, nz + 1)
+        What twice as many RK steps change in `u`.
     closed : ndarray of bool, shape (m,)
     trace : Trace
         Of the points that closed, in their order.
     """
 
     options: AcceptanceOptions
+    n_rk: int
     params: Array
     u: Array
     jacobian: Array
     residual: Array
     integration_error: Array
+    change: Array
     closed: Mask
     trace: Trace
 
@@ -51,16 +72,51 @@ class Candidates:
         cls, kernels: Kernels, options: AcceptanceOptions, n_rk: int, guesses: Array, params: Array
     ) -> "Candidates":
         """Newton's method at `n_rk` RK steps from good guesses, checked at twice as many."""
+        scales = Scales.of(kernels.model)
         u, jacobian, closing = kernels.limit_cycle(n_rk, guesses, params)
-        residual = np.abs(closing).max(axis=1)
+        unit = scales.residual
+        residual = np.abs(closing / unit).max(axis=1)
         with np.errstate(invalid="ignore"):
             closed = np.isfinite(u).all(axis=1) & (u[:, -1] > 0) & (residual < options.max_residual)
         at = np.flatnonzero(closed)
         traced = kernels.trace(2 * n_rk, u[at], params[at])
-        error = np.full(len(u), np.nan)
-        error[at] = np.abs(traced.residual - closing[at]).max(axis=1)
+        error, change = np.full(len(u), np.nan), np.full(u.shape, np.nan)
+        error[at] = np.abs((traced.residual - closing[at]) / unit).max(axis=1)
+        change[at] = Correction.of(jacobian[at], traced.residual, u[at], scales.unknowns).change
         trace = Trace.of(kernels, u[at], params[at], traced)
-        return cls(options, params, u, jacobian, residual, error, closed, trace)
+        return cls(options, n_rk, params, u, jacobian, residual, error, change, closed, trace)
+
+    @property
+    def kernels(self) -> Kernels:
+        """What solved them."""
+        return self.trace.kernels
+
+    @property
+    def scale(self) -> Array:
+        """Scales of the unknowns, shape (nz + 1,)."""
+        return Scales.of(self.kernels.model).unknowns
+
+    def excess(self) -> Array:
+        """By how much the errors are above their targets, shape (m,); above 1, it is worth to refine."""
+        options = self.options
+        state = size(self.change, self.scale)
+        # Rounding alone, amplified near a fold: there is nothing to gain.
+        state[self.integration_error < WORTHWHILE] = 0.0
+        # Half of the limit: rounding and what the estimate leaves out are to have room.
+        state /= 0.5 * options.max_state_error
+        excess = np.fmax(self.integration_error / options.target_integration_error, state)
+        # What is not a number at twice the resolution: as far from it as can be.
+        excess[self.closed & np.isnan(self.integration_error)] = 1 / options.target_integration_error
+        return np.where(self.closed, excess, 0.0)
+
+    def unresolved(self) -> Mask:
+        """Which of the points nearly closed, and may close at a finer resolution, shape (m,)."""
+        with np.errstate(invalid="ignore"):
+            near = ~self.closed & (self.residual < NEARLY) & (self.u[:, -1] > 0)
+        at = np.flatnonzero(near & np.isfinite(self.u).all(axis=1))
+        near[:] = False
+        near[at] = depends_on_resolution(self.kernels, self.n_rk, self.u[at], self.params[at])
+        return near
 
     def take(self, index: Index) -> "Candidates":
         """Some of the points, in order."""
@@ -70,24 +126,36 @@ class Candidates:
         chosen = row[index[self.closed[index]]]
         return Candidates(
             self.options,
+            self.n_rk,
             self.params[index],
             self.u[index],
             self.jacobian[index],
             self.residual[index],
             self.integration_error[index],
+            self.change[index],
             self.closed[index],
             self.trace.take(chosen),
         )
 
-    def orbits(self, period_range: tuple[float, float]) -> Orbits:
-        """All of them, in order, measured where they are limit cycles; failures carry the reason."""
-        model = self.trace.kernels.model
+    def orbits(self, period_range: tuple[float, float], unresolved: Mask | None = None) -> Orbits:
+        """All of them, in order, measured where they are limit cycles; failures carry the reason.
+
+        Parameters
+        ----------
+        period_range : (float, float)
+        unresolved : ndarray of bool, shape (m,), optional
+            Those that nearly closed at the finest resolution.
+        """
+        model = self.kernels.model
         m, nz = len(self.u), len(model.section)
         codes = np.full(m, Status.NOT_CONVERGED.code)
+        if unresolved is not None:
+            codes[unresolved] = Status.UNRESOLVED.code
         codes[self.closed] = self._verdict(period_range)
         multipliers = np.full((m, nz), np.nan + 0j)
         found = np.flatnonzero(np.isin(codes, FOUND))
         cycles = self.take(found)._cycles()
+        codes[found[~(cycles.state_errors < self.options.max_state_error)]] = Status.INACCURATE.code
         multipliers[found] = cycles.multipliers
         measures = {
             name: column(model.measured[name], values, m, found) for name, values in measured(cycles).items()
@@ -102,7 +170,7 @@ class Candidates:
         q, v = trace.w[:, :, :n], trace.w[:, :, n : 2 * n]
         side = model.evaluate("touchdown_condition", q=q, v=v, p=trace.params[:, None, :])["side"]
         descending = trace.dg[:, -1, trace.row("touchdown")] > 0
-        step = descending & (side[:, -1] < -self.options.standing_angle)
+        step = descending & (side[:, -1] < -self.options.standing_angle * Scales.of(model).side)
         if model.stance_index is not None:
             stance = q[:, :, model.stance_index]
             step &= np.abs(stance).max(axis=1, initial=0.0) < np.pi / 2
@@ -115,15 +183,43 @@ class Candidates:
 
     def _cycles(self) -> Cycles:
         """Points that are all limit cycles, to be measured."""
+        state_error, multiplier_error = self._errors()
         return Cycles(
-            self.trace.kernels.model,
+            self.kernels.model,
             self.params,
             self.u,
             floquet.multipliers(self.jacobian),
             self.residual,
             self.integration_error,
+            state_error,
+            multiplier_error,
             self.trace,
         )
+
+    def _errors(self) -> tuple[Array, Array]:
+        """Errors of state and multipliers, shape (m,) each: from the corrected cycle, corrected once more."""
+        u, scale = self.u + self.change, self.scale
+        jacobian, residual = self.kernels.jacobian(2 * self.n_rk, u, self.params)
+        again = Correction.of(jacobian, residual, u, scale)
+        state = size(self.change + again.change, scale) + again.rounding
+        return state, multiplier_error(self.jacobian, jacobian, scale)
+
+
+def depends_on_resolution(kernels: Kernels, n_rk: int, u: Array, params: Array) -> Mask:
+    """Whether the residual at points is much of the integration's making, shape (m,).
+
+    Parameters
+    ----------
+    kernels : Kernels
+    n_rk : int
+        It is compared with that at twice as many RK steps.
+    u : ndarray, shape (m, nz + 1)
+    params : ndarray, shape (m, n_params)
+    """
+    scale = Scales.of(kernels.model).residual
+    coarse, fine = (kernels.residual(n, u, params) / scale for n in (n_rk, 2 * n_rk))
+    change, left = np.abs(fine - coarse).max(axis=1), np.abs(coarse).max(axis=1)
+    return ~(change < RESOLVED * left) & ~(change < 1e-13)
 
 
 _VERDICTS = np.array(

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from stridemap.solver.backends.base import Kernels, Linearised
 from stridemap.solver.cycles.floquet import sorted_eigenvalues, step_map_derivative
 from stridemap.solver.linear import solved
+from stridemap.solver.model.scales import Scales
 
 Array = NDArray[np.float64]
 
@@ -71,8 +72,12 @@ class Chain:
         return Linearised(full.reshape(len(u), n * width, n * width), closing)
 
     def newton(self, n_rk: int, u: Array, p: Array, tolerance: float = 1e-12, iterations: int = 12) -> Array:
-        """Newton's method from guesses; NaN where it does not converge. Parameters as for `residual`."""
+        """Newton's method from guesses; NaN where it does not converge. Parameters as for `residual`.
+
+        The tolerance is in terms of the model's scales.
+        """
         u, done = u.copy(), np.zeros(len(u), dtype=bool)
+        scale = np.tile(Scales.of(self.kernels.model).residual, self.n_steps)
         for _ in range(iterations):
             open_ = np.flatnonzero(~done & np.isfinite(u).all(axis=1))
             if not len(open_):
@@ -81,7 +86,7 @@ class Chain:
             finite = np.isfinite(matrix).all(axis=(1, 2)) & np.isfinite(closing).all(axis=1)
             u[open_[~finite]] = np.nan
             open_, matrix, closing = open_[finite], matrix[finite], closing[finite]
-            done[open_] = np.abs(closing).max(axis=1) < tolerance
+            done[open_] = np.abs(closing / scale).max(axis=1) < tolerance
             correct = ~done[open_]
             u[open_[correct]] -= solved(matrix[correct], closing[correct])
         u[~done] = np.nan

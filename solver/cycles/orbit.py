@@ -84,13 +84,22 @@ class Orbit:
     def summary(self) -> str:
         """The cycle in a few words."""
         if not self.status.found:
-            return f"no limit cycle, {self.status.value}"
+            return f"no limit cycle, {self.status.value} ({self.reason})"
         kind = f"group {self.group}, " if self.group else ""
-        stable = "stable" if self.stable else "unstable"
         return (
-            f"limit cycle, {kind}period {self.period:.6g}, {stable} "
+            f"limit cycle, {kind}period {self.period:.6g}, {self.stability} "
             f"(largest multiplier {self.spectral_radius:.4g})"
         )
+
+    @property
+    def stability(self) -> str:
+        """Whether it is stable, in a word or two."""
+        return {True: "stable", False: "unstable", None: "stable or not: not known"}[self.stable]
+
+    @property
+    def reason(self) -> str:
+        """Why it is not a limit cycle, in a few words; empty for one."""
+        return self.status.reason
 
     def _repr_html_(self) -> str:
         """A table for notebooks."""

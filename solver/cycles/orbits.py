@@ -11,8 +11,11 @@ from numpy.typing import NDArray
 
 from stridemap.errors import InputError
 from stridemap.solver.cycles.orbit import Orbit, missing, plain
+from stridemap.solver.cycles.report import SearchReport
 from stridemap.solver.cycles.status import CODES, FOUND, STATUSES, Status
 from stridemap.solver.model.model import Model
+from stridemap.solver.model.scales import Scales
+from stridemap.solver.observables.measures import decided
 from stridemap.spec import Quantity
 from stridemap.words import multiplier_columns
 
@@ -20,6 +23,9 @@ Array = NDArray[np.float64]
 Index = NDArray[np.int64]
 
 _DTYPES = {"float": np.float64, "int": np.int64, "bool": np.bool_, "str": object}
+NULLABLE = {"int": "Int64", "bool": "boolean"}
+"""Types of pandas for columns in which something may be missing."""
+
 _PLAIN = {"float": float, "int": int, "bool": bool, "str": str}
 
 
@@ -44,6 +50,8 @@ class Orbits(Sequence[Orbit]):
         NaN for a failure.
     measures : mapping of str to ndarray, shape (n,)
         Every measured quantity; an array of None where the model lacks it.
+    search : SearchReport or None
+        What the search did that found them, and what it threw away; None for a selection of them.
     """
 
     model: Model
@@ -53,6 +61,15 @@ class Orbits(Sequence[Orbit]):
     jacobian: Array
     multipliers: NDArray[np.complex128]
     measures: Mapping[str, NDArray[Any]]
+    search: SearchReport | None = None
+
+    def __post_init__(self) -> None:
+        """Truths that are all known are an array of bool, as any mask."""
+        measures = dict(self.measures)
+        for name, quantity in self.model.measured.items():
+            if quantity.type == "bool" and measures[name].dtype == object:
+                measures[name] = as_mask(measures[name])
+        object.__setattr__(self, "measures", measures)
 
     # -- made --------------------------------------------------------------------------------------------
 
@@ -117,7 +134,8 @@ class Orbits(Sequence[Orbit]):
             if real in columns:
                 multipliers[:, i] = array(real) + 1j * array(imaginary)
         radius = np.abs(multipliers).max(axis=1, initial=0.0)
-        columns = {"spectral_radius": radius, "stable": radius < 1.0, **columns}
+        error = array("multiplier_error") if "multiplier_error" in columns else np.zeros(n)
+        columns = {"spectral_radius": radius, "stable": decided(radius, np.nan_to_num(error)), **columns}
         return cls(
             model,
             np.column_stack([array(name) for name in model.spec.names]),
@@ -132,6 +150,8 @@ class Orbits(Sequence[Orbit]):
         """A selection: by number, by a mask, or by a slice."""
         if not isinstance(index, slice):
             index = np.asarray(index)
+            if index.dtype == object:  # a mask with None for what is not known: that is not selected
+                index = np.array([one is not None and bool(one) for one in index.tolist()], dtype=np.bool_)
             index = index if index.size else index.astype(np.intp)  # an empty list is one of floats
         arrays = {name: getattr(self, name)[index] for name in _ARRAYS}
         return Orbits(
@@ -207,6 +227,17 @@ class Orbits(Sequence[Orbit]):
         return np.isin(self.codes, FOUND)
 
     @property
+    def scaled(self) -> Array:
+        """Section points and periods in terms of the model's scales, shape (n, nz + 1): for comparisons."""
+        scaled: Array = self.u / Scales.of(self.model).unknowns
+        return scaled
+
+    @property
+    def known_stable(self) -> NDArray[np.bool_]:
+        """Which of them are stable for certain, shape (n,); `stable` is None where the error does not tell."""
+        return np.array([one is not None and bool(one) for one in self.stable.tolist()], dtype=np.bool_)
+
+    @property
     def period(self) -> Array:
         """Periods, shape (n,)."""
         return self.u[:, -1]
@@ -227,8 +258,8 @@ class Orbits(Sequence[Orbit]):
 
         frame = pd.DataFrame(self.columns())
         for name, quantity in self.model.measured.items():
-            if quantity.optional and quantity.type == "int":
-                frame[name] = frame[name].astype("Int64")
+            if quantity.optional and quantity.type in NULLABLE:
+                frame[name] = frame[name].astype(NULLABLE[quantity.type])
         return frame
 
     # -- shown -------------------------------------------------------------------------------------------
@@ -308,6 +339,11 @@ def column(quantity: Quantity, values: Any, n: int, at: Any = slice(None)) -> ND
         kind = _PLAIN[quantity.type]  # whole numbers with gaps may come as floats
         out[np.arange(n)[at][known]] = np.array([kind(value) for value in given[known]], dtype=object)
     return out
+
+
+def as_mask(truths: NDArray[Any]) -> NDArray[Any]:
+    """Truths as an array of bool where all are known; as they are, with None, where not."""
+    return truths.astype(np.bool_) if all(one is not None for one in truths.tolist()) else truths
 
 
 def _cell(value: Any) -> str:

@@ -1,24 +1,45 @@
 """Limit cycles from guesses, on arrays of points: Newton's method, refinement, acceptance."""
 
 from dataclasses import dataclass, field
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from stridemap.solver.backends.base import Backend, Kernels
 from stridemap.solver.backends.selection import load_kernels
-from stridemap.solver.cycles.acceptance import Candidates
+from stridemap.solver.cycles.acceptance import NEARLY, Candidates, depends_on_resolution
+from stridemap.solver.cycles.duplicates import first_of_each
 from stridemap.solver.cycles.orbits import Orbits
-from stridemap.solver.kernels.catalogue import CYCLE_N_RK
+from stridemap.solver.kernels.catalogue import CYCLE_N_RK, FINE_N_RK
 from stridemap.solver.kernels.resolution import Resolution, coarsest
 from stridemap.solver.kernels.runge_kutta import ORDER
 from stridemap.solver.model.model import Model
+from stridemap.solver.model.scales import Scales
 from stridemap.solver.options import AcceptanceOptions
 
 Array = NDArray[np.float64]
 
+Mask = NDArray[np.bool_]
+
 SEARCH_RESIDUAL = 1e-4
-"""What a search may leave open for Newton's method at full resolution."""
+"""What a search may leave open for Newton's method at full resolution, in terms of the model's scales."""
+
+SAME_END = 0.02
+"""Distance, in terms of the scales, of two ends of a search that do not close, if they are taken for one."""
+
+
+class Searched(NamedTuple):
+    """How Newton's method from rough guesses ended.
+
+    Section points with periods, shape (n, nz + 1); whether it closed in a possible step, in one that is not
+    (a walker that hangs, walks backwards or falls over), or not at all, shape (n,) each.
+    """
+
+    u: Array
+    closed: Mask
+    impossible: Mask
+    open: Mask
 
 
 @dataclass(frozen=True)
@@ -48,34 +69,53 @@ class Solver:
         """Chooses how many RK steps a step of the walker gets."""
         return Resolution(self.model)
 
-    def search(self, guesses: Array, params: Array) -> tuple[Array, NDArray[np.bool_]]:
+    def search(self, guesses: Array, params: Array) -> tuple[Array, Mask]:
+        """Newton's method from rough guesses: solutions, and whether each is one; see `searched`."""
+        out = self.searched(guesses, params)
+        return out.u, out.closed
+
+    def searched(self, guesses: Array, params: Array) -> "Searched":
         """Newton's method from rough guesses.
+
+        Where it nearly closes at a resolution that does not resolve the motion, the end counts as closed: to
+        close it is a matter of the resolution, which `converge` raises. Of such ends that are near each other
+        only one counts.
 
         Parameters
         ----------
         guesses : ndarray, shape (n, nz + 1)
             Section point and period.
         params : ndarray, shape (n, n_params)
-
-        Returns
-        -------
-        u : ndarray, shape (n, nz + 1)
-        closed : ndarray of bool, shape (n,)
-            Whether Newton's method converged to a possible step, not to a walker that hangs, walks backwards
-            or falls over.
         """
-        u = np.full(guesses.shape, np.nan)
-        closed = np.zeros(len(guesses), dtype=bool)
+        u, size = np.full(guesses.shape, np.nan), np.full(len(guesses), np.nan)
+        promising = np.zeros(len(guesses), dtype=bool)
         n_rk = self.resolution.search_n_rk(guesses[:, -1], params)
+        scale = Scales.of(self.model).residual
         for n in np.unique(n_rk).tolist():
             at = np.flatnonzero(n_rk == n)
             u[at], residual = self.kernels.search(n, guesses[at], params[at])
-            closed[at] = np.abs(residual).max(axis=1) < SEARCH_RESIDUAL
+            size[at] = np.abs(residual / scale).max(axis=1)
+            with np.errstate(invalid="ignore"):
+                near = (size[at] >= SEARCH_RESIDUAL) & (size[at] < NEARLY) & (u[at, -1] > 0)
+            at = at[near & np.isfinite(u[at]).all(axis=1)]
+            promising[at] = depends_on_resolution(self.kernels, n, u[at], params[at])
         with np.errstate(invalid="ignore"):
-            closed &= np.isfinite(u).all(axis=1) & (u[:, -1] > 0)
+            closed = (size < SEARCH_RESIDUAL) & np.isfinite(u).all(axis=1) & (u[:, -1] > 0)
+        closed |= self._one_of_each(promising, u, params)
         u = self.model.wrapped(u)
-        closed[closed] = self._can_be_a_step(u[closed], params[closed])
-        return u, closed
+        possible = np.zeros(len(u), dtype=bool)
+        possible[closed] = self._can_be_a_step(u[closed], params[closed])
+        return Searched(u, closed & possible, closed & ~possible, ~closed)
+
+    def _one_of_each(self, promising: Mask, u: Array, params: Array) -> Mask:
+        """Those that are not near others of the same parameters, shape (n,)."""
+        out = np.zeros_like(promising)
+        rows = np.flatnonzero(promising)
+        if len(rows):
+            _, cell = np.unique(params[rows], axis=0, return_inverse=True)
+            scale = Scales.of(self.model).unknowns
+            out[rows[first_of_each(cell.ravel(), u[rows], SAME_END, None, scale)]] = True
+        return out
 
     def _can_be_a_step(self, u: Array, params: Array) -> NDArray[np.bool_]:
         """Whether the swing foot lands on the admissible side, with the stance leg above the ground."""
@@ -104,26 +144,39 @@ class Solver:
         """
         if not len(guesses):
             return Orbits.empty(self.model)
-        target = self.acceptance.target_integration_error
         u = guesses.copy()
         n_rk = self.resolution.cycle_n_rk(u[:, -1], params)
         parts, places = [], []
-        for n in CYCLE_N_RK:
-            at = np.flatnonzero(n_rk == n)
-            if not len(at):
-                continue
-            candidates = Candidates.solve(self.kernels, self.acceptance, n, u[at], params[at])
-            refine = candidates.closed & ~(candidates.integration_error <= target)
-            if n < CYCLE_N_RK[-1]:
-                # The error falls with the order's power of the resolution: go where it will be small enough.
-                error = np.nan_to_num(candidates.integration_error[refine], nan=1.0)
-                n_rk[at[refine]] = coarsest(
-                    n * np.maximum(1.1 * (error / target) ** (1 / ORDER), 1.01), CYCLE_N_RK
-                )
-                u[at[refine]] = candidates.u[refine]
-            else:
-                refine[:] = False
-            done = np.flatnonzero(~refine)
-            parts.append(candidates.take(done).orbits(period_range))
-            places.append(at[done])
+        for n in LEVELS:
+            waiting = np.flatnonzero(n_rk == n)
+            for at in batches(waiting, n):
+                candidates = Candidates.solve(self.kernels, self.acceptance, n, u[at], params[at])
+                excess, unresolved = candidates.excess(), candidates.unresolved()
+                refine = (excess > 1) | unresolved
+                if n < LEVELS[-1]:
+                    # The error falls with the order's power of the resolution: go where it will be small enough.
+                    factor = np.where(unresolved, 2.0, np.maximum(1.1 * excess ** (1 / ORDER), 1.01))
+                    n_rk[at[refine]] = coarsest(n * factor[refine], LEVELS)
+                    closed = refine & candidates.closed
+                    u[at[closed]] = candidates.u[closed]
+                else:
+                    refine[:] = False
+                done = np.flatnonzero(~refine)
+                parts.append(candidates.take(done).orbits(period_range, unresolved[done]))
+                places.append(at[done])
         return Orbits.concatenate(self.model, parts).take(np.argsort(np.concatenate(places)))
+
+
+LEVELS = (*CYCLE_N_RK, *FINE_N_RK)
+"""All resolutions of limit cycles."""
+
+BATCH = 400_000
+"""RK steps that are kept in memory at once at the fine resolutions, those of all points together."""
+
+
+def batches(points: NDArray[np.int64], n_rk: int) -> list[NDArray[np.int64]]:
+    """Points in batches that fit into memory; one batch at the resolutions that have kernels of their own."""
+    if not len(points):
+        return []
+    at_once = len(points) if n_rk <= CYCLE_N_RK[-1] else max(BATCH // n_rk, 1)
+    return [points[i : i + at_once] for i in range(0, len(points), at_once)]

@@ -6,6 +6,8 @@
 `jacobian(n)`      the residual with its Jacobian
 `trace(n)`         the states and observables at the n + 1 nodes of a step
 `ADVANCE`          a part of an RK step, observed
+`BEGIN`, `SWING`, `END`, `OBSERVED_SWING`
+                   pieces of a step, of which any number of RK steps can be chained (`backends.chained`)
 
 In C every name begins with the model's, so that kernels of several models link into one program. The same
 CasADi functions run in CasADi's virtual machine where there is no C compiler.
@@ -32,6 +34,10 @@ class Kind(StrEnum):
     JACOBIAN = "jacobian"
     TRACE = "trace"
     ADVANCE = "advance"
+    BEGIN = "begin"
+    SWING = "swing"
+    END = "end"
+    OBSERVED_SWING = "observed_swing"
 
 
 class Kernel(NamedTuple):
@@ -86,11 +92,22 @@ def trace(n_rk: int) -> Kernel:
 ADVANCE = Kernel(Kind.ADVANCE)
 """A part of an RK step, observed."""
 
+BEGIN, SWING, END = Kernel(Kind.BEGIN), Kernel(Kind.SWING), Kernel(Kind.END)
+"""Start of a step with its tangents, `BLOCK` RK steps of both, and the impact with the touchdown condition."""
+
+OBSERVED_SWING = Kernel(Kind.OBSERVED_SWING)
+"""`BLOCK` RK steps of the state with net works, observed at their nodes."""
+
 SEARCH_N_RK = (12, 24, 48)
 """Resolutions of the search from rough guesses."""
 
 CYCLE_N_RK = (24, 36, 48, 72, 96, 144, 192, 288, 384)
 """Resolutions of accepted limit cycles; each is checked at twice as many RK steps."""
+
+FINE_N_RK = (768, 1536, 3072, 6144, 12288, 24576)
+"""Resolutions beyond those of one function each, for motions with sudden changes. They are chained from pieces
+(`backends.chained`), and cost no time to compile. The last is a bound on the time that one point may take: at
+it, a cycle takes seconds."""
 
 
 @dataclass(frozen=True)
@@ -131,6 +148,10 @@ BRANCH_FREE = (
     *(jacobian(n) for n in sorted({*SEARCH_N_RK, *CYCLE_N_RK, *(m.jacobian_n_rk for m in NEWTON.values())})),
     *(trace(2 * n) for n in CYCLE_N_RK),
     ADVANCE,
+    BEGIN,
+    SWING,
+    END,
+    OBSERVED_SWING,
 )
 """The kernels without branches, which can work on many points in lockstep."""
 
@@ -154,8 +175,15 @@ def build(model: Model) -> dict[Kernel, ca.Function]:
         Kind.JACOBIAN: step_map.jacobian,
         Kind.TRACE: observation.trace,
     }
+    pieces = {
+        ADVANCE: observation.advance,
+        BEGIN: step_map.begin,
+        SWING: step_map.swing,
+        END: step_map.end,
+        OBSERVED_SWING: observation.observed_swing,
+    }
     for kernel in BRANCH_FREE:
-        kernels[kernel] = observation.advance if kernel == ADVANCE else makers[kernel.kind](kernel.n_rk)
+        kernels[kernel] = pieces[kernel] if kernel in pieces else makers[kernel.kind](kernel.n_rk)
     return kernels
 
 

@@ -153,6 +153,18 @@ class Observation:
             "working_steps", [*inputs.values()], outputs, [*inputs], ["w_end", "nodes", "g", "dg"]
         )
 
+    @cached_property
+    def observed_swing(self) -> ca.Function:
+        """`BLOCK` working RK steps, observed at the start of each: (t, h, w, p) -> (w_end, nodes, g, dg)."""
+        sm = self.step_map
+        t, h, w = ca.MX.sym("t"), ca.MX.sym("h"), ca.MX.sym("w", self.width)
+        p = ca.MX.sym("p", sm.n_params)
+        outputs = self._block(t, sm.phase_increments(h, p), w, h, p)
+        names = ["w_end", "nodes", "g", "dg"]
+        return ca.Function(
+            f"{sm.model.name}_observed_swing", [t, h, w, p], list(outputs), ["t", "h", "w", "p"], names
+        )
+
     def trace(self, n_rk: int) -> ca.Function:
         """A whole step of `n_rk` RK steps, observed at n_rk + 1 nodes.
 

@@ -15,11 +15,13 @@ from collections.abc import Callable
 from functools import cached_property
 
 import casadi as ca
+import numpy as np
 
 from stridemap.solver.kernels import runge_kutta
 from stridemap.solver.kernels.phase import clock_for
 from stridemap.solver.kernels.runge_kutta import NODES, STAGES
 from stridemap.solver.model.model import Model
+from stridemap.solver.model.scales import Scales, rounded
 
 BLOCK = 12
 """RK steps in one block; every resolution is a multiple of it."""
@@ -162,6 +164,31 @@ class StepMap:
             "landing_with_derivative", [y, z, period, p], outputs, ["y", "z", "T", "p"], ["J", "R"]
         )
 
+    # -- pieces of which a step of any number of RK steps is chained ------------------------------------------
+
+    @cached_property
+    def begin(self) -> ca.Function:
+        """(u, p) -> the state with its tangents just after touchdown, shape (2 n, 1 + nz)."""
+        u, p = ca.MX.sym("u", self.nz + 1), ca.MX.sym("p", self.n_params)
+        y = ca.horzcat(*self.start(u[: self.nz], p))
+        return ca.Function(f"{self.model.name}_begin", [u, p], [y], ["u", "p"], ["y"])
+
+    @cached_property
+    def swing(self) -> ca.Function:
+        """`BLOCK` RK steps of size h of the state with its tangents: (t, h, y, p) -> y."""
+        t, h, p = ca.MX.sym("t"), ca.MX.sym("h"), ca.MX.sym("p", self.n_params)
+        y = ca.MX.sym("y", 2 * self.n, 1 + self.nz)
+        end = self._variational_block(y, t, self.phase_increments(h, p), h, p)
+        return ca.Function(f"{self.model.name}_swing", [t, h, y, p], [end], ["t", "h", "y", "p"], ["y_end"])
+
+    @cached_property
+    def end(self) -> ca.Function:
+        """The residual from the state with its tangents at the end of the step: (y, u, p) -> (dR/du, R)."""
+        y, p = ca.MX.sym("y", 2 * self.n, 1 + self.nz), ca.MX.sym("p", self.n_params)
+        u = ca.MX.sym("u", self.nz + 1)
+        outputs = self.landing_with_derivative(y, u[: self.nz], u[self.nz], p)
+        return ca.Function(f"{self.model.name}_end", [y, u, p], list(outputs), ["y", "u", "p"], ["J", "R"])
+
     # -- whole steps -------------------------------------------------------------------------------------
 
     def _block(self, rk_step: ca.Function) -> ca.Function:
@@ -232,13 +259,13 @@ class StepMap:
         """Newton's method on R as one CasADi rootfinder: (u0, p) -> u.
 
         It prints as a single C function. It stops at residual `abstol`, after a Newton step below
-        `abstol_step` (the error left is of the order of its square), or after `iterations`; whether it
-        converged is for the caller to judge from the residual.
+        `abstol_step` (the error left is of the order of its square), both in terms of the model's scales, or
+        after `iterations`; whether it converged is for the caller to judge from the residual.
 
         With a smaller `jacobian_n_rk` the derivative is that of a coarser integration, which costs less and
         does not change what the iteration converges to.
         """
-        derivative = self.jacobian(n_rk)
+        value, derivative = self.residual(n_rk), self.jacobian(n_rk)
         if jacobian_n_rk is not None and jacobian_n_rk != n_rk:
             u, p = ca.MX.sym("u", self.nz + 1), ca.MX.sym("p", self.n_params)
             coarse, _ = self.jacobian(jacobian_n_rk)(u, p)
@@ -251,4 +278,23 @@ class StepMap:
             "max_iter": iterations,
             "error_on_fail": False,
         }
-        return ca.rootfinder(f"newton_{n_rk}", "fast_newton", self.residual(n_rk), options)
+        scales = Scales.of(self.model)
+        unknowns, rows = rounded(scales.unknowns), rounded(scales.residual)
+        if (unknowns == 1).all() and (rows == 1).all():
+            return ca.rootfinder(f"newton_{n_rk}", "fast_newton", value, options)
+        # What is near to zero is decided in terms of the model's scales, not of its units.
+        x, u0 = ca.MX.sym("x", self.nz + 1), ca.MX.sym("u0", self.nz + 1)
+        p = ca.MX.sym("p", self.n_params)
+        matrix, closing = derivative(unknowns * x, p)
+        options["jacobian_function"] = ca.Function(
+            f"scaled_jacobian_{n_rk}",
+            [x, p],
+            [ca.densify(matrix) * ca.DM(np.outer(1 / rows, unknowns)), closing / rows],
+            ["u", "p"],
+            ["J", "R"],
+        )
+        scaled = ca.Function(
+            f"scaled_residual_{n_rk}", [x, p], [value(unknowns * x, p) / rows], ["u", "p"], ["R"]
+        )
+        finder = ca.rootfinder(f"newton_{n_rk}", "fast_newton", scaled, options)
+        return ca.Function(f"scaled_newton_{n_rk}", [u0, p], [unknowns * finder(u0 / unknowns, p)])

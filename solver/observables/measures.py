@@ -36,7 +36,7 @@ class Cycles:
     u : ndarray, shape (m, nz + 1)
         Section points with periods.
     multipliers : ndarray of complex, shape (m, nz)
-    residuals, integration_errors : ndarray, shape (m,)
+    residuals, integration_errors, state_errors, multiplier_errors : ndarray, shape (m,)
     trace : Trace
     """
 
@@ -46,6 +46,8 @@ class Cycles:
     multipliers: NDArray[np.complex128]
     residuals: Array
     integration_errors: Array
+    state_errors: Array
+    multiplier_errors: Array
     trace: Trace
     _known: dict[str, Any] = field(default_factory=dict)
 
@@ -177,10 +179,35 @@ def spectral_radius(cycles: Cycles) -> Array:
 
 
 @_measure
-def stable(cycles: Cycles) -> NDArray[np.bool_]:
-    """Whether the largest multiplier is below 1."""
-    below: NDArray[np.bool_] = cycles["spectral_radius"] < 1.0
-    return below
+def stable(cycles: Cycles) -> NDArray[np.object_]:
+    """Whether the largest multiplier is below 1; None where its error does not tell."""
+    return decided(cycles["spectral_radius"], cycles["multiplier_error"])
+
+
+@_measure
+def undecided(cycles: Cycles) -> NDArray[np.object_]:
+    """Why it is not known whether the cycle is stable; empty where it is."""
+    reasons = [
+        f"the largest multiplier is {radius:.12g}, which its error of {error:.1g} does not tell from 1"
+        if known is None
+        else ""
+        for known, radius, error in zip(
+            cycles["stable"], cycles["spectral_radius"], cycles["multiplier_error"], strict=True
+        )
+    ]
+    return np.array(reasons, dtype=object)
+
+
+def decided(radius: Array, error: Array) -> NDArray[np.object_]:
+    """Whether spectral radii are below 1: True, False, or None where 1 lies within the error.
+
+    Parameters
+    ----------
+    radius, error : ndarray, shape (m,)
+        An error that is not a number decides nothing.
+    """
+    known = np.abs(radius - 1.0) > error
+    return np.where(known, radius < 1.0, None)
 
 
 @_measure
@@ -350,6 +377,18 @@ def clearance(cycles: Cycles) -> Array:
 def residual(cycles: Cycles) -> Array:
     """Largest entry of the closing error."""
     return cycles.residuals
+
+
+@_measure
+def state_error(cycles: Cycles) -> Array:
+    """Error of section point and period."""
+    return cycles.state_errors
+
+
+@_measure
+def multiplier_error(cycles: Cycles) -> Array:
+    """Error of the multipliers."""
+    return cycles.multiplier_errors
 
 
 @_measure

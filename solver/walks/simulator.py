@@ -23,15 +23,16 @@ from scipy.optimize import brentq
 
 from stridemap.errors import InputError
 from stridemap.solver.model.model import Model
+from stridemap.solver.model.scales import Scales
 
 Array = NDArray[np.float64]
 
-TIME_LIMIT = 20.0
-"""Longest swing phase that is waited for, in sqrt(L/g)."""
+TIME_LIMIT = 25.0
+"""Longest swing phase that is waited for, in terms of the model's scale of time."""
 SAMPLES = 8
 """Samples per step of the integrator, between which an event is looked for."""
 FIRST_STEP = 1e-3
-"""Of the integrator. SciPy's own guess is not a number for huge rates, and it then never returns."""
+"""Of the integrator, in terms of the scale of time. SciPy's own guess is not a number for huge rates, and it then never returns."""
 FORCE_SAMPLES = 257
 """Times in a step at which the ground force is sampled."""
 
@@ -274,7 +275,7 @@ def swing(
     state: Array,
     rtol: float = 1e-12,
     atol: float = 1e-14,
-    time_limit: float = TIME_LIMIT,
+    time_limit: float | None = None,
 ) -> Swing:
     """One swing phase from a section point, up to its first touchdown.
 
@@ -286,7 +287,8 @@ def swing(
         Section point, just after touchdown.
     rtol, atol : float
         Tolerances of the integrator.
-    time_limit : float
+    time_limit : float, optional
+        Longest duration that is waited for; by default `TIME_LIMIT` scales of time.
 
     Raises
     ------
@@ -300,6 +302,8 @@ def swing(
             f"{len(model.section)} finite numbers ({', '.join(model.section)})"
         )
     walker = _Walker(model, params)
+    unit = Scales.of(model).time
+    time_limit = TIME_LIMIT * unit if time_limit is None else time_limit
     solver = DOP853(
         walker.rate,
         0.0,
@@ -307,7 +311,7 @@ def swing(
         time_limit,
         rtol=rtol,
         atol=atol,
-        first_step=min(FIRST_STEP, time_limit),
+        first_step=min(FIRST_STEP * unit, time_limit),
     )
     times, pieces, below = [0.0], [], False
     outcome, end = Outcome.NO_TOUCHDOWN, solver.y

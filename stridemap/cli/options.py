@@ -110,6 +110,24 @@ def option_values(option: str, assignments: list[str] | None) -> dict[str, Any]:
     return pairs
 
 
+def box(ranges: list[str] | None) -> dict[str, tuple[float, float]]:
+    """A search box from words ``NAME=LOW:HIGH``."""
+    out: dict[str, tuple[float, float]] = {}
+    for word in ranges or ():
+        name, text = split(word, "--search-box")
+        low, _, high = text.partition(":")
+        try:
+            ends = (float(low), float(high))
+        except ValueError:
+            raise InputError(
+                f"--search-box {word!r} is not understood; write --search-box NAME=LOW:HIGH with two numbers"
+            ) from None
+        if name in out:
+            raise InputError(f"{name} is given twice")
+        out[name] = ends
+    return out
+
+
 def end_like_interrupted() -> None:
     """Treat a termination as an interrupt: workers are stopped, what is finished stays."""
     signal.signal(signal.SIGTERM, _interrupt)

@@ -12,6 +12,7 @@ from stridemap.cli.options import (
     JsonOption,
     ModelOption,
     SetOption,
+    box,
     option_values,
     parameters,
     whole,
@@ -25,7 +26,16 @@ def orbit(
     starts: Annotated[int, whole("Number of quasi-random starts.")] = 512,
     search: Annotated[
         list[str] | None,
-        typer.Option(metavar="NAME=VALUE", help="An option of the search: seed, period_min, period_max."),
+        typer.Option(
+            metavar="NAME=VALUE",
+            help="An option of the search: seed, period_min, period_max, max_starts, widen (a factor on its box).",
+        ),
+    ] = None,
+    search_box: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="NAME=LOW:HIGH", help="Where starts lie in an entry of the state; see --search widen=2."
+        ),
     ] = None,
     acceptance: Annotated[
         list[str] | None,
@@ -39,22 +49,27 @@ def orbit(
     json_: JsonOption = False,
 ) -> int:
     """Print all limit cycles at one point of parameter space."""
-    from stridemap.cli.output import print_orbits
+    from stridemap.cli.output import print_orbits, print_search
     from stridemap.solver.api import find_orbits
     from stridemap.solver.model.loading import load
     from stridemap.solver.options import AcceptanceOptions, SearchOptions
 
     params = parameters(context.args, set_)
-    options = SearchOptions.from_mapping({"starts": starts, **option_values("--search", search)})
+    chosen = {"starts": starts, **option_values("--search", search), "search_box": box(search_box)}
+    options = SearchOptions.from_mapping(chosen)
     accepted = AcceptanceOptions.from_mapping(option_values("--acceptance", acceptance))
     orbits = find_orbits(model, params, options=options, acceptance=accepted, backend=backend)
     if json_:
         loaded = load(model)
         point = dict(zip(loaded.spec.names, loaded.point(params).tolist(), strict=True))
         found = [o.to_dict() for o in orbits]
-        print(json.dumps({"model": model, "params": point, "orbits": found}, indent=1, allow_nan=False))
+        search_ = orbits.search.to_dict() if orbits.search else None
+        out = {"model": model, "params": point, "orbits": found, "search": search_}
+        print(json.dumps(out, indent=1, allow_nan=False))
     elif len(orbits):
         print_orbits(orbits)
     else:
         print("no limit cycle found", file=sys.stderr)
+    if orbits.search and not json_:
+        print_search(orbits.search)
     return FOUND if len(orbits) else NOTHING

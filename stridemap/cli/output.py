@@ -1,10 +1,12 @@
 """What commands print: tables in plain text, numbers in full."""
 
 import math
+import sys
 from collections.abc import Sequence
 from typing import Any
 
 from stridemap.solver.cycles.orbits import Orbits
+from stridemap.solver.cycles.report import ENDS, SearchReport
 
 
 def print_orbits(orbits: Orbits) -> None:
@@ -18,6 +20,14 @@ def print_orbits(orbits: Orbits) -> None:
     rows += [(name, [_cell(o.measures[name]) for o in shown]) for name in shown[0].measures]
     head = ["", *(f"cycle {i}" for i in range(1, len(shown) + 1))]
     print_table([head, *([name, *cells] for name, cells in rows)])
+
+
+def print_search(report: SearchReport) -> None:
+    """Print on standard error how many starts ended where, and what a search may have missed."""
+    ended = (f"{count:,} {ENDS[word]}" for word, count in report.ended.items() if count)
+    print(f"{report.starts:,} starts ended: {'; '.join(ended)}", file=sys.stderr)
+    for warning in report.warnings:
+        print(f"warning: {warning}", file=sys.stderr)
 
 
 def print_table(rows: Sequence[Sequence[str]]) -> None:

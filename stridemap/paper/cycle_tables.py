@@ -126,6 +126,6 @@ def _typical(walker: Model, orbits: pd.DataFrame, compass: Model, cycles: pd.Dat
 
 
 def _lines(walker: Model, orbits: pd.DataFrame, main: NDArray[np.bool_]) -> pd.DataFrame:
-    profiled = with_profiles(walker, orbits[orbits["stable"]])
+    profiled = with_profiles(walker, orbits[orbits["stable"].fillna(False).astype(bool)])
     added = [name for name in profiled if name not in orbits]
     return orbits.assign(main=main).join(profiled[added])

@@ -45,7 +45,7 @@ def at(table: pd.DataFrame, **values: Any) -> pd.DataFrame:
 
 def stable(orbits: pd.DataFrame, group: str | None = None) -> pd.DataFrame:
     """Stable cycles, of one group if it is given, by `k`."""
-    keep = orbits["stable"].astype(bool)
+    keep = orbits["stable"].fillna(False).astype(bool)  # where it is not known, it is not counted
     if group is not None:
         keep &= orbits["group"] == group
     return orbits[keep].sort_values(["k", "period"])

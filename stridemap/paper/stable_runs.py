@@ -50,7 +50,7 @@ def stable_runs(orbits: pd.DataFrame, grid: Array, edges: pd.DataFrame) -> list[
     """
     known = {(row.k_grid, row.side): row.k for row in edges.itertuples()}
     out = []
-    for i, j in _runs(grid, orbits["k"][orbits["stable"]].to_numpy()):
+    for i, j in _runs(grid, orbits["k"][orbits["stable"].fillna(False).astype(bool)].to_numpy()):
         low, high = float(grid[i]), float(grid[j])
         opens, closes = known.get((low, -1), low), known.get((high, 1), high)
         out.append(Run(low, high, opens, closes, i == 0, j == len(grid) - 1))

@@ -113,7 +113,7 @@ def _titles(orbits: Sequence[Orbit]) -> list[str]:
     out = []
     for orbit in orbits:
         kind = f"group {orbit.group}" if orbit.group else orbit.model.name
-        words = [f"{kind}, {'stable' if orbit.stable else 'unstable'}"]
+        words = [f"{kind}, {orbit.stability}"]
         shown = differing or [n for n in orbit.params if n in ("k", "alpha", "omega")]
         words += [", ".join(f"{n} = {orbit.params[n]:g}" for n in shown if n in orbit.params)]
         out.append("\n".join(word for word in words if word))

@@ -76,7 +76,7 @@ def pieces(branch: pd.DataFrame, quantity: str, parameter: str = "k") -> list[tu
     """
     x, radius = branch[parameter].to_numpy(), branch["spectral_radius"].to_numpy()
     y = branch[quantity].where(branch["min_vertical_force"] > 0).to_numpy(dtype=np.float64)
-    stable = branch["stable"].to_numpy()
+    stable = branch["stable"].fillna(False).to_numpy(dtype=bool)
     changes = np.flatnonzero(stable[1:] != stable[:-1])
     out = []
     edges = [0, *(changes + 1), len(x)]
@@ -127,7 +127,7 @@ def draw_panel(axes: Axes, of: list[pd.DataFrame], quantity: str) -> None:
             axes.plot(x, y, zorder=3 if stable else 2, **line)
     everything = pd.concat(of)
     edge = -np.inf
-    for letter, rows in everything[everything["stable"]].groupby("group"):
+    for letter, rows in everything[everything["stable"].fillna(False).astype(bool)].groupby("group"):
         edge = max((rows["k"].min() + rows["k"].max()) / 2, edge + APART)
         axes.text(
             edge, 1.01, letter, transform=axes.get_xaxis_transform(),

@@ -36,12 +36,12 @@ class CycleView {
     const box = byId("cycles");
     const words = (row) => [
       orbits.has("group") && orbits.entry("group", row) !== null ? `group ${orbits.entry("group", row)}` : null,
-      stableColumn[row] ? "stable" : "unstable",
+      stabilityOf(row),
       `T = ${brief(orbits.numbers("period")[row], 6)}`,
       `|μ| = ${brief(radiusColumn[row])}`,
     ].filter(Boolean).join(", ");
     const options = rows.map((row, i) => html(
-      "label", { class: stableColumn[row] ? "stable" : "unstable" },
+      "label", { class: stableColumn[row] === 1 ? "stable" : "unstable" },
       html("input", { type: "radio", name: "cycle", value: String(row), checked: row === chosen, onchange: () => this.onCycle(row) }),
       html("span", {}, `${i + 1}: ${words(row)}`),
     ));

@@ -22,7 +22,8 @@ class Table {
     return name in this.source;
   }
 
-  // The column as numbers: words as indices into words(name), truth as 0 and 1.
+  // The column as numbers: words as indices into words(name), truth as 0 and 1, or 2 where
+  // it is not known.
   numbers(name) {
     if (!this.decoded.has(name)) {
       const { type, data } = this.source[name];
@@ -40,7 +41,7 @@ class Table {
     const value = this.numbers(name)[row];
     const { type, words } = this.source[name];
     if (type === "word") return value < 0 ? null : words[value];
-    if (type === "bool") return value === 1;
+    if (type === "bool") return value > 1 ? null : value === 1;
     return Number.isNaN(value) ? null : value;
   }
 }
@@ -84,6 +85,7 @@ function rowsOf(cell) {
 }
 
 const stableColumn = orbits.numbers("stable");
+const stabilityOf = (row) => ["unstable", "stable", "stable or not: not known"][stableColumn[row]];
 const radiusColumn = orbits.numbers("spectral_radius");
 
 // The Floquet multipliers of a row as pairs of real and imaginary part.

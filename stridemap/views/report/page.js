@@ -12,7 +12,7 @@ const STABILITY = "stability";
 const COUNT = "count";
 
 // Measures with values on a scale; those that say how good the computation was are not for the map.
-const colours = report.measures.filter(({ name }) => orbits.words(name) === null && !["stable", "residual", "integration_error"].includes(name));
+const colours = report.measures.filter(({ name }) => orbits.words(name) === null && !["stable", "residual", "integration_error", "state_error", "multiplier_error"].includes(name));
 
 const state = { across: 0, up: null, indices: [], colour: STABILITY, choice: "any", group: "", of: "radius", cell: 0, row: null };
 
@@ -117,7 +117,7 @@ function readOut(cell, spoken) {
   const rows = wanted(cell);
   const row = representative(rows);
   const measure = colours.find(({ name }) => name === state.colour);
-  const kind = row === null ? "" : `${orbits.has("group") && orbits.entry("group", row) !== null ? `group ${orbits.entry("group", row)}, ` : ""}${stableColumn[row] ? "stable" : "unstable"}`;
+  const kind = row === null ? "" : `${orbits.has("group") && orbits.entry("group", row) !== null ? `group ${orbits.entry("group", row)}, ` : ""}${stabilityOf(row)}`;
   const value = row === null || !measure ? "" : `, ${measure.label} ${brief(orbits.numbers(state.colour)[row], 6)} ${measure.unit}`;
   const words = rows.length ? `${rows.length} ${rows.length === 1 ? "cycle" : "cycles"}; ${kind}${value}` : "no cycle";
   byId("readout").textContent = `${position.join(", ")}: ${words}`;

@@ -122,9 +122,10 @@ def _table(frame: pd.DataFrame) -> dict[str, Any]:
 
 
 def _column(values: pd.Series) -> dict[str, Any]:
-    """A column as base64 of little-endian numbers; words as indices into a list, -1 for none."""
+    """A column as base64 of little-endian numbers; words as indices into a list, -1 for none; 2 for no truth."""
     if pd.api.types.is_bool_dtype(values):
-        return {"type": "bool", "data": _base64(values.to_numpy(), "u1")}
+        truth = np.where(values.isna(), 2, values.fillna(False).astype(bool))
+        return {"type": "bool", "data": _base64(truth, "u1")}
     if pd.api.types.is_numeric_dtype(values):
         whole = pd.api.types.is_integer_dtype(values)
         if whole and not values.isna().any():

@@ -1,0 +1,116 @@
+"""How true the estimated errors are: ``python -m benchmarks.errors``.
+
+Random limit cycles of the wobbling walker, half of them next to a fold, where a small error of the integration is
+a large one of the cycle. Each is held against the same cycle at four times the resolution at which it was
+checked, which leaves about 1e-5 of its error. An estimate is true when it is within a factor of 3 of what it
+estimates, or both are below `ROUNDING`.
+"""
+
+import argparse
+import time
+
+import numpy as np
+
+from stridemap.solver.branches.continuation import follow
+from stridemap.solver.cycles import floquet
+from stridemap.solver.cycles.errors import differences, size
+from stridemap.solver.cycles.orbits import Orbits
+from stridemap.solver.cycles.search import find_all
+from stridemap.solver.cycles.solver import Solver
+from stridemap.solver.kernels.catalogue import CYCLE_N_RK
+from stridemap.solver.model.loading import load
+from stridemap.solver.model.scales import Scales
+from stridemap.solver.options import SearchOptions
+
+FACTOR = 3.0
+ROUNDING = 1e-13
+"""Errors below it are rounding."""
+
+REFERENCE_N_RK = 768
+RANGES = {"k": (0.3, 60.0), "alpha": (0.05, 0.6), "omega": (1.5, 4.0)}
+"""Where cycles are drawn, by parameter; evenly in its logarithm."""
+
+
+def drawn(solver: Solver, n: int, seed: int) -> Orbits:
+    """About `n` cycles, half of them close to a fold."""
+    model, rng = solver.model, np.random.default_rng(seed)
+    options = SearchOptions(starts=128, max_starts=128).resolved_for(model)
+    parts: list[Orbits] = []
+    while sum(map(len, parts)) < n:
+        points = np.tile(model.point({}), (64, 1))
+        for name, (low, high) in RANGES.items():
+            points[:, model.spec.names.index(name)] = np.exp(rng.uniform(np.log(low), np.log(high), len(points)))
+        found = find_all(solver, points, options)[1]
+        parts += [found, near_folds(solver, found, options)]
+    return Orbits.concatenate(model, parts).take(np.arange(n))
+
+
+def near_folds(solver: Solver, orbits: Orbits, options: SearchOptions) -> Orbits:
+    """Cycles closer to the fold between two of a point, where there are two: half way, again and again."""
+    column = solver.model.spec.names.index("k")
+    inside, outside = orbits.params[:, column].copy(), orbits.params[:, column] * 0.7
+    points, guesses, last = orbits.params.copy(), orbits.u.copy(), orbits
+    for _ in range(14):
+        points[:, column] = 0.5 * (inside + outside)
+        start = orbits.params.copy()
+        start[:, column] = inside
+        ends = follow(solver, guesses, start, points, options.wider_period_range)
+        reached = ends.branch[ends.reached]
+        there = np.zeros(len(points), dtype=bool)
+        there[reached] = True
+        guesses[reached] = ends.u[ends.reached]
+        inside, outside = np.where(there, points[:, column], inside), np.where(there, outside, points[:, column])
+    points[:, column] = inside
+    last = solver.converge(guesses, points, options.period_range)
+    return last.take(np.flatnonzero(last.found & (np.abs(inside / orbits.params[:, column] - 0.7) > 1e-3)))
+
+
+def reference(solver: Solver, orbits: Orbits) -> tuple[np.ndarray, np.ndarray]:
+    """Section points with periods and multipliers at a much higher resolution."""
+    u = orbits.u.copy()
+    for _ in range(5):
+        jacobian, residual = solver.kernels.jacobian(REFERENCE_N_RK, u, orbits.params)
+        u -= np.linalg.solve(jacobian, residual[:, :, None])[:, :, 0]
+    return u, floquet.multipliers(solver.kernels.jacobian(REFERENCE_N_RK, u, orbits.params).jacobian)
+
+
+def untrue(estimate: np.ndarray, error: np.ndarray) -> np.ndarray:
+    """Which estimates are off by more than `FACTOR`."""
+    tiny = (estimate < ROUNDING) & (error < ROUNDING)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        ratio = estimate / error
+    return ~tiny & ~((ratio < FACTOR) & (ratio > 1 / FACTOR))
+
+
+def main() -> None:
+    """Print the shares of true estimates, and what the estimates cost."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--cycles", type=int, default=1000)
+    parser.add_argument("--seed", type=int, default=0)
+    options = parser.parse_args()
+    assert REFERENCE_N_RK > CYCLE_N_RK[-1]
+    solver = Solver.for_model(load("wobbling"))
+    orbits = drawn(solver, options.cycles, options.seed)
+    u, multipliers = reference(solver, orbits)
+    scale = Scales.of(solver.model).unknowns
+    condition = np.linalg.cond(orbits.jacobian)
+    print(f"{len(orbits)} cycles; condition of the Jacobian: median {np.median(condition):.1e}, "
+          f"largest {condition.max():.1e}; {np.sum(orbits.status == 'inaccurate')} inaccurate, "
+          f"{np.sum([one is None for one in orbits.stable.tolist()])} of unknown stability")  # fmt: skip
+    for name, estimate, error in (
+        ("state_error", orbits.state_error, size(u - orbits.u, scale)),
+        ("multiplier_error", orbits.multiplier_error, differences(orbits.multipliers, multipliers)),
+    ):
+        wrong = untrue(estimate, error)
+        below = wrong & (estimate < error)
+        print(f"{name}: within a factor of {FACTOR:g} for {100 * (1 - wrong.mean()):.2f} %, too small for "
+              f"{below.sum()}, too large for {(wrong & ~below).sum()}; largest error {error.max():.1e}")  # fmt: skip
+        for i in np.flatnonzero(wrong)[:10].tolist():
+            print(f"    estimate {estimate[i]:.1e}, error {error[i]:.1e}, condition {condition[i]:.1e}")
+    begun = time.process_time()
+    solver.converge(orbits.u + 1e-6, orbits.params, (0.0, np.inf))
+    print(f"{1e6 * (time.process_time() - begun) / len(orbits):.0f} us of processor time per complete cycle")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,156 @@
+"""How far a computed limit cycle and its multipliers are from the exact ones.
+
+The residual at twice the resolution is, but for 1/256 of it, the residual R of the exact step map. The cycle
+moves by -J^-1 R when it is corrected for it, with J the Jacobian of the residual, which holds the step map's
+derivative: near a fold J is nearly singular, and a small residual is a large error. The multipliers there are
+compared with those at twice the resolution at the corrected cycle.
+
+Rounding adds to both: what the residual's own rounding comes to through |J^-1|, and that of the derivative
+through the condition of each eigenvalue.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.optimize import linear_sum_assignment
+
+from stridemap.solver.cycles.floquet import sorted_eigenvalues, step_map_derivative
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+
+ROUNDING = 8 * np.finfo(float).eps
+"""Rounding of the residual and of the derivative, in terms of what they are computed from: measured."""
+
+
+@dataclass(frozen=True)
+class Correction:
+    """What the exact step map would change in solutions of Newton's method.
+
+    Parameters
+    ----------
+    change : ndarray, shape (n, nz + 1)
+        Of the section point and the period.
+    rounding : ndarray, shape (n,)
+        What rounding may have added to the error, in terms of the scales.
+    """
+
+    change: Array
+    rounding: Array
+
+    @classmethod
+    def of(cls, jacobian: Array, residual: Array, u: Array, scale: Array) -> "Correction":
+        """The correction for a residual.
+
+        Parameters
+        ----------
+        jacobian : ndarray, shape (n, nz + 1, nz + 1)
+        residual : ndarray, shape (n, nz + 1)
+            At a higher resolution than the one at which `u` was solved.
+        u : ndarray, shape (n, nz + 1)
+        scale : ndarray, shape (nz + 1,)
+        """
+        inverse = inverted(jacobian)
+        change = -(inverse @ residual[:, :, None])[:, :, 0]
+        # A row of the residual is rounded as the number that it is the difference of.
+        level = ROUNDING * np.maximum(np.abs(u), scale)
+        with np.errstate(invalid="ignore"):
+            level[:, -1] = ROUNDING * np.abs(jacobian[:, -1, -1]) * scale[-1]
+            rounding = np.sqrt(((inverse * level[:, None, :]) ** 2).sum(axis=2)) / scale
+        return cls(change, rounding.max(axis=1, initial=0.0))
+
+
+def inverted(matrices: Array) -> Array:
+    """Inverses, shape (n, m, m); NaN where there is none."""
+    out = np.full(matrices.shape, np.nan)
+    good = np.isfinite(matrices).all(axis=(1, 2))
+    try:
+        out[good] = np.linalg.inv(matrices[good])
+    except np.linalg.LinAlgError:  # one of them is singular to the last bit
+        for i in np.flatnonzero(good):
+            try:
+                out[i] = np.linalg.inv(matrices[i])
+            except np.linalg.LinAlgError:
+                continue
+    return out
+
+
+def size(change: Array, scale: Array) -> Array:
+    """Largest entry of changes in terms of the scales, shape (n,); NaN where one is not a number."""
+    return np.abs(change / scale).max(axis=1, initial=0.0)
+
+
+def multiplier_error(jacobian: Array, refined: Array, scale: Array) -> Array:
+    """Largest error of a multiplier, shape (n,).
+
+    Parameters
+    ----------
+    jacobian : ndarray, shape (n, nz + 1, nz + 1)
+        That whose multipliers are given.
+    refined : ndarray, shape (n, nz + 1, nz + 1)
+        At twice the resolution, at the corrected cycle.
+    scale : ndarray, shape (nz + 1,)
+    """
+    derivative = step_map_derivative(jacobian)
+    values, others = sorted_eigenvalues(derivative), sorted_eigenvalues(step_map_derivative(refined))
+    return differences(values, others) + _rounding(derivative, scale[:-1])
+
+
+def differences(values: Complex, others: Complex) -> Array:
+    """Largest difference of two sets of eigenvalues, each matched with its own, shape (n,).
+
+    Parameters
+    ----------
+    values, others : ndarray of complex, shape (n, m)
+    """
+    apart = np.abs(values - others).max(axis=1, initial=0.0)
+    # Their order by modulus may differ where two of them are nearly of one modulus.
+    doubtful = np.flatnonzero(apart > 1e-12 * (1 + np.abs(values).max(axis=1, initial=0.0)))
+    for i in doubtful.tolist():
+        distance = np.abs(values[i][:, None] - others[i])
+        rows, columns = linear_sum_assignment(distance)
+        apart[i] = min(apart[i], distance[rows, columns].max())
+    return apart
+
+
+def _rounding(derivative: Array, scale: Array) -> Array:
+    """What rounding may have done to the worst conditioned eigenvalue of each matrix.
+
+    To first order the matrix' rounding times the eigenvalue's condition. That is infinite for a defective
+    eigenvalue, whose error is the root of the rounding; of order m for m that coincide.
+    """
+    n, m = derivative.shape[:2]
+    out = np.full(n, np.nan)
+    good = np.flatnonzero(np.isfinite(derivative).all(axis=(1, 2)))
+    if not len(good) or not m:
+        return out if m else np.zeros(n)
+    scaled = derivative[good] * scale[None, None, :] / scale[None, :, None]
+    values, right = np.linalg.eig(scaled)
+    norm = np.maximum(np.linalg.norm(scaled, axis=(1, 2)), 1.0)
+    with np.errstate(all="ignore"):
+        left = inverted_complex(right)
+        condition = np.linalg.norm(left, axis=2) * np.linalg.norm(right, axis=1)
+        first_order = ROUNDING * norm[:, None] * condition
+        root = norm[:, None] * ROUNDING ** (1 / np.arange(1, m + 1))
+    # How many coincide: those that are nearer than the root of the rounding.
+    near = np.abs(values[:, :, None] - values[:, None, :]) < norm[:, None, None] * ROUNDING ** (1 / 3)
+    several = near.sum(axis=2)
+    bound = np.take_along_axis(root, np.maximum(several - 1, 0), axis=1)
+    first_order = np.where(np.isfinite(first_order), first_order, np.inf)
+    out[good] = np.minimum(first_order, np.where(several > 1, bound, np.inf)).max(axis=1)
+    return out
+
+
+def inverted_complex(matrices: Complex) -> Complex:
+    """Inverses of matrices of eigenvectors; NaN for those of defective matrices."""
+    try:
+        return np.linalg.inv(matrices)
+    except np.linalg.LinAlgError:
+        out = np.full(matrices.shape, np.nan + 0j)
+        for i, matrix in enumerate(matrices):
+            try:
+                out[i] = np.linalg.inv(matrix)
+            except np.linalg.LinAlgError:
+                continue
+        return out
