@@ -216,10 +216,16 @@ def _check_schema(folder: str | Path, table: str, schema: pa.Schema, fields: Ite
 
 
 def _check_values(
-    folder: str | Path, configuration: Mapping[str, Any], model: Model, orbits: pd.DataFrame, cells: pd.DataFrame
+    folder: str | Path,
+    configuration: Mapping[str, Any],
+    model: Model,
+    orbits: pd.DataFrame,
+    cells: pd.DataFrame,
 ) -> None:
     """Refuse entries that no sweep writes; whatever follows may rely on the others."""
-    grid = Grid.from_mapping({n: configuration["grid"][n] for n in model.spec.names if n in configuration["grid"]})
+    grid = Grid.from_mapping(
+        {n: configuration["grid"][n] for n in model.spec.names if n in configuration["grid"]}
+    )
     points, own = grid.points(model, configuration["params"]), list(model.spec.names)
     unknowns = [*model.section, "period"]
     multipliers = [name for i in range(len(model.section)) for name in multiplier_columns(i)]
