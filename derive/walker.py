@@ -13,7 +13,9 @@ import sympy as sp
 from stridemap.derive.declaration import Declaration
 from stridemap.derive.parts import Clock, exact
 from stridemap.derive.validate.mechanics import validate_mechanics
+from stridemap.derive.validate.model_name import validate_model_name
 from stridemap.derive.validate.names import validate_names
+from stridemap.derive.validate.types import validate_types
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -84,11 +86,13 @@ class Walker(Declaration):
     """
 
     def __post_init__(self) -> None:
+        validate_types(self)
         for name, value in vars(self).items():
             object.__setattr__(self, name, exact(value))
         if isinstance(self.clock, Clock) and not self.clock.resets:
             self._add_clock(self.clock)
         validate_names(self)
+        validate_model_name(self)
         validate_mechanics(self)
 
     def _add_clock(self, clock: Clock) -> None:

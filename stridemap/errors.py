@@ -1,6 +1,16 @@
 """Errors that every room may raise. A leaf: importing it costs nothing."""
 
 
+def short(value: object, most: int = 100) -> str:
+    """A value as a message quotes it: on one line, whatever its characters, and of bounded length."""
+    try:
+        text = ascii(value) if isinstance(value, str) and not value.isprintable() else repr(value)
+    except Exception:  # a whole number of too many digits, or a class of the user's
+        text = f"a {type(value).__name__} that cannot be printed"
+    text = " ".join(text.split())
+    return text if len(text) <= most else f"{text[: most - 3]}..."
+
+
 class StridemapError(Exception):
     """The base of all errors that stridemap raises on purpose; the message is one sentence.
 

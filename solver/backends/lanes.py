@@ -116,6 +116,7 @@ class LaneKernels(Kernels):
         self._compiler = Compiler.named(backend.compiler)
         wide = instruction_flags() if backend.instructions is None else backend.instructions
         self._library = self._compiler.library(f"{model.name}_lockstep.cpp", source(model), [*FLAGS, *wide])
+        self.library = Path(self._library._name)
 
     @property
     def compiler(self) -> str:
