@@ -11,6 +11,7 @@ import hashlib
 import itertools
 import json
 import math
+import os
 import tomllib
 from collections.abc import Iterable, Mapping
 from decimal import Context, Decimal, localcontext
@@ -308,7 +309,7 @@ def _beside(source: str, model: str) -> str:
     path = Path(source).parent / model
     if model in available():
         return model
-    return str(path) if model.endswith(".py") or (path / "manifest.json").exists() else model
+    return str(path) if model.endswith(".py") or os.path.exists(path / "manifest.json") else model
 
 
 def _check_names(file: _File, parameters: Mapping[str, Parameter], source: str) -> None:

@@ -153,7 +153,9 @@ class Store:
         return self.folder / PARTS / f"round-{round_:06d}-tile-{tile:06d}.parquet"
 
     def _parts(self) -> list[Path]:
-        return sorted((self.folder / PARTS).glob("round-*-tile-*.parquet"))
+        folder = self.folder / PARTS
+        # One with a name that is too long is not there; `_make_folder` says why it cannot be.
+        return sorted(folder.glob("round-*-tile-*.parquet")) if os.path.isdir(folder) else []
 
     def _outputs(self) -> list[Path]:
         return [path for name in (ORBITS, CELLS) if os.path.lexists(path := self.folder / name)]

@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from stridemap.cli.options import FOUND, NOTHING
+from stridemap.cli.options import FOUND, NOTHING, DeriveTimeoutOption
 from stridemap.errors import InputError
 
 
@@ -18,6 +18,7 @@ def derive(
     check: Annotated[
         bool, typer.Option("--check", help="Write nothing; list the generated files that would change.")
     ] = False,
+    derive_timeout: DeriveTimeoutOption = None,
 ) -> int:
     """Derive a model and write its equations, C and kernels: a model file's, or all built-in ones'.
 
