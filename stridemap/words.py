@@ -39,8 +39,8 @@ ATTRIBUTES = frozenset(
 
 OPTION_WORDS = frozenset(
     # options of the command line
-    "acceptance backend check claims config cycle derive_timeout folder fps group help json magnify model only out "
-    "resume search set size starts state steps sweeps thin workers "
+    "acceptance backend check claims config cycle derive_timeout folder fps group help json magnify model "
+    "only out resume search set size starts state steps sweeps thin workers "
     # arguments of public functions
     "data executor options orbit orbits params path progress samples source tile_cells titles".split()
 )

@@ -217,8 +217,8 @@ def walk(
     """
     if not 1 <= steps <= MOST_WALKED:
         raise InputError(
-            f"steps = {short(steps)} is not allowed: at least 1 step and at most {MOST_WALKED:,} can be walked "
-            "(so many take hours)"
+            f"steps = {short(steps)} is not allowed: at least 1 step and at most {MOST_WALKED:,} can be "
+            "walked (so many take hours)"
         )
     z = np.array(state, dtype=np.float64)
     walker = _Walker(model, params)

@@ -92,7 +92,7 @@ _REMEDIES = {
 
 
 def _fail(sentence: str) -> NoReturn:
-    # A name or path with a line break in it would make two lines of one, and other characters steer terminals.
+    # A path with a line break in it would make two lines of one, and other characters steer terminals.
     plain = "".join(c if c.isprintable() else ascii(c)[1:-1] for c in " ".join(sentence.split()))
     with contextlib.suppress(OSError, ValueError):
         encoding = sys.stderr.encoding or "ascii"
