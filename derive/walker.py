@@ -15,6 +15,7 @@ from stridemap.derive.parts import Clock, exact
 from stridemap.derive.validate.mechanics import validate_mechanics
 from stridemap.derive.validate.model_name import validate_model_name
 from stridemap.derive.validate.names import validate_names
+from stridemap.derive.validate.refusal import refuse
 from stridemap.derive.validate.types import validate_types
 
 
@@ -86,6 +87,12 @@ class Walker(Declaration):
     """
 
     def __post_init__(self) -> None:
+        try:
+            self._validate()
+        except RecursionError:
+            refuse(self, "an expression in it is nested too deeply; write it flat, or with fewer terms")
+
+    def _validate(self) -> None:
         validate_types(self)
         for name, value in vars(self).items():
             object.__setattr__(self, name, exact(value))

@@ -22,10 +22,10 @@ class StridemapError(Exception):
     """
 
     def __init__(self, message: object = "", *rest: object) -> None:
-        super().__init__(_bounded(message) if isinstance(message, str) else message, *rest)
+        super().__init__(bounded(message) if isinstance(message, str) else message, *rest)
 
 
-def _bounded(sentence: str) -> str:
+def bounded(sentence: str) -> str:
     """A sentence whose words, and which itself, are cut in the middle where they are too long."""
     if len(sentence) > LONGEST_WORD:
         words = (_cut(word, LONGEST_WORD) for word in sentence.split(" ", 10 * LONGEST))

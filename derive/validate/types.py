@@ -14,6 +14,8 @@ from functools import cache
 from typing import Any
 
 import sympy as sp
+from sympy.concrete.expr_with_limits import ExprWithLimits
+from sympy.core.function import AppliedUndef
 
 from stridemap.derive.declaration import Declaration
 from stridemap.derive.validate.refusal import refuse
@@ -72,6 +74,12 @@ def _check(walker: Declaration, where: str, value: Any, annotation: Any) -> None
         if not allowed(value):
             refuse(walker, f"{where} is {shown(value)}; it must be {what}")
         if annotation in (sp.Expr, sp.Matrix) and isinstance(value, sp.Basic | sp.MatrixBase):
+            if value.has(*_UNDONE):
+                refuse(
+                    walker,
+                    f"{where} is {shown(value)}, which is not made of numbers, symbols and functions alone; "
+                    "carry out what stands in it (.doit()), or write it out",
+                )
             if value.has(sp.nan, sp.oo, -sp.oo, sp.zoo):
                 refuse(walker, f"{where} is {shown(value)}, which is not finite; correct it")
 
@@ -140,6 +148,9 @@ def _is_expression(value: Any) -> bool:
 def _is_point(value: Any) -> bool:
     return isinstance(value, sp.MatrixBase) and all(_is_expression(x) for x in value)
 
+
+_UNDONE = (AppliedUndef, ExprWithLimits, sp.Derivative, sp.Lambda, sp.Order, sp.Subs)
+"""What stands in expressions that are not values: something to be carried out, or not known at all."""
 
 _PLAIN: dict[Any, tuple[Any, str]] = {
     str: (lambda value: isinstance(value, str), "a text"),

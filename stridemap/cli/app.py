@@ -24,7 +24,7 @@ from stridemap.cli.report import report
 from stridemap.cli.simulate import simulate
 from stridemap.cli.sweep import sweep
 from stridemap.cli.version import version
-from stridemap.errors import StridemapError, short
+from stridemap.errors import StridemapError, bounded, short
 
 # The base of all complaints about the command line; typer has it under varying module names.
 _UsageError: Any = next(c for c in typer.BadParameter.__mro__ if c.__name__ == "ClickException")
@@ -93,7 +93,7 @@ _REMEDIES = {
 
 def _fail(sentence: str) -> NoReturn:
     # A path with a line break in it would make two lines of one, and other characters steer terminals.
-    plain = "".join(c if c.isprintable() else ascii(c)[1:-1] for c in " ".join(sentence.split()))
+    plain = "".join(c if c.isprintable() else ascii(c)[1:-1] for c in bounded(" ".join(sentence.split())))
     with contextlib.suppress(OSError, ValueError):
         encoding = sys.stderr.encoding or "ascii"
         print(

@@ -1,7 +1,7 @@
 """Gives made-up input to the program, in this process, and says what became of it.
 
-What an input asks for is checked in full and then done in small: a search makes few starts, a walk few steps, a
-sweep none.
+What an input asks for is checked in full and then done in small: a search makes few starts, a walk few steps,
+a sweep none.
 """
 
 import contextlib
