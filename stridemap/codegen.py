@@ -25,7 +25,7 @@ from stridemap.errors import InputError
 from stridemap.solver.backends.compiler import cache_folder
 from stridemap.solver.kernels.catalogue import c_source
 from stridemap.solver.model import derivation
-from stridemap.solver.model.files import MANIFEST, Folder, kernels_file
+from stridemap.solver.model.files import MANIFEST, Folder, contents, kernels_file
 from stridemap.solver.model.loading import load
 from stridemap.solver.model.model import Model
 from stridemap.spec import ModelSpec
@@ -159,8 +159,8 @@ def into_cache(walker: Walker, keep: bool = False) -> Path:
 def _manifest_in(folder: Path) -> dict[str, Any]:
     """The manifest in a folder; empty where none can be read."""
     try:
-        found = json.loads((folder / MANIFEST).read_text(encoding="utf-8"))
-    except (OSError, ValueError):
+        found = json.loads(contents(folder / MANIFEST).decode("utf-8"))
+    except (OSError, ValueError, RecursionError):
         return {}
     return found if isinstance(found, dict) else {}
 
@@ -185,8 +185,8 @@ def generated_files(folder: Path) -> list[Path]:
 def _intact(folder: Path, manifest: Mapping[str, Any]) -> bool:
     """Whether every file is the one that the manifest names."""
     try:
-        return all(_digest((folder / name).read_bytes()) == d for name, d in manifest["files"].items())
-    except (OSError, KeyError):
+        return all(_digest(contents(folder / name)) == d for name, d in manifest["files"].items())
+    except (OSError, KeyError, ValueError, AttributeError, TypeError):
         return False
 
 

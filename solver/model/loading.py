@@ -7,7 +7,7 @@ from pathlib import Path
 
 from stridemap.errors import InputError, short
 from stridemap.solver.model.derivation import derive_file
-from stridemap.solver.model.files import GENERATED, MANIFEST, Folder
+from stridemap.solver.model.files import GENERATED, MANIFEST, Folder, contents
 from stridemap.solver.model.model import Model
 
 
@@ -67,7 +67,7 @@ def _derived_once(path: Path, _resolved: Path, _folder: tuple[tuple[str, int], .
 
 def _loaded(folder: Path, source: str) -> Model:
     try:
-        manifest = (folder / MANIFEST).read_bytes()
+        manifest = contents(folder / MANIFEST)
     except OSError:
         manifest = b""  # `Model` reports it
     return _load(folder, source, hashlib.sha256(manifest).hexdigest())

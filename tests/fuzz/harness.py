@@ -57,7 +57,7 @@ def check_sentence(text):
 
 def try_command_line(number, folder):
     """Run a command line; returns its exit status."""
-    words = inputs.command_line(number, folder)
+    words = inputs.command_line(number)
     out, err = io.StringIO(), io.StringIO()
     before = os.environ.copy()
     shown, where = warnings.showwarning, os.getcwd()

@@ -9,6 +9,7 @@ from typing import Any
 import pandas as pd
 
 from stridemap.errors import InputError
+from stridemap.solver.model.files import contents
 from stridemap.solver.model.model import Model
 from stridemap.views.notation import symbol, units
 from stridemap.views.report.payload import axes
@@ -56,7 +57,7 @@ def read_claims(path: str | Path) -> list[dict[str, Any]]:
     """
     wanted = "give what `stridemap claims --json` printed"
     try:
-        found = json.loads(Path(path).read_text(encoding="utf-8"))
+        found = json.loads(contents(path).decode("utf-8"))
     except OSError as error:
         raise InputError(f"cannot read {path} ({error.strerror}); {wanted}") from None
     except (ValueError, RecursionError) as error:

@@ -147,10 +147,12 @@ def _page(**parts: str) -> str:
 
 def _write(path: Path, page: bytes) -> None:
     """Write the file whole or not at all."""
-    if path.is_dir():
+    if os.path.isdir(path):
         raise InputError(
             f"{path} is a folder; give the name of a file to write, such as {path / 'report.html'}"
         )
+    if os.path.exists(path) and not os.path.isfile(path):  # a device or a pipe would be replaced by the page
+        raise InputError(f"{path} is not a file; give the name of a file to write")
     temporary = None
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
