@@ -14,8 +14,11 @@ import sympy as sp
 from stridemap.derive.declaration import Declaration
 from stridemap.derive.parts import DIMENSIONLESS, STANCE_FOOT, Clock, exact
 from stridemap.derive.validate.mechanics import validate_mechanics
+from stridemap.derive.validate.model_name import validate_model_name
 from stridemap.derive.validate.motors import validate_motors
 from stridemap.derive.validate.names import validate_names
+from stridemap.derive.validate.refusal import refuse
+from stridemap.derive.validate.types import validate_types
 from stridemap.errors import InputError
 
 USUAL_PERIODS = (0.3, 3.0)
@@ -94,6 +97,13 @@ class Walker(Declaration):
     """
 
     def __post_init__(self) -> None:
+        try:
+            self._validate()
+        except RecursionError:
+            refuse(self, "an expression in it is nested too deeply; write it flat, or with fewer terms")
+
+    def _validate(self) -> None:
+        validate_types(self)
         for name, value in vars(self).items():
             object.__setattr__(self, name, exact(value))
         if isinstance(self.clock, Clock) and not self.clock.resets:
@@ -102,6 +112,7 @@ class Walker(Declaration):
         if usual:
             object.__setattr__(self, "period_range", USUAL_PERIODS)
         validate_names(self)
+        validate_model_name(self)
         validate_motors(self)
         validate_mechanics(self)
         if usual and self.units.time != DIMENSIONLESS.time:

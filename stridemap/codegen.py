@@ -8,7 +8,7 @@ import os
 import sys
 import tempfile
 import traceback
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import fields, is_dataclass, replace
 from importlib.metadata import version
 from importlib.resources import files
@@ -24,7 +24,8 @@ from stridemap.derive.walker import Walker
 from stridemap.errors import InputError
 from stridemap.solver.backends.compiler import cache_folder
 from stridemap.solver.kernels.catalogue import c_source
-from stridemap.solver.model.files import MANIFEST, Folder, kernels_file
+from stridemap.solver.model import derivation
+from stridemap.solver.model.files import MANIFEST, Folder, contents, kernels_file
 from stridemap.solver.model.loading import load
 from stridemap.solver.model.model import Model
 from stridemap.spec import ModelSpec
@@ -107,7 +108,9 @@ def derive_model(model: Walker | str | Path, out: str | Path | None = None) -> M
         When the declaration contradicts itself or bears the name of a built-in model, when the file has none,
         or when the folder cannot be written.
     """
-    walker = _own(model) if isinstance(model, Walker) else declared(Path(model))
+    if not isinstance(model, Walker):  # in a process of its own
+        return load(derivation.derive_file(Path(model), None if out is None else Path(out), keep=False))
+    walker = _own(model)
     return load(into_cache(walker) if out is None else into_folder(walker, Path(out)))
 
 
@@ -156,18 +159,22 @@ def into_cache(walker: Walker, keep: bool = False) -> Path:
 def _manifest_in(folder: Path) -> dict[str, Any]:
     """The manifest in a folder; empty where none can be read."""
     try:
-        found = json.loads((folder / MANIFEST).read_text(encoding="utf-8"))
-    except (OSError, ValueError):
+        found = json.loads(contents(folder / MANIFEST).decode("utf-8"))
+    except (OSError, ValueError, RecursionError):
         return {}
     return found if isinstance(found, dict) else {}
 
 
-def derive_file(path: Path) -> Path:
-    """Folder of the generated files of a model file, derived into the user's cache unless it is there.
+def derive_file(
+    path: Path, out: Path | None = None, keep: bool = True, declared_: Callable[[], None] = lambda: None
+) -> Path:
+    """Run a model file in this process and derive what it declares; see `derivation.derive_file`.
 
-    Files that are there stay even if they were changed since; loading them then refuses.
+    `declared_` is called between the two.
     """
-    return into_cache(declared(path), keep=True)
+    walker = declared(path)
+    declared_()
+    return into_cache(walker, keep) if out is None else into_folder(walker, out)
 
 
 def generated_files(folder: Path) -> list[Path]:
@@ -178,8 +185,8 @@ def generated_files(folder: Path) -> list[Path]:
 def _intact(folder: Path, manifest: Mapping[str, Any]) -> bool:
     """Whether every file is the one that the manifest names."""
     try:
-        return all(_digest((folder / name).read_bytes()) == d for name, d in manifest["files"].items())
-    except (OSError, KeyError):
+        return all(_digest(contents(folder / name)) == d for name, d in manifest["files"].items())
+    except (OSError, KeyError, ValueError, AttributeError, TypeError):
         return False
 
 

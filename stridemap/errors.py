@@ -1,11 +1,40 @@
 """Errors that every room may raise. A leaf: importing it costs nothing."""
 
 
+def short(value: object, most: int = 100) -> str:
+    """A value as a message quotes it: on one line, whatever its characters, and of bounded length."""
+    try:
+        text = ascii(value) if isinstance(value, str) and not value.isprintable() else repr(value)
+    except Exception:  # a whole number of too many digits, or a class of the user's
+        text = f"a {type(value).__name__} that cannot be printed"
+    text = " ".join(text.split())
+    return text if len(text) <= most else f"{text[: most - 3]}..."
+
+
+LONGEST_WORD, LONGEST = 250, 800
+"""Characters of a word and of a sentence: what was given is quoted, but not a whole file of it."""
+
+
 class StridemapError(Exception):
     """The base of all errors that stridemap raises on purpose; the message is one sentence.
 
     The command line prints it as ``error: <sentence>`` without a traceback and exits with status 2.
     """
+
+    def __init__(self, message: object = "", *rest: object) -> None:
+        super().__init__(bounded(message) if isinstance(message, str) else message, *rest)
+
+
+def bounded(sentence: str) -> str:
+    """A sentence whose words, and which itself, are cut in the middle where they are too long."""
+    if len(sentence) > LONGEST_WORD:
+        words = (_cut(word, LONGEST_WORD) for word in sentence.split(" ", 10 * LONGEST))
+        sentence = _cut(" ".join(words), LONGEST)
+    return sentence
+
+
+def _cut(text: str, most: int) -> str:
+    return text if len(text) <= most else f"{text[: most // 2]}...{text[3 - most // 2 :]}"
 
 
 class InputError(StridemapError, ValueError):

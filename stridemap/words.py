@@ -48,9 +48,9 @@ ATTRIBUTES = frozenset(
 
 OPTION_WORDS = frozenset(
     # options of the command line
-    "acceptance backend cascade check claims config continuation cycle folder fps friction_limit group help "
-    "json magnify model only out plot range resume search search_box seeds set show size starts state steps "
-    "sweeps thin vary workers "
+    "acceptance backend cascade check claims config continuation cycle derive_timeout folder fps "
+    "friction_limit group help json magnify model only out plot range resume search search_box seeds set show "
+    "size starts state steps sweeps thin vary workers "
     # arguments of public functions
     "data executor options orbit orbits params path progress samples source tile_cells titles".split()
 )

@@ -11,6 +11,7 @@ import hashlib
 import itertools
 import json
 import math
+import os
 import tomllib
 from collections.abc import Iterable, Mapping
 from decimal import Context, Decimal, localcontext
@@ -20,6 +21,7 @@ from typing import Annotated, Any, Literal, TypeVar
 from pydantic import BaseModel, ConfigDict, Field, PrivateAttr, ValidationError, model_validator
 
 from stridemap.errors import InputError
+from stridemap.solver.model.files import contents
 from stridemap.solver.model.loading import available, load
 from stridemap.solver.model.model import Model
 from stridemap.solver.options import (
@@ -33,6 +35,9 @@ from stridemap.spec import Parameter
 
 MAX_COUNT = 1_000_000_000
 """Largest count that any whole-number setting may take."""
+
+LARGEST_FILE = 10_000_000
+"""Bytes of a configuration; the longest lists of values that are swept have some thousand."""
 
 CELLS_PER_SECOND = 50.0
 CYCLES_PER_CELL = 3
@@ -237,16 +242,16 @@ def load_config(path: str | Path) -> SweepConfig:
         If the file cannot be read or is not TOML, and whenever `parse_config` raises it.
     """
     try:
-        text = Path(path).read_bytes().decode("utf-8")
-    except OSError as error:
-        reason = error.strerror or error
-        raise InputError(
-            f"cannot read the sweep configuration {path} ({reason}); give the path of a TOML file"
-        ) from None
+        text = contents(path, LARGEST_FILE).decode("utf-8")
     except UnicodeDecodeError as error:
         raise InputError(
             f"{path} is not UTF-8 text (byte 0x{error.object[error.start]:02x} at offset {error.start}); "
             "save the sweep configuration as UTF-8"
+        ) from None
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or error
+        raise InputError(
+            f"cannot read the sweep configuration {path} ({reason}); give the path of a TOML file"
         ) from None
     try:
         data = tomllib.loads(text)
@@ -328,7 +333,7 @@ def _beside(source: str, model: str) -> str:
     path = Path(source).parent / model
     if model in available():
         return model
-    return str(path) if model.endswith(".py") or (path / "manifest.json").exists() else model
+    return str(path) if model.endswith(".py") or os.path.exists(path / "manifest.json") else model
 
 
 def _check_names(file: _File, parameters: Mapping[str, Parameter], source: str) -> None:

@@ -23,13 +23,14 @@ import pyarrow as pa
 import pyarrow.compute
 from numpy.typing import NDArray
 
-from stridemap.errors import InputError, WorkerError
+from stridemap.errors import InputError, WorkerError, short
 from stridemap.solver.backends.base import Backend
 from stridemap.solver.backends.selection import load_kernels, named_backend
 from stridemap.solver.cycles.status import Status
-from stridemap.sweeps.config import SweepConfig, load_config
+from stridemap.sweeps.config import MAX_COUNT, SweepConfig, load_config
 from stridemap.sweeps.executors import interrupts_held, processes
 from stridemap.sweeps.grid import Grid, tiles
+from stridemap.sweeps.lock import held, refuse_if_held
 from stridemap.sweeps.provenance import provenance
 from stridemap.sweeps.store import Store, read_cells
 from stridemap.sweeps.tables import cell_table, orbit_schema
@@ -39,6 +40,8 @@ Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
 TILE_CELLS = 160
+MOST_WORKERS = 1024
+"""Processes of one sweep: each takes some 200 MB, and no machine has as many cores."""
 KIND, REASON, SOURCE = "_kind", "_reason", "_source"
 """Columns of a part that orbits lack: what a row is, why a cell failed, where a guess comes from. A row of
 solutions that were thrown away has their status as its reason, and their number as its source."""
@@ -134,10 +137,10 @@ def sweep(
         When the disk is full; finished tiles stay.
     """
     config = config if isinstance(config, SweepConfig) else load_config(config)
-    if workers is not None and workers < 1:
-        raise InputError(f"workers = {workers} is not allowed: at least 1 is needed")
-    if tile_cells < 1:
-        raise InputError(f"tile_cells = {tile_cells} is not allowed: at least 1 is needed")
+    if workers is not None:
+        _check_count("workers", workers, MOST_WORKERS)
+    _check_count("tile_cells", tile_cells, MAX_COUNT)
+    refuse_if_held(out)
     kernels = load_kernels(config.loaded, named_backend(backend))
     software = {**provenance(kernels), "tile_cells": tile_cells}
     store = Store.resume(out, config, software) if resume else Store.create(out, config, software)
@@ -145,8 +148,30 @@ def sweep(
     if store.finished:
         return run.summary_of_finished()
     with contextlib.ExitStack() as stack:
-        pool = executor or stack.enter_context(processes(workers or os.cpu_count() or 1))
+        stack.enter_context(held(store.folder))
+        if executor is not None:
+            return run.all_rounds(executor)
+        try:
+            pool = stack.enter_context(processes(workers or os.cpu_count() or 1))
+        except OSError as error:
+            raise _no_workers(error) from None
         return run.all_rounds(pool)
+
+
+def _no_workers(error: OSError) -> WorkerError:
+    return WorkerError(
+        f"the worker processes cannot work ({error.strerror or error}); close other programs or raise their "
+        "limits (ulimit -n, ulimit -u), or continue with --resume and fewer --workers"
+    )
+
+
+def _check_count(name: str, value: Any, most: int) -> None:
+    """Refuse what is not a whole number from 1 to a bound."""
+    if isinstance(value, bool) or not isinstance(value, int | np.integer) or not 1 <= value <= most:
+        shown = short(value)
+        if isinstance(value, int) and value < 1:
+            raise InputError(f"{name} = {shown} is not allowed: at least 1 is needed")
+        raise InputError(f"{name} = {shown} is not allowed: a whole number from 1 to {most:,} is needed")
 
 
 class _Run:
@@ -220,6 +245,8 @@ class _Run:
                 finished += 1
                 found += int(np.count_nonzero(self._counts(result.orbits["period"].to_numpy())))
                 self._report(round_, finished, len(tasks), found)
+        except OSError as error:
+            raise _no_workers(error) from None
         except BrokenExecutor:
             raise WorkerError(
                 "a worker process died (out of memory, or a script that sweeps without "

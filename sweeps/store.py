@@ -11,6 +11,7 @@ import contextlib
 import hashlib
 import json
 import os
+import stat
 import uuid
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
@@ -152,7 +153,9 @@ class Store:
         return self.folder / PARTS / f"round-{round_:06d}-tile-{tile:06d}.parquet"
 
     def _parts(self) -> list[Path]:
-        return sorted((self.folder / PARTS).glob("round-*-tile-*.parquet"))
+        folder = self.folder / PARTS
+        # One with a name that is too long is not there; `_make_folder` says why it cannot be.
+        return sorted(folder.glob("round-*-tile-*.parquet")) if os.path.isdir(folder) else []
 
     def _outputs(self) -> list[Path]:
         return [path for name in (ORBITS, CELLS) if os.path.lexists(path := self.folder / name)]
@@ -263,20 +266,36 @@ def _with_configuration(provenance: Mapping[str, Any], config: SweepConfig) -> d
 def _output(folder: str | Path, name: str) -> Path:
     """Return the path of a table in `folder`, which must be there."""
     path = Path(folder) / name
-    if not path.exists():
-        if (Path(folder) / PARTS).is_dir():
+    if not os.path.exists(path):  # a name that is too long does not exist either
+        if os.path.exists(Path(folder) / PARTS):
             raise InputError(f"the sweep in {folder} is not finished; continue it with --resume")
         raise InputError(f"there is no {name} in {folder}; give the output folder of a sweep")
     return path
+
+
+def table_shape(folder: str | Path, name: str) -> tuple[pa.Schema, int]:
+    """Columns of a finished sweep's table and the number of its rows, as its footer says.
+
+    Raises
+    ------
+    InputError
+        As `read_orbits`.
+    """
+    path = _output(folder, name)
+    _provenance(path)
+    with _opened(path) as file:
+        return file.schema_arrow, file.metadata.num_rows
 
 
 @contextlib.contextmanager
 def _opened(path: Path) -> Iterator[pq.ParquetFile]:
     """Open a Parquet file, and turn whatever shows that it is not one, there or later, into an InputError."""
     try:
+        if not stat.S_ISREG(os.stat(path).st_mode):  # to open a pipe would wait for ever
+            raise InputError(f"cannot read {path} (it is not a file); move it away and sweep again")
         with pq.ParquetFile(path, page_checksum_verification=True) as file:
             yield file
-    except (pa.ArrowException, OSError, UnicodeDecodeError) as error:
+    except (pa.ArrowException, OSError, UnicodeDecodeError, MemoryError, RecursionError) as error:
         if isinstance(error, OSError) and error.errno is not None:
             raise InputError(f"cannot read {path} ({error.strerror or error})") from None
         raise _damaged(path) from None
@@ -303,9 +322,10 @@ def _provenance(path: Path) -> dict[str, Any]:
         raise _damaged(path)
     try:
         data: dict[str, Any] = json.loads(metadata[_PROVENANCE])
-        if metadata[_FILE] == path.name.encode() and metadata[_DIGEST] and data["configuration_hash"]:
+        told = isinstance(data["configuration"], dict) and isinstance(data["configuration_hash"], str)
+        if metadata[_FILE] == path.name.encode() and metadata[_DIGEST] and told:
             return data
-    except (KeyError, TypeError, ValueError):
+    except (KeyError, TypeError, ValueError, RecursionError):
         pass  # reported below, as a file under another name is
     raise InputError(
         f"{path} is a Parquet file, but not one that a sweep wrote under this name; move it away or give "
@@ -316,7 +336,9 @@ def _provenance(path: Path) -> dict[str, Any]:
 def _read(path: Path) -> pa.Table:
     """Return the table in a file of ours, without the metadata."""
     with _opened(path) as file:
-        return file.read().replace_schema_metadata(None)
+        table = file.read().replace_schema_metadata(None)
+        table.validate(full=True)  # texts in it are text
+        return table
 
 
 def _frame(path: Path) -> pd.DataFrame:

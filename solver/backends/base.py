@@ -6,6 +6,7 @@ A backend is a value that is passed as an argument. It says what the last bits o
 
 from abc import ABC, abstractmethod
 from functools import cache
+from pathlib import Path
 from typing import NamedTuple
 
 import casadi as ca
@@ -94,6 +95,9 @@ class Kernels(ABC):
     backend : Backend
         What runs them.
     """
+
+    library: Path | None = None
+    """The compiled file that they are in, where there is one."""
 
     def __init__(self, model: Model, backend: "Backend") -> None:
         self.model = model

@@ -7,10 +7,12 @@ instructions that a processor must have, so a cache that several machines share 
 import ctypes
 import hashlib
 import os
+import re
 import shlex
 import shutil
 import subprocess
 import tempfile
+import threading
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
@@ -23,6 +25,24 @@ from stridemap.errors import CompilerError, InputError, StorageError
 FLAGS = ("-O1", "-std=c99", "-ffp-contract=off", "-fPIC", "-shared")
 """Contraction is off, so that compiled code and virtual machine agree to the last bit; higher levels of
 optimisation were measured and are not faster on straight-line code."""
+
+
+CHANGES_ARITHMETIC = re.compile(
+    r"-Ofast|-ffast-math|-funsafe-math-optimizations|-ffinite-math-only|-fassociative-math|-freciprocal-math"
+    r"|-fno-signed-zeros|-fapprox-func|-fno-honor-(nans|infinities)|-fcx-(limited-range|fortran-rules)"
+    r"|-fsingle-precision-constant|-ffp-contract=(?!off).*|-fexcess-precision=(?!standard).*"
+    r"|-ffp-model[= ]?(?!strict).*|-fp-model[= ]?.*|-fdenormal-fp-math=(?!ieee).*|-m?fpmath=(?!sse$).*"
+    r"|-mfpmath=(?!sse$).*|-mdaz-ftz|-m(no-)?80387|-mno-sse2?|-mrecip.*"
+    r"|-mpc(32|64|80)|-menable-unsafe-fp-math|/fp:fast"
+)
+"""Options under which a compiler does not keep to the arithmetic that was written down."""
+
+
+COMPILE_SECONDS, VERSION_SECONDS = 1800.0, 60.0
+"""After so long a compiler is ended: the largest model known takes two minutes on a slow machine."""
+
+SAID_MAX = 1_000_000
+"""Bytes of output after which it is ended: a compiler that says so much does something else."""
 
 
 @dataclass(frozen=True)
@@ -66,7 +86,7 @@ class Compiler:
     @property
     def version(self) -> str:
         """First line of its ``--version`` output."""
-        return version(shlex.split(self.command)[0])
+        return version(_words(self.command)[0])
 
     def library(self, name: str, text: str, flags: Sequence[str]) -> ctypes.CDLL:
         """A source, compiled or from the cache, as a library of this process.
@@ -90,7 +110,8 @@ class Compiler:
         except OSError as error:
             built.unlink(missing_ok=True)
             raise CompilerError(
-                f"the C compiler {self.command!r} did not write a library that can be loaded ({error}); "
+                f"the C compiler {_short(self.command)} did not write a library that can be loaded "
+                f"({_first_line(str(error))}); "
                 "set CC to one that works"
             ) from None
 
@@ -105,18 +126,37 @@ def find_compiler() -> str | None:
     """
     named = os.environ.get("CC", "").strip()
     if named:
-        try:
-            words = shlex.split(named)
-        except ValueError as error:
+        if shutil.which(_words(named, "the environment variable CC")[0]) is None:
             raise InputError(
-                f"the environment variable CC = {named} is not understood ({error}); unset or correct it"
-            ) from None
-        if shutil.which(words[0]) is None:
-            raise InputError(
-                f"the environment variable CC names {named!r}, which is not on the path; unset or correct it"
+                f"the environment variable CC names {_short(named)}, which is not on the path; unset or "
+                "correct it"
             )
         return named
     return next((name for name in ("cc", "gcc", "clang") if shutil.which(name)), None)
+
+
+def _words(command: str, what: str = "the C compiler") -> list[str]:
+    """The words of a compiler's command line, none of which changes arithmetic."""
+    try:
+        words = shlex.split(command)
+    except ValueError as error:
+        raise InputError(
+            f"{what} = {_short(command)} is not understood ({error}); unset or correct it"
+        ) from None
+    if not words or "\0" in command:
+        raise InputError(f"{what} = {_short(command)} does not name a command; unset or correct it")
+    for word in words[1:]:
+        if CHANGES_ARITHMETIC.fullmatch(word):
+            raise InputError(
+                f"{what} = {_short(command)} has the option {_short(word)}, which changes the arithmetic of "
+                "the kernels, so that limit cycles are wrong or not found; leave it out"
+            )
+    return words
+
+
+def _short(text: str) -> str:
+    shown = repr(text)
+    return shown if len(shown) <= 100 else f"{shown[:97]}..."
 
 
 def cache_folder() -> Path:
@@ -134,12 +174,36 @@ def version(command: str) -> str:
         When it cannot be run.
     """
     try:
-        run = subprocess.run([command, "--version"], capture_output=True, text=True, check=False)
+        _, said = _run([command, "--version"], VERSION_SECONDS)
     except OSError as error:
         raise InputError(
-            f"the C compiler {command!r} cannot be run ({error.strerror}); set CC to one that works"
+            f"the C compiler {_short(command)} cannot be run ({error.strerror}); set CC to one that works"
         ) from None
-    return (run.stdout or run.stderr or command).splitlines()[0].strip()
+    return _first_line(said) or command
+
+
+def _run(command: list[str], seconds: float) -> tuple[int, str]:
+    """Status and first output of a command, which is ended when it takes too long or says too much."""
+    with subprocess.Popen(
+        command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT
+    ) as process:
+        limit = threading.Timer(seconds, process.kill)
+        limit.start()
+        try:
+            said = process.stdout.read(SAID_MAX) if process.stdout else b""
+            if len(said) == SAID_MAX:
+                process.kill()
+            status = process.wait()
+        finally:
+            limit.cancel()
+            process.kill()
+    return status, said.decode("utf-8", "replace")
+
+
+def _first_line(text: str) -> str:
+    """The first line with something in it, of bounded length."""
+    line = next((line.strip() for line in text.splitlines() if line.strip()), "")
+    return line if len(line) <= 200 else f"{line[:197]}..."
 
 
 @cache
@@ -180,31 +244,30 @@ def compile_shared(name: str, text: str, compiler: str, flags: Sequence[str] = F
     StorageError
         When the cache cannot be written.
     """
-    command = [*shlex.split(compiler), *flags]
+    command = [*_words(compiler), *flags]
     stem = f"{Path(name).stem}-{_key(text, command)}"
     folder = cache_folder()
-    for library in sorted(folder.glob(f"{stem}-*.so")):
-        if library.stem == f"{stem}-{_digest(library)}":  # to load half a library would end the process
-            return library
     try:
+        for library in sorted(folder.glob(f"{stem}-*.so")):
+            # To load half a library would end the process; to read a pipe or a device would never end.
+            if os.path.isfile(library) and library.stem == f"{stem}-{_digest(library)}":
+                return library
         folder.mkdir(parents=True, exist_ok=True)
         # Beside and renamed: another process never sees half a library.
         with tempfile.TemporaryDirectory(dir=folder) as scratch:
             source, built = Path(scratch) / name, Path(scratch) / f"{stem}.so"
             source.write_text(text, encoding="utf-8")
-            run = subprocess.run(
-                [*command, str(source), "-o", str(built), "-lm"], capture_output=True, text=True, check=False
-            )
-            if run.returncode or not built.exists():
-                said = (run.stderr.strip() or run.stdout.strip() or "without a message").splitlines()[0]
+            status, said = _run([*command, str(source), "-o", str(built), "-lm"], COMPILE_SECONDS)
+            if status or not built.is_file():
                 raise CompilerError(
-                    f"the C compiler {compiler!r} failed on {name} ({said}); set CC to one that works"
+                    f"the C compiler {_short(compiler)} failed on {name} "
+                    f"({_first_line(said) or 'without a message'}); set CC to one that works"
                 )
             library = folder / f"{stem}-{_digest(built)}.so"
             built.replace(library)
     except OSError as error:
         raise StorageError(
-            f"cannot write compiled kernels to {folder}: {error.strerror}; "
+            f"cannot write compiled kernels to {folder}: {error.strerror or error}; "
             "set STRIDEMAP_CACHE to a folder that can be written"
         ) from None
     return library

@@ -145,6 +145,7 @@ class LaneKernels(Kernels):
         wide = instruction_flags() if backend.instructions is None else backend.instructions
         self._flags = [*FLAGS, *wide]
         self._library = self._compiler.library(f"{model.name}_lockstep.cpp", source(model), self._flags)
+        self.library = Path(self._library._name)
 
     @cached_property
     def _directional(self) -> ctypes.CDLL:

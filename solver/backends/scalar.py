@@ -2,6 +2,7 @@
 
 import ctypes
 from dataclasses import dataclass
+from pathlib import Path
 
 import casadi as ca
 import numpy as np
@@ -53,6 +54,7 @@ class ScalarKernels(Kernels):
         self._compiler = Compiler.named(backend.compiler)
         name = kernels_file(model.name)
         self._library = self._compiler.library(name, model.text(name), FLAGS)
+        self.library = Path(self._library._name)
         self._work = {f.name(): (ctypes.c_longlong * 4)(*self._work_size(f)) for f in self.functions.values()}
 
     @property

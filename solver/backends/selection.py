@@ -9,6 +9,7 @@ from stridemap.solver.backends.compiler import Compiler
 from stridemap.solver.backends.interpreter import Interpreter
 from stridemap.solver.backends.lanes import Lanes
 from stridemap.solver.backends.scalar import ScalarC
+from stridemap.solver.backends.self_check import checked
 from stridemap.solver.model.model import Model
 
 BACKENDS: dict[str, Backend] = {"lanes": Lanes(), "scalar": ScalarC(), "interpreter": Interpreter()}
@@ -44,12 +45,12 @@ def load_kernels(model: Model, backend: Backend | None) -> Kernels:
     Raises
     ------
     CompilerError
-        When the compiler fails.
+        When the compiler fails, or makes something that does not compute as it was written.
     InputError
         When the C is not the one that the manifest names.
     """
     if backend is not None:
-        return backend.kernels(model)
+        return checked(backend.kernels(model))
     if Compiler.found() is None:
         warnings.warn(
             "no C compiler found: the kernels run in CasADi's virtual machine, about 20 times slower; "
@@ -59,6 +60,6 @@ def load_kernels(model: Model, backend: Backend | None) -> Kernels:
         )
         return Interpreter().kernels(model)
     try:
-        return Lanes().kernels(model)
+        return checked(Lanes().kernels(model))
     except CompilerError:  # it knows no C++, or no vectors
-        return ScalarC().kernels(model)
+        return checked(ScalarC().kernels(model))

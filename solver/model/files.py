@@ -1,5 +1,8 @@
 """The generated files of a walker: in a folder, or in memory where they came from another process."""
 
+import errno
+import os
+import stat
 import zlib
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
@@ -22,6 +25,40 @@ def kernels_file(model: str) -> str:
 def equations_file(model: str) -> str:
     """Name of the file that holds a model's equations in Python."""
     return f"{model}.py"
+
+
+LARGEST = 100_000_000
+"""Bytes of a file that is read whole: the largest kernels known have 20 million."""
+
+
+def contents(path: str | Path, largest: int = LARGEST) -> bytes:
+    """What a file holds; a pipe that nobody writes into holds nothing, and a device is read to a bound.
+
+    Parameters
+    ----------
+    path : path
+    largest : int
+        Bytes that it may have.
+
+    Raises
+    ------
+    OSError
+        When it cannot be read, or is larger.
+    """
+    descriptor = os.open(path, os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0))
+    with open(descriptor, "rb", buffering=0) as file:
+        if stat.S_ISDIR(os.fstat(descriptor).st_mode):
+            raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), str(path))
+        parts, size = [], 0
+        while (part := file.read(1 << 20)) != b"":
+            if part is None:  # somebody has the other end of a pipe, and has not written yet
+                os.set_blocking(descriptor, True)
+                continue
+            parts.append(part)
+            size += len(part)
+            if size > largest:
+                raise OSError(errno.EFBIG, f"it has more than {largest / 1e6:g} MB", str(path))
+    return b"".join(parts)
 
 
 class Files(ABC):
@@ -65,7 +102,7 @@ class Folder(Files):
 
     def read(self, name: str) -> bytes:
         """Contents of a file; raises OSError when it cannot be read."""
-        return (self.folder / name).read_bytes()
+        return contents(self.folder / name)
 
     @property
     def shown(self) -> str:

@@ -1,12 +1,13 @@
 """Finding a model: by name, by the path of its file, or by the folder of its generated files."""
 
 import hashlib
+import os
 from functools import cache
 from pathlib import Path
 
-from stridemap.errors import InputError
-from stridemap.services import service
-from stridemap.solver.model.files import GENERATED, MANIFEST, Folder
+from stridemap.errors import InputError, short
+from stridemap.solver.model.derivation import derive_file
+from stridemap.solver.model.files import GENERATED, MANIFEST, Folder, contents
 from stridemap.solver.model.model import Model
 
 
@@ -36,17 +37,17 @@ def load(model: str | Path | Model) -> Model:
         return _loaded(_derived(Path(text)), text)
     if text in available():
         return _loaded(GENERATED / text, text)
-    if (Path(text) / MANIFEST).exists():
+    if os.path.exists(Path(text) / MANIFEST):
         return _loaded(Path(text).resolve(), text)
     raise InputError(
-        f"there is no model {text!r}; models are {', '.join(available())}, or give the path of a model file "
-        "(.py) or of a folder that `stridemap derive` wrote"
+        f"there is no model {short(text)}; models are {', '.join(available())}, or give the path of a model "
+        "file (.py) or of a folder that `stridemap derive` wrote"
     )
 
 
 def _derived(path: Path) -> Path:
     """Folder of the generated files of a model file; derived again only when a file of its folder changed."""
-    if not path.is_file():
+    if not os.path.isfile(path):  # of a name that is too long, too
         raise InputError(f"cannot read the model file {path}; give the path of a Python file (.py)")
     folder = sorted(path.resolve().parent.glob("*.py"))  # it may import them
     return _derived_once(path, path.resolve(), tuple((p.name, _changed(p)) for p in folder))
@@ -61,13 +62,12 @@ def _changed(path: Path) -> int:
 
 @cache
 def _derived_once(path: Path, _resolved: Path, _folder: tuple[tuple[str, int], ...]) -> Path:
-    folder: Path = service("derive_file")(path)
-    return folder
+    return derive_file(path)
 
 
 def _loaded(folder: Path, source: str) -> Model:
     try:
-        manifest = (folder / MANIFEST).read_bytes()
+        manifest = contents(folder / MANIFEST)
     except OSError:
         manifest = b""  # `Model` reports it
     return _load(folder, source, hashlib.sha256(manifest).hexdigest())

@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 from scipy.integrate import DOP853, DenseOutput, OdeSolution, solve_ivp
 from scipy.optimize import brentq
 
-from stridemap.errors import InputError
+from stridemap.errors import InputError, short
 from stridemap.solver.model.model import Model
 from stridemap.solver.model.scales import Scales
 
@@ -32,7 +32,13 @@ TIME_LIMIT = 25.0
 SAMPLES = 8
 """Samples per step of the integrator, between which an event is looked for."""
 FIRST_STEP = 1e-3
-"""Of the integrator, in terms of the scale of time. SciPy's own guess is not a number for huge rates, and it then never returns."""
+"""Of the integrator, in terms of the scale of time. SciPy's own guess is not a number for huge rates, and it then
+never returns."""
+MAX_STEPS = 10_000
+"""Steps of the integrator in one swing phase: a hundred or two are usual, the stiffest torque that was tried
+needs some thousands, and one that turns a billion times in a step would take days."""
+MOST_WALKED = 1_000_000
+"""Steps of a walk: about 20 of them are computed per second."""
 FORCE_SAMPLES = 257
 """Times in a step at which the ground force is sampled."""
 
@@ -211,8 +217,11 @@ def walk(
     InputError
         When the state is not `nz` finite numbers, or `steps` is below 1.
     """
-    if steps < 1:
-        raise InputError(f"steps = {steps} is not allowed: a walk has at least 1 step")
+    if not 1 <= steps <= MOST_WALKED:
+        raise InputError(
+            f"steps = {short(steps)} is not allowed: at least 1 step and at most {MOST_WALKED:,} can be "
+            "walked (so many take hours)"
+        )
     z = np.array(state, dtype=np.float64)
     walker = _Walker(model, params)
     walked: list[Step] = []
@@ -318,7 +327,7 @@ def swing(
     while solver.status == "running":
         with np.errstate(over="ignore", invalid="ignore"):
             solver.step()
-        if solver.status == "failed":
+        if solver.status == "failed" or len(pieces) >= MAX_STEPS:
             outcome = Outcome.FAILED
             break
         piece = solver.dense_output()

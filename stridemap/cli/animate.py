@@ -6,7 +6,15 @@ from typing import Annotated
 
 import typer
 
-from stridemap.cli.options import FOUND, NOTHING, ModelOption, SetOption, parameters, whole
+from stridemap.cli.options import (
+    FOUND,
+    NOTHING,
+    DeriveTimeoutOption,
+    ModelOption,
+    SetOption,
+    parameters,
+    whole,
+)
 
 
 def animate(
@@ -22,6 +30,7 @@ def animate(
     magnify: Annotated[
         float, typer.Option(help="Enlarge the displacement of the wobbling mass by this factor.")
     ] = 1.0,
+    derive_timeout: DeriveTimeoutOption = None,
 ) -> int:
     """Show a limit cycle walking, as a GIF that loops; by default the most stable one at the point."""
     from stridemap.solver.api import find_orbits

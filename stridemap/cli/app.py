@@ -4,6 +4,7 @@ Exit status: 0 found or done, 1 nothing found, 2 unusable input or a failure tha
 on standard error.
 """
 
+import contextlib
 import errno
 import os
 import sys
@@ -24,7 +25,7 @@ from stridemap.cli.report import report
 from stridemap.cli.simulate import simulate
 from stridemap.cli.sweep import sweep
 from stridemap.cli.version import version
-from stridemap.errors import StridemapError
+from stridemap.errors import StridemapError, bounded, short
 
 # The base of all complaints about the command line; typer has it under varying module names.
 _UsageError: Any = next(c for c in typer.BadParameter.__mro__ if c.__name__ == "ClickException")
@@ -46,7 +47,10 @@ for command in _PLAIN:
 
 def main() -> NoReturn:
     """Run the command line; every error that the user can mend is one sentence and exit status 2."""
+    _fill_closed_streams()
     warnings.showwarning = lambda message, *_: print(f"warning: {message}", file=sys.stderr)
+    if sys.stdout is None:
+        _fail("standard output is closed, so that nothing can be printed; send it to a file or to /dev/null")
     try:
         status = app(standalone_mode=False)
         sys.stdout.flush()
@@ -63,19 +67,56 @@ def main() -> NoReturn:
         _discard_output()
         sys.exit(FOUND)
     except OSError as error:
-        if error.errno not in (errno.ENOSPC, errno.EFBIG, errno.EIO):
+        if error.errno is None:
             raise
         _discard_output()
-        _fail(f"cannot write to standard output ({error.strerror}); make room or send it elsewhere")
+        if error.filename is None and error.errno in _OUTPUT:
+            _fail(f"cannot write to standard output ({error.strerror}); make room or send it elsewhere")
+        where = "" if error.filename is None else f" with {short(str(error.filename), 200)}"
+        _fail(f"the system refuses something{where}: {error.strerror}; {_REMEDIES.get(error.errno, _REMEDY)}")
+    except MemoryError:
+        _discard_output()
+        _fail("there is not enough memory; ask for less at once, or close other programs")
     sys.exit(status if isinstance(status, int) else FOUND)
 
 
+_OUTPUT = (errno.ENOSPC, errno.EFBIG, errno.EIO, errno.EBADF)
+_REMEDY = "give a path that can be read and written"
+_REMEDIES = {
+    errno.EMFILE: "close other programs, or raise the limit of open files (ulimit -n)",
+    errno.ENFILE: "close other programs, or raise the limit of open files (ulimit -n)",
+    errno.ENOMEM: "close other programs, or ask for less at once",
+    errno.EAGAIN: "close other programs, or raise the limit of processes (ulimit -u)",
+    errno.ENAMETOOLONG: "choose a shorter name",
+    errno.ENOSPC: "make room, or give another place",
+}
+
+
 def _fail(sentence: str) -> NoReturn:
-    # A name or path with a line break in it would make two lines of one.
-    print(f"error: {' '.join(sentence.split())}", file=sys.stderr)
+    # A path with a line break in it would make two lines of one, and other characters steer terminals.
+    plain = "".join(c if c.isprintable() else ascii(c)[1:-1] for c in bounded(" ".join(sentence.split())))
+    with contextlib.suppress(OSError, ValueError):
+        encoding = sys.stderr.encoding or "ascii"
+        print(
+            f"error: {plain}".encode(encoding, "backslashreplace").decode(encoding),
+            file=sys.stderr,
+            flush=True,
+        )
     sys.exit(UNUSABLE)
+
+
+def _fill_closed_streams() -> None:
+    """Open what was closed for this program, lest a file of ours gets its number and what is printed."""
+    for number in (0, 1, 2):
+        try:
+            os.fstat(number)
+        except OSError:
+            os.open(os.devnull, os.O_RDWR)  # it gets the lowest number that is free
+    if sys.stderr is None:
+        sys.stderr = open(2, "w", encoding="utf-8", errors="backslashreplace", closefd=False)
 
 
 def _discard_output() -> None:
     """Discard the remaining standard output, so that writing it does not fail again at exit."""
-    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    with contextlib.suppress(OSError, ValueError, AttributeError):
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())

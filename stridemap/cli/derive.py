@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from stridemap.cli.options import FOUND, NOTHING
+from stridemap.cli.options import FOUND, NOTHING, DeriveTimeoutOption
 from stridemap.errors import InputError
 
 
@@ -18,21 +18,21 @@ def derive(
     check: Annotated[
         bool, typer.Option("--check", help="Write nothing; list the generated files that would change.")
     ] = False,
+    derive_timeout: DeriveTimeoutOption = None,
 ) -> int:
     """Derive a model and write its equations, C and kernels: a model file's, or all built-in ones'.
 
     A model file's go to --out, or into the user's cache; the built-in ones' into generated/.
     """
     from stridemap import codegen
+    from stridemap.solver.model.derivation import derive_file
 
     if path is not None and check:
         raise InputError("--check is for the built-in models; leave it out, or the path of the model file")
     if path is None and out is not None:
         raise InputError("--out is for a model file; give its path, or leave --out out")
     if path is not None:
-        walker = codegen.declared(path)
-        folder = codegen.into_cache(walker) if out is None else codegen.into_folder(walker, out)
-        for written in codegen.generated_files(folder):
+        for written in codegen.generated_files(derive_file(path, out, keep=False)):
             print(written)
         return FOUND
     if not check:

@@ -2,6 +2,7 @@
 
 import contextlib
 import itertools
+import os
 import signal
 from typing import Annotated, Any, NoReturn
 
@@ -59,6 +60,27 @@ ModelOption = Annotated[
     str, typer.Option("--model", help="Name of a built-in model, a model file (.py), or a derived folder.")
 ]
 SetOption = Annotated[list[str] | None, typer.Option("--set", metavar="NAME=VALUE", help="Set a parameter.")]
+
+
+def _set_derive_timeout(seconds: float | None) -> float | None:
+    """Set the limit for this process, by the variable that holds it elsewhere too."""
+    from stridemap.solver.model.derivation import VARIABLE, derive_timeout
+
+    if seconds is not None:
+        os.environ[VARIABLE] = repr(seconds)
+        derive_timeout()  # refuses what is not allowed
+    return seconds
+
+
+DeriveTimeoutOption = Annotated[
+    float | None,
+    typer.Option(
+        "--derive-timeout",
+        metavar="SECONDS",
+        callback=_set_derive_timeout,
+        help="End the derivation of a model file after so long; by default after an hour.",
+    ),
+]
 JsonOption = Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")]
 
 

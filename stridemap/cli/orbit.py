@@ -9,6 +9,7 @@ import typer
 from stridemap.cli.options import (
     FOUND,
     NOTHING,
+    DeriveTimeoutOption,
     JsonOption,
     ModelOption,
     SetOption,
@@ -47,6 +48,7 @@ def orbit(
         str | None, typer.Option(help="What runs the kernels: lanes, scalar or interpreter.")
     ] = None,
     json_: JsonOption = False,
+    derive_timeout: DeriveTimeoutOption = None,
 ) -> int:
     """Print all limit cycles at one point of parameter space."""
     from stridemap.cli.output import print_orbits, print_search

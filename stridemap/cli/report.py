@@ -5,7 +5,7 @@ from typing import Annotated
 
 import typer
 
-from stridemap.cli.options import FOUND, INTERRUPTED, SetOption, parameters
+from stridemap.cli.options import FOUND, INTERRUPTED, DeriveTimeoutOption, SetOption, parameters
 from stridemap.cli.paper_options import (
     SweepsOption,
     ThinOption,
@@ -33,6 +33,7 @@ def report(
     workers: WorkersOption = None,
     set_: SetOption = None,
     thin: ThinOption = 1,
+    derive_timeout: DeriveTimeoutOption = None,
 ) -> int:
     """Write a sweep as one HTML file that opens without network: map, cycles, and the walker moving.
 

@@ -8,6 +8,7 @@ import typer
 from stridemap.cli.options import (
     FOUND,
     NOTHING,
+    DeriveTimeoutOption,
     JsonOption,
     ModelOption,
     SetOption,
@@ -28,6 +29,7 @@ def simulate(
     ] = None,
     steps: Annotated[int, whole("Number of steps to walk.")] = 10,
     json_: JsonOption = False,
+    derive_timeout: DeriveTimeoutOption = None,
 ) -> int:
     """Walk from a state just after touchdown (by default the most stable limit cycle), step by step.
 

@@ -6,7 +6,14 @@ from typing import Annotated
 
 import typer
 
-from stridemap.cli.options import FOUND, INTERRUPTED, NOTHING, end_like_interrupted, whole
+from stridemap.cli.options import (
+    FOUND,
+    INTERRUPTED,
+    NOTHING,
+    DeriveTimeoutOption,
+    end_like_interrupted,
+    whole,
+)
 
 
 def sweep(
@@ -17,6 +24,7 @@ def sweep(
     backend: Annotated[
         str | None, typer.Option(help="What runs the kernels: lanes, scalar or interpreter.")
     ] = None,
+    derive_timeout: DeriveTimeoutOption = None,
 ) -> int:
     """Find all limit cycles of a grid of parameters; writes orbits.parquet and cells.parquet."""
     from stridemap.cli.progress import show

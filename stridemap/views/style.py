@@ -5,6 +5,7 @@ tell apart. Nothing depends on colour alone: classes of the map differ in lumina
 """
 
 import io
+import os
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -121,6 +122,8 @@ def put(path: Path, content: bytes) -> Path:
     """
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
+        if os.path.exists(path) and not os.path.isfile(path) and not os.path.isdir(path):
+            raise OSError(None, "it is not a file")  # to write into a pipe waits for who reads it
         path.write_bytes(content)
     except OSError as error:
         raise InputError(

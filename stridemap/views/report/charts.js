@@ -60,11 +60,12 @@ function lineChart({ title, unit, series, measure, zero }, times, row) {
   const period = times.at(-1);
   const bound = measure && orbits.has(measure) ? orbits.entry(measure, row) : null;
   const values = series.flatMap((s) => s.values).concat(zero ? [0] : [], bound === null ? [] : [0]).filter(Number.isFinite);
-  let [low, high] = [Math.min(...values), Math.max(...values)];
-  const pad = high - low > 1e-12 ? 0.06 * (high - low) : 0.5; // what is zero but for rounding is a flat line
-  [low, high] = [low - pad, high + pad];
+  let [low, high] = values.length ? [Math.min(...values), Math.max(...values)] : [0, 0];
+  const rounding = 1e-12 * Math.max(1, Math.abs(low), Math.abs(high));
+  const pad = high - low > rounding ? 0.06 * (high - low) : Math.max(0.5, 1e6 * rounding); // what is zero but for rounding is a flat line
+  [low, high] = [Math.max(low - pad, -Number.MAX_VALUE), Math.min(high + pad, Number.MAX_VALUE)];
   const x = (t) => left + (t / period) * (width - left - right);
-  const y = (v) => height - bottom - ((v - low) / (high - low)) * (height - top - bottom);
+  const y = (v) => height - bottom - between(Number.isFinite(v) ? v : low, low, high) * (height - top - bottom);
   const root = svg("svg", { viewBox: `0 0 ${width} ${height}`, class: "chart", role: "img", "aria-label": describe(title, unit, series) });
   for (const value of ticks(low, high, 4)) {
     root.append(svg("line", { x1: left, x2: width - right, y1: y(value), y2: y(value), class: value === 0 ? "axis" : "grid" }));
@@ -95,7 +96,7 @@ function lines(series, times, x, y) {
   const ends = series.map((s, i) => ({ i, y: y(s.values.at(-1)) })).sort((a, b) => a.y - b.y);
   ends.forEach((end, j) => { if (j) end.y = Math.max(end.y, ends[j - 1].y + 13); });
   return series.flatMap(({ label, values, cls }, i) => {
-    const points = values.map((v, j) => `${x(times[j]).toFixed(2)},${y(v).toFixed(2)}`).join(" ");
+    const points = values.flatMap((v, j) => (Number.isFinite(v) ? [`${x(times[j]).toFixed(2)},${y(v).toFixed(2)}`] : [])).join(" ");
     const at = ends.find((end) => end.i === i).y;
     const text = svg("text", { x: CHART.width - CHART.right + 4, y: at, class: `label ${cls}` }, label);
     return [svg("polyline", { points, class: cls }), ...(series.length > 1 ? [text] : [])];
@@ -121,7 +122,8 @@ function unitCircle(pairs) {
   root.append(svg("text", { x: at(1) + 4, y: at(0) + 14, class: "tick" }, "1"));
   root.append(svg("text", { x: size - 6, y: at(0) - 6, class: "tick end" }, "Re"));
   root.append(svg("text", { x: at(0) + 6, y: 12, class: "tick" }, "Im"));
-  for (const [re, im] of pairs) {
+  const drawable = (v) => Math.max(-1e150, Math.min(1e150, v));
+  for (const [re, im] of pairs.map((pair) => pair.map(drawable))) {
     const modulus = Math.hypot(re, im);
     const shrink = modulus > reach ? reach / modulus : 1;
     const [px, py] = [at(re * shrink), at(-im * shrink)];

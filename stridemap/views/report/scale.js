@@ -6,9 +6,10 @@ function ticks(low, high, count = 6) {
   if (!(raw > 0)) return [low];
   const unit = 10 ** Math.floor(Math.log10(raw));
   const step = [1, 2, 2.5, 5, 10].map((m) => m * unit).find((s) => s >= raw * (1 - 1e-9));
-  const values = [];
-  for (let i = Math.ceil(low / step - 1e-9); i * step <= high + 1e-9 * step; i++) values.push(Number((i * step).toPrecision(12)));
-  return values;
+  const first = Math.ceil(low / step - 1e-9);
+  // Counted from the first, because adding 1 to a huge number may leave it as it is.
+  const values = Array.from({ length: 2 * count + 2 }, (_, i) => (first + i) * step).filter((v) => v <= high + 1e-9 * step);
+  return [...new Set(values.map((v) => Number(v.toPrecision(12))))].filter(Number.isFinite);
 }
 
 // Ticks of a logarithmic scale: powers of ten, with 2 and 5 between where there is room.
@@ -79,8 +80,11 @@ const STOPS = [
   [222, 201, 88], [254, 232, 56],
 ];
 
+// Where a value lies between two others, from 0 to 1; their difference may be beyond the largest number.
+const between = (value, low, high) => (value / 2 - low / 2) / (high / 2 - low / 2);
+
 function colourAt(unit) {
-  const position = Math.max(0, Math.min(1, unit)) * (STOPS.length - 1);
+  const position = Math.max(0, Math.min(1, unit || 0)) * (STOPS.length - 1);
   const i = Math.min(Math.floor(position), STOPS.length - 2);
   const mixed = STOPS[i].map((channel, c) => Math.round(channel + (position - i) * (STOPS[i + 1][c] - channel)));
   return `rgb(${mixed.join(" ")})`;
@@ -105,8 +109,8 @@ class ValueScale {
 
   unit(value) {
     return this.log
-      ? Math.log(value / this.low) / Math.log(this.high / this.low)
-      : (value - this.low) / (this.high - this.low);
+      ? Math.log(Math.max(value, 0) / this.low) / Math.log(this.high / this.low)
+      : between(value, this.low, this.high);
   }
 
   ticks(count) {

@@ -9,6 +9,7 @@ from typing import Any
 import pandas as pd
 
 from stridemap.errors import InputError
+from stridemap.solver.model.files import contents
 from stridemap.solver.model.model import Model
 from stridemap.views.notation import symbol, units
 from stridemap.views.report.payload import axes
@@ -27,7 +28,8 @@ _NO_CLAIMS = (
 
 def text(value: Any) -> str:
     """Return anything as text that HTML shows as it is."""
-    return html.escape(str(value))
+    # Half a surrogate pair, which JSON can hold, cannot be written.
+    return html.escape(str(value).encode("utf-8", "replace").decode("utf-8"))
 
 
 def lead(model: Model, provenance: Mapping[str, Any], orbits: pd.DataFrame, cells: pd.DataFrame) -> str:
@@ -55,10 +57,10 @@ def read_claims(path: str | Path) -> list[dict[str, Any]]:
     """
     wanted = "give what `stridemap claims --json` printed"
     try:
-        found = json.loads(Path(path).read_text(encoding="utf-8"))
+        found = json.loads(contents(path).decode("utf-8"))
     except OSError as error:
         raise InputError(f"cannot read {path} ({error.strerror}); {wanted}") from None
-    except ValueError as error:
+    except (ValueError, RecursionError) as error:
         raise InputError(f"{path} is not JSON ({error}); {wanted}") from None
     claims = found.get("claims") if isinstance(found, dict) else None
     if not isinstance(claims, list):

@@ -1,6 +1,8 @@
 """Puts the page together and writes it."""
 
+import base64
 import contextlib
+import hashlib
 import json
 import os
 import re
@@ -12,9 +14,8 @@ from pathlib import Path
 from typing import Any
 
 from stridemap.errors import InputError
-from stridemap.solver.model.loading import load
 from stridemap.solver.model.model import Model
-from stridemap.sweeps.store import read_cells, read_orbits, read_provenance
+from stridemap.sweeps.reading import read_sweep
 from stridemap.views.report import sections
 from stridemap.views.report.payload import NEEDED, payload
 
@@ -30,6 +31,14 @@ SCRIPTS = (
     "page.js",
 )
 """The page's own programs, in the order in which they build on each other."""
+
+PROGRAM = """
+"use strict";
+(() => {{
+const equations = {equations};
+{own}
+}})();
+"""
 
 LARGEST = 200e6
 """Bytes of a page that a browser still opens."""
@@ -71,18 +80,19 @@ def write_report(
     claims : path or sequence of mapping, optional
         Verdicts to show: what ``stridemap claims --json`` printed, or records of `Claim.to_dict`.
     model : str or path, optional
-        What the model is loaded by, where it is not a built-in one: the path of its file.
+        What the model is loaded by, where it is not a built-in one: the path of its file. Nothing that
+        `folder` holds or names is run.
 
     Raises
     ------
     InputError
-        When the folder does not hold a finished sweep, the sweep found nothing or is of another model than
-        the one that is installed, when the claims cannot be read, or the file cannot be written.
+        When the folder does not hold a finished sweep, the sweep found nothing, is of another version of the
+        model or of one that is neither built in nor given, when the claims cannot be read, or the file cannot
+        be written.
     """
-    provenance = read_provenance(folder)
-    loaded = load(model or provenance["model"])
-    _check_model(folder, provenance, loaded)
-    orbits, cells = read_orbits(folder), read_cells(folder)
+    sweep = read_sweep(folder, model)
+    loaded, provenance, orbits, cells = sweep.model, sweep.provenance, sweep.orbits, sweep.cells
+    _check_functions(loaded)
     if orbits.empty:
         raise InputError(f"the sweep in {folder} found no limit cycle, so there is nothing to show")
     data = payload(loaded, provenance["configuration"], orbits, cells)
@@ -96,7 +106,7 @@ def write_report(
         provenance=sections.provenance(loaded, provenance),
         # A `<` could end the element that holds the data.
         data=json.dumps(data, separators=(",", ":"), allow_nan=False).replace("<", "\\u003c"),
-        equations=loaded.text(f"{loaded.name}.js"),
+        equations=_within_script(loaded.text(f"{loaded.name}.js")),
     ).encode()
     if len(page) > LARGEST:
         raise InputError(
@@ -108,14 +118,8 @@ def write_report(
     return ReportSummary(path, len(page), orbits=len(orbits), cells=len(cells))
 
 
-def _check_model(folder: str | Path, provenance: Mapping[str, str], model: Model) -> None:
-    """Refuse a sweep whose walker is not the one that is installed: its steps would differ."""
-    if provenance["model_hash"] != model.hash:
-        raise InputError(
-            f"the sweep in {folder} is of another version of the model {model.name} (hash "
-            f"{provenance['model_hash'][:12]} there, {model.hash[:12]} here); sweep again, or use the "
-            "stridemap that computed it"
-        )
+def _check_functions(model: Model) -> None:
+    """Refuse a model that lacks what the page moves it by."""
     if missing := [name for name in NEEDED if name not in model.spec.functions]:
         raise InputError(
             f"the model {model.name} cannot be shown: it lacks the function {' and '.join(missing)}; "
@@ -123,21 +127,32 @@ def _check_model(folder: str | Path, provenance: Mapping[str, str], model: Model
         )
 
 
+def _within_script(program: str) -> str:
+    """A program that cannot end the element it stands in: a model's title may stand in its comments."""
+    return re.sub(r"<(?=/script|!--|script)", r"\\u003c", program, flags=re.IGNORECASE)
+
+
 def _page(**parts: str) -> str:
     """Fill the places ``{{name}}`` of the page's template."""
     source = files("stridemap.views.report")
     parts["style"] = source.joinpath("page.css").read_text(encoding="utf-8")
-    parts["script"] = "\n".join(source.joinpath(name).read_text(encoding="utf-8") for name in SCRIPTS)
+    own = "\n".join(source.joinpath(name).read_text(encoding="utf-8") for name in SCRIPTS)
+    parts["script"] = PROGRAM.format(equations=parts.pop("equations"), own=own)
+    # The browser runs this program and no other, whatever else should have got into the page.
+    digest = hashlib.sha256(parts["script"].encode()).digest()
+    parts["allowed"] = f"'sha256-{base64.b64encode(digest).decode()}'"
     template = source.joinpath("page.html").read_text(encoding="utf-8")
     return re.sub(r"\{\{(\w+)\}\}", lambda match: parts[match[1]], template)
 
 
 def _write(path: Path, page: bytes) -> None:
     """Write the file whole or not at all."""
-    if path.is_dir():
+    if os.path.isdir(path):
         raise InputError(
             f"{path} is a folder; give the name of a file to write, such as {path / 'report.html'}"
         )
+    if os.path.exists(path) and not os.path.isfile(path):  # a device or a pipe would be replaced by the page
+        raise InputError(f"{path} is not a file; give the name of a file to write")
     temporary = None
     try:
         path.parent.mkdir(parents=True, exist_ok=True)

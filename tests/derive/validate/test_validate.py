@@ -67,9 +67,9 @@ NAMES = [
     (more(parameter("2k")), "the parameter '2k' cannot be a name in generated code"),
     (more(parameter("_k")), "the parameter '_k' cannot be a name in generated code"),
     (more(parameter("größe")), "the parameter 'größe' cannot be a name in generated code"),
-    (more(parameter(3)), "the parameter 3 cannot be a name in generated code"),
+    (more(parameter(3)), "the name of the parameter is 3; it must be a text"),
     (
-        {"drawing": (Line("two legs", HIP.position),)},
+        {"drawing": (Line("two legs", (HIP.position, HIP.position)),)},
         "the line 'two legs' cannot be a name in generated code",
     ),
     (
@@ -165,12 +165,15 @@ REFERENCES = [
 ]
 
 SHAPES = [
-    (with_cargo(theta1), "the position of the body cargo has shape None; a point has shape (2, 1)"),
+    (with_cargo(theta1), "the position of the body cargo is theta1; it must be a point"),
     (with_cargo(STANCE_FOOT.T), "the position of the body cargo has shape (1, 2)"),
     ({"swing_foot": sp.Matrix([0, 0, 0])}, "swing_foot has shape (3, 1)"),
-    ({"gravity": -1}, "gravity has shape None"),
+    ({"gravity": -1}, "gravity is -1; it must be a point of SymPy expressions"),
     ({"stance": sp.Matrix([[0, 0]])}, "stance has shape (1, 2)"),
-    ({"drawing": (Line("legs", ((0, 0), HIP.position)),)}, "a point of the line legs has shape None"),
+    (
+        {"drawing": (Line("legs", ((0, 0), HIP.position)),)},
+        "entry 1 of the points of the line legs is (0, 0); it must be a point",
+    ),
     (
         with_cargo(HIP.position, "beta"),
         "the mass of the body cargo is 'beta'; it must be a single SymPy expression",

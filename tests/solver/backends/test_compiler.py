@@ -6,13 +6,14 @@ import shutil
 import numpy as np
 import pytest
 
-from stridemap.errors import CompilerError, InputError, StorageError
+from stridemap.errors import CompilerError, InputError, StorageError, StridemapError
+from stridemap.solver.backends import self_check
 from stridemap.solver.backends.compiler import FLAGS, compile_shared, find_compiler
 from stridemap.solver.backends.lanes import Lanes
 from stridemap.solver.backends.scalar import ScalarC
 from stridemap.solver.backends.selection import load_kernels
 from stridemap.solver.model.files import GENERATED, Folder
-from stridemap.solver.model.loading import load
+from stridemap.solver.model.loading import available, load
 from stridemap.solver.model.model import Model
 from tests.oracles.kernels import assert_same_bits, needs_compiler, one_sentence, script
 
@@ -75,6 +76,120 @@ def test_edited_kernels_are_refused(tmp_path, monkeypatch, own_cache):
     assert not list(own_cache.glob("*"))
 
 
+ARITHMETIC = (
+    "-ffast-math", "-Ofast", "-funsafe-math-optimizations", "-ffinite-math-only", "-ffp-contract=fast",
+    "-mfpmath=387", "-fassociative-math", "-freciprocal-math", "-fno-signed-zeros", "-ffp-model=fast",
+)  # fmt: skip
+
+
+@needs_compiler
+@pytest.mark.parametrize("flag", ARITHMETIC)
+def test_flags_that_change_arithmetic_are_refused(monkeypatch, own_cache, flag):
+    monkeypatch.setenv("CC", f"{find_compiler()} -O3 {flag}")
+    with pytest.raises(InputError) as error:
+        BARE(load("compass"), None)
+    assert f"has the option '{flag}', which changes the arithmetic" in one_sentence(error)
+    assert not own_cache.exists()
+    with pytest.raises(InputError, match="changes the arithmetic"):
+        ScalarC(f"cc {flag}").kernels(load("compass"))
+
+
+@needs_compiler
+@pytest.mark.parametrize("flags", ["-O3", "-O2 -g -march=native", "-ffp-contract=off -mfpmath=sse", "-m64"])
+def test_flags_that_keep_it_give_the_same_bits(monkeypatch, own_cache, flags):
+    u, p = np.array([[0.09, -0.17, -0.003, 1.2]]), load("compass").point({})[None]
+    usual = BARE(load("compass"), None).trace(48, u, p)
+    monkeypatch.setenv("CC", f"{shutil.which(find_compiler())} {flags}")
+    assert_same_bits(usual, BARE(load("compass"), None).trace(48, u, p))
+
+
+@needs_compiler
+@pytest.mark.parametrize("backend", [Lanes(), ScalarC(), None], ids=str)
+@pytest.mark.parametrize("flag", ["-ffast-math", "-O2 -ffp-contract=fast -march=native"])
+def test_kernels_find_out_themselves(tmp_path, monkeypatch, own_cache, backend, flag):
+    """A wrapper hides the flag behind a name, and puts it after ours."""
+    wrapper = script(tmp_path / "wrapped", f'exec {shutil.which(find_compiler())} "$@" {flag}')
+    monkeypatch.setenv("CC", wrapper)
+    with pytest.raises(CompilerError) as error:
+        BARE(load("compass"), backend)
+    assert "do not compute as they were written" in one_sentence(error)
+    assert not list(own_cache.glob("*.checked"))
+
+
+@needs_compiler
+def test_they_are_looked_at_once(monkeypatch, own_cache):
+    BARE(load("compass"), None)
+    monkeypatch.setattr(self_check, "check_arithmetic", lambda _: pytest.fail("looked at again"))
+    BARE(load("compass"), None)
+
+
+@needs_compiler
+@pytest.mark.parametrize("name", available())
+@pytest.mark.parametrize("backend", [Lanes(), Lanes(instructions=()), ScalarC()], ids=str)
+def test_python_computes_the_same_bits(name, backend):
+    """Every operation of a residual is known, so that the comparison is one of bits."""
+    kernels = backend.kernels(load(name))
+    u, p = self_check._points(kernels.model)
+    function = kernels.functions[self_check.KERNEL].expand()
+    exact = self_check._exact(function, u, p, not isinstance(backend, ScalarC))
+    assert np.isfinite(exact).any()
+    assert_same_bits([kernels.residual(12, u, p)], [exact])
+
+
+# -- compilers that are something else -------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    "text", ["exec cat", "exec yes", "exec sleep 1000"], ids=["reads", "prints", "waits"]
+)
+def test_a_compiler_that_does_not_end_is_ended(tmp_path, monkeypatch, own_cache, text):
+    monkeypatch.setattr("stridemap.solver.backends.compiler.COMPILE_SECONDS", 2.0)
+    monkeypatch.setattr("stridemap.solver.backends.compiler.VERSION_SECONDS", 2.0)
+    monkeypatch.setenv("CC", script(tmp_path / "odd", text))
+    with pytest.raises(CompilerError) as error:
+        BARE(load("compass"), None)
+    assert len(one_sentence(error)) < 600
+
+
+@pytest.mark.parametrize("value", ['""', "'", "\\", "cc 'x", "a" * 5000, "/", "/dev/null"])
+def test_a_compiler_that_is_no_command(monkeypatch, own_cache, value):
+    monkeypatch.setenv("CC", value)
+    with pytest.raises(StridemapError) as error:
+        BARE(load("compass"), None)
+    assert "CC" in one_sentence(error)
+    assert len(str(error.value)) < 600
+
+
+# -- what lies in the cache ------------------------------------------------------------------------------
+
+
+@needs_compiler
+@pytest.mark.parametrize("kind", ["folder", "pipe", "device", "dangling"])
+def test_what_is_no_library_is_not_taken_for_one(own_cache, kind):
+    library = compile_shared("one.c", "double one(void) { return 1.0; }\n", find_compiler())
+    library.unlink()
+    if kind == "folder":
+        library.mkdir()
+    elif kind == "pipe":
+        os.mkfifo(library)
+    else:
+        library.symlink_to("/dev/zero" if kind == "device" else "/nowhere/at/all")
+    try:
+        built = compile_shared("one.c", "double one(void) { return 1.0; }\n", find_compiler())
+    except StorageError as error:
+        assert kind == "folder"
+        assert str(own_cache) in str(error)
+    else:
+        assert built.is_file()
+
+
+@needs_compiler
+def test_a_cache_whose_name_is_too_long(monkeypatch, own_cache):
+    monkeypatch.setenv("STRIDEMAP_CACHE", "/tmp/" + "x" * 5000)
+    with pytest.raises(StorageError, match="File name too long"):
+        BARE(load("compass"), None)
+
+
 # -- the cache -------------------------------------------------------------------------------------------
 
 
@@ -86,7 +201,7 @@ def test_second_load_does_not_compile_again(tmp_path, monkeypatch, own_cache):
     first = BARE(load("compass"), None)
     assert isinstance(first.backend, Lanes)
     assert log.read_text().count("compass_lockstep.cpp") == 1
-    assert [path.suffix for path in own_cache.iterdir()] == [".so"]
+    assert sorted(path.suffix for path in own_cache.iterdir()) == [".checked", ".so"]
     second = BARE(load("compass"), None)
     assert log.read_text().count("compass_lockstep.cpp") == 1
     ScalarC().kernels(load("compass"))

@@ -265,7 +265,8 @@ def test_another_version_of_the_model(done, refused):
 
 def test_a_model_that_is_not_there(done, refused):
     altered(done / "out", lambda provenance: provenance.update(model="hexapod"))
-    refused(f"report {done}/out --out {done}/a.html", "there is no model 'hexapod'")
+    words = ("is of the model hexapod, which does not come with stridemap", "--model hexapod.py")
+    refused(f"report {done}/out --out {done}/a.html", *words)
 
 
 def test_tables_of_two_sweeps(done, tmp_path_factory, refused):

@@ -1,0 +1,109 @@
+"""Whatever stands in whichever field: a declaration, or one sentence; and names that a model cannot have."""
+
+import pytest
+import sympy as sp
+
+from stridemap.derive import UnitNames
+from stridemap.derive.models import WALKERS
+from stridemap.derive.validate.model_name import LONGEST
+from stridemap.errors import InputError
+from tests.fuzz.inputs import PLACES, changed
+
+COMPASS = WALKERS["compass"]
+WRONG = (
+    3,
+    None,
+    "x",
+    (),
+    {},
+    [],
+    object(),
+    2.5,
+    True,
+    "a\nb",
+    b"x",
+    float("nan"),
+    10**400,
+    sp.nan,
+    sp.oo,
+    {1},
+    int,
+)
+
+
+@pytest.mark.parametrize("place", PLACES, ids=lambda place: f"{place[0]} {'.'.join(map(str, place[1]))}")
+def test_any_thing_in_any_field_is_refused_in_a_sentence_or_allowed(place):
+    name, (field, *inside) = place
+    walker = WALKERS[name]
+    value = getattr(walker, field)
+    refusals = 0
+    for wrong in WRONG:
+        thing = wrong
+        if inside:
+            key, *inner = inside
+            part = value if key is None else value[key]
+            made = changed(part, inner[0], wrong) if inner else wrong
+            thing = made if key is None else made_up(value, key, made)
+        try:
+            walker.with_(**{field: thing})
+        except InputError as error:
+            refusals += 1
+            assert str(error).startswith("model ")
+            assert "\n" not in str(error)
+            assert len(str(error)) <= 700
+    assert refusals >= 10  # most things are wrong anywhere
+
+
+def made_up(value, key, made):
+    return (*value[:key], made, *value[key + 1 :]) if isinstance(value, tuple) else {**value, key: made}
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({"units": 3}, "units is 3, which is not a UnitNames"),
+        ({"units": UnitNames(mass=3)}, "the mass of the units is 3; it must be a text"),
+        ({"massless": 3}, "massless is 3, which is not a Massless"),
+        ({"title": None}, "title is None; it must be a text"),
+        ({"name": 3}, "model without a name: name is 3; it must be a text"),
+        ({"name": "two\nlines"}, "cannot be a name in generated code"),
+        ({"dissipation": sp.nan}, "the dissipation is nan, which is not finite"),
+        ({"dissipation": sp.Function("f")(COMPASS.q[0])}, "not made of numbers, symbols and functions alone"),
+        ({"sources": {3: "x"}}, "sources names 3, which is not a text"),
+        ({"torques": {COMPASS.coordinates[0]: object()}}, "the torque on theta1 is <object object"),
+    ],
+)
+def test_sentences(changes, words):
+    with pytest.raises(InputError) as error:
+        COMPASS.with_(**changes)
+    assert words in str(error.value)
+
+
+def test_an_expression_that_is_nested_too_deeply():
+    deep = COMPASS.coordinates[0].symbol
+    for _ in range(3000):
+        deep = sp.sin(deep, evaluate=False)
+    with pytest.raises(InputError, match="nested too deeply"):
+        COMPASS.with_(dissipation=deep)
+
+
+@pytest.mark.parametrize(
+    "name",
+    "class main I errno stdin assert bool NULL M_PI INFINITY NAN printf exit double this new delete namespace "
+    "template int lambda yield None True import let function var await typeof math complex string time limits "
+    "numpy sympy casadi stridemap sys os json types readme README MANIFEST example con NUL aux com1 lockstep".split(),
+)
+def test_names_that_a_model_cannot_have(name):
+    with pytest.raises(InputError, match=f"model {name}: "):
+        COMPASS.with_(name=name)
+
+
+@pytest.mark.parametrize("name", ["a" * (LONGEST + 1), "a" * 300, "a" * 1_000_000])
+def test_names_that_are_too_long(name):
+    with pytest.raises(InputError, match=f"has {len(name)} characters; at most {LONGEST} are allowed"):
+        COMPASS.with_(name=name)
+
+
+def test_names_that_a_model_can_have():
+    for name in ("walker", "a" * LONGEST, "Math", "my_wobbling", "M", "x1"):
+        assert COMPASS.with_(name=name).name == name
