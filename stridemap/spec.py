@@ -12,7 +12,7 @@ from typing import Any, Literal
 
 from stridemap.errors import InputError
 
-FORMAT = 3
+FORMAT = 4
 """Of ``manifest.json``."""
 
 

@@ -169,7 +169,7 @@ def test_nothing_found_is_status_1(run):
 
 def test_simulate_starts_from_the_most_stable_cycle(run):
     walk = printed(run("simulate", *TWO, "--steps", "4", "--json"))
-    assert list(walk) == ["model", "params", "outcome", "steps"]
+    assert list(walk) == ["model", "params", "start", "outcome", "steps"]
     assert (walk["model"], walk["params"]["k"], walk["outcome"]) == ("wobbling", 6.0, "walked")
     stable = stridemap.find_orbits("wobbling", k=6, alpha=0.25, omega=3)[1]
     assert len(walk["steps"]) == 4
