@@ -109,7 +109,8 @@ _ENTRIES = (
         "friction",
         "number",
         "friction needed",
-        "Largest ratio of horizontal to vertical ground force; missing where the contact is lost.",
+        "Largest ratio of horizontal to vertical ground force within the step, without the impulse of the "
+        "impact; missing where the contact is lost.",
         r"\max_t |F_x / F_y|",
     ),
     Quantity(
@@ -143,6 +144,30 @@ _ENTRIES = (
         "touchdown speed",
         "Speed of the swing foot just before touchdown; for a rolling foot, that of the centre of its arc.",
         differentiable=True,
+    ),
+    Quantity(
+        "impact_friction",
+        "number",
+        "friction needed at the impact",
+        "Ratio of the horizontal to the vertical impulse on the foot that touches down; missing where the "
+        "ground would have to pull.",
+        r"|\Lambda_x| / \Lambda_y",
+        differentiable=True,
+    ),
+    Quantity(
+        "lift_off_speed",
+        "speed",
+        "lift-off speed",
+        "Speed, away from the ground, of the foot that the impact releases, just after it.",
+        differentiable=True,
+    ),
+    Quantity(
+        "trailing_lifts_off",
+        "number",
+        "trailing foot lifts off",
+        "Whether the foot that the impact releases moves away from the ground; if not, both feet would stay "
+        "on the ground, and the impact would be another one.",
+        type="bool",
     ),
     Quantity("residual", "number", "closing error", "Largest entry of the closing error."),
     Quantity(

@@ -29,7 +29,6 @@ from stridemap.derive import (
     Line,
     Parameter,
     Touchdown,
-    UnitNames,
     Walker,
     rolling_arc,
 )
@@ -37,9 +36,9 @@ from stridemap.derive.models.slope import SLOPE, downhill
 
 Q1 = Coordinate("q1", "rad", "angle of the stance leg from the ground's normal, positive leaning back")
 Q2 = Coordinate("q2", "rad", "angle from the stance leg to the swing leg")
-HIP_MASS = Parameter("hip_mass", 1.0, "m", "mass at the hip", 0.0)
-LEG_MASS = Parameter("leg_mass", 0.5, "m", "mass of a leg", 0.0, lower_open=True)
-INERTIA = Parameter("inertia", 0.02, "m L^2", "moment of inertia of a leg about its centre of mass", 0.0)
+HIP_MASS = Parameter("hip_mass", 1.0, "M", "mass at the hip", 0.0)
+LEG_MASS = Parameter("leg_mass", 0.5, "M", "mass of a leg", 0.0, lower_open=True)
+INERTIA = Parameter("inertia", 0.02, "M L^2", "moment of inertia of a leg about its centre of mass", 0.0)
 DISTANCE = Parameter("com_distance", 0.5, "L", "from the hip to a leg's centre of mass, along the leg", 0.0)
 OFFSET = Parameter("com_offset", 0.0, "L", "of a leg's centre of mass from the leg, ahead of it")
 RADIUS = Parameter("radius", 0.2, "L", "radius of the feet", 0.0)
@@ -95,5 +94,4 @@ WALKER = Walker(
     drawing=(Line("legs", (STANCE_FOOT, hip, swing_foot), legs=True),),
     search_box={"q1": (0.2, 0.2), "dq1": (-0.3, 0.3), "dq2": (0.0, 0.4)},
     period_range=(0.5, 6.0),
-    units=UnitNames(mass="m", energy="m g L"),
 )
