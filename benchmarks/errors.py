@@ -39,7 +39,9 @@ def drawn(solver: Solver, n: int, seed: int) -> Orbits:
     while sum(map(len, parts)) < n:
         points = np.tile(model.point({}), (64, 1))
         for name, (low, high) in RANGES.items():
-            points[:, model.spec.names.index(name)] = np.exp(rng.uniform(np.log(low), np.log(high), len(points)))
+            points[:, model.spec.names.index(name)] = np.exp(
+                rng.uniform(np.log(low), np.log(high), len(points))
+            )
         found = find_all(solver, points, options)[1]
         parts += [found, near_folds(solver, found, options)]
     return Orbits.concatenate(model, parts).take(np.arange(n))
@@ -59,7 +61,10 @@ def near_folds(solver: Solver, orbits: Orbits, options: SearchOptions) -> Orbits
         there = np.zeros(len(points), dtype=bool)
         there[reached] = True
         guesses[reached] = ends.u[ends.reached]
-        inside, outside = np.where(there, points[:, column], inside), np.where(there, outside, points[:, column])
+        inside, outside = (
+            np.where(there, points[:, column], inside),
+            np.where(there, outside, points[:, column]),
+        )
     points[:, column] = inside
     last = solver.converge(guesses, points, options.period_range)
     return last.take(np.flatnonzero(last.found & (np.abs(inside / orbits.params[:, column] - 0.7) > 1e-3)))

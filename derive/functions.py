@@ -72,6 +72,7 @@ class Functions:
         yield self.ground_force()
         yield self.zmp()
         yield self.swing_foot()
+        yield self.stance_foot()
         yield self.drawing()
         if self.walker.quantities:
             yield self.quantities()
@@ -359,6 +360,13 @@ class Functions:
             Output("dfoot", velocity, "velocity of the swing foot"),
         ]
         return self._builder().close("swing_foot", "Swing foot", "geometry of the legs", outputs)
+
+    def stance_foot(self) -> Program:
+        """Stance foot: where a foot that rolls has rolled to."""
+        meaning = "stance foot (the centre of a round foot's arc), horizontal and vertical"
+        out = Output("stance", self.walker.stance, meaning)
+        source = "the origin for a point foot; a round foot rolls without slip"
+        return self._builder().close("stance_foot", "Stance foot", source, [out])
 
     def drawing(self) -> Program:
         """What the walker is drawn by: its bodies, where they are, and the lines between points."""

@@ -100,11 +100,12 @@ def simulate(
     model: str | Path | Model,
     state: Mapping[str, Any] | None = None,
     *,
+    start: Mapping[str, Any] | None = None,
     steps: int = 10,
     params: Mapping[str, float] | None = None,
     **keywords: float,
 ) -> Walk:
-    """Walk from a state just after touchdown, with an event-driven integrator.
+    """Walk from a state just after touchdown, or from within a step, with an event-driven integrator.
 
     Parameters
     ----------
@@ -112,6 +113,10 @@ def simulate(
         As for `find_orbits`.
     state : mapping of str to float, optional
         Section point; by default that of the limit cycle with the smallest spectral radius at that point.
+    start : mapping of str to float, optional
+        In place of `state`, a state within a step: every coordinate and every rate by name (a clock's rate
+        may be left out), and ``t``, the time since the last touchdown, 0 if it is left out. The swing foot
+        must not be below the ground.
     steps : int
     params : mapping of str to float, optional
         Parameters by name; what is not given comes from the preset.
@@ -126,11 +131,26 @@ def simulate(
     ------
     InputError
         For unusable input, or when no state is given and there is no limit cycle.
+
+    Examples
+    --------
+    >>> walk = simulate("simplest_walker", {"theta": 0.2, "dtheta": -0.2}, steps=10, slope=0.009)
+    >>> walk.outcome.words, len(walk.steps)
+    ('walked', 10)
+    >>> walk.trajectory(0.1)
+    <trajectory of simplest_walker: 409 rows, from 0 to 38.8245>
     """
     loaded = load(model)
     point = loaded.point(joined(params, keywords))
+    if start is not None and state is not None:
+        raise InputError("state and start are two ways to say where a walk begins; give one of them")
+    for name, given in (("state", state), ("start", start)):
+        if given is not None and not isinstance(given, Mapping):
+            raise InputError(f"{name} = {given!r} is not a mapping; write {name}={{'name': value}}")
     if isinstance(steps, bool) or not isinstance(steps, int | np.integer) or steps < 1:
         raise InputError(f"steps = {steps!r} is not allowed: a whole number of at least 1 is needed")
+    if start is not None:
+        return walk(loaded, point, None, steps, start=start)
     if state is None:
         orbits = find_all(Solver.for_model(loaded), point[None, :])[1]
         if not len(orbits):

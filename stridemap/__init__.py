@@ -44,7 +44,9 @@ if TYPE_CHECKING:
         ContinuationOptions,
         SearchOptions,
     )
-    from stridemap.solver.walks.simulator import Outcome, Step, Walk
+    from stridemap.solver.walks.outcomes import Outcome
+    from stridemap.solver.walks.simulator import Step, Walk
+    from stridemap.solver.walks.trajectory import Trajectory
     from stridemap.spec import ModelSpec, Parameter, Quantity
     from stridemap.sweeps.config import SweepConfig, load_config, parse_config
     from stridemap.sweeps.run import Progress, Summary, sweep

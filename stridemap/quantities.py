@@ -183,7 +183,8 @@ _ENTRIES = (
         "friction",
         "number",
         "friction needed",
-        "Largest ratio of horizontal to vertical ground force; missing where the contact is lost.",
+        "Largest ratio of horizontal to vertical ground force within the step, without the impulse of the "
+        "impact; missing where the contact is lost.",
         r"\max_t |F_x / F_y|",
         over_steps="maximum",
     ),
@@ -239,6 +240,33 @@ _ENTRIES = (
         "Largest error of an entry of the section point or of the period, estimated from twice the resolution; "
         "in rad, and in terms of the model's own length and time.",
         over_steps="maximum",
+    ),
+    Quantity(
+        "impact_friction",
+        "number",
+        "friction needed at the impact",
+        "Ratio of the horizontal to the vertical impulse on the foot that touches down; missing where the "
+        "ground would have to pull.",
+        r"|\Lambda_x| / \Lambda_y",
+        differentiable=True,
+        over_steps="maximum",
+    ),
+    Quantity(
+        "lift_off_speed",
+        "speed",
+        "lift-off speed",
+        "Speed, away from the ground, of the foot that the impact releases, just after it.",
+        differentiable=True,
+        over_steps="minimum",
+    ),
+    Quantity(
+        "trailing_lifts_off",
+        "number",
+        "trailing foot lifts off",
+        "Whether the foot that the impact releases moves away from the ground; if not, both feet would stay "
+        "on the ground, and the impact would be another one.",
+        type="bool",
+        over_steps="minimum",
     ),
     Quantity(
         "integration_error",

@@ -32,6 +32,20 @@ CELL_COLUMNS = {
 """Columns of tables and keys of JSON that are not measured quantities, each with what it holds."""
 
 
+TRAJECTORY_COLUMNS = {
+    "time": "time since the start of a walk",
+    "step": "number of the step",
+    "step_time": "time since the touchdown that began the step",
+    "stance_leg": "leg on the ground",
+    "event": "sample or side of an impact",
+    "stance_foot_x": "stance foot along the ground",
+    "stance_foot_y": "stance foot away from the ground",
+    "swing_foot_x": "swing foot along the ground",
+    "swing_foot_y": "swing foot away from the ground",
+}
+"""Columns of the time series of a walk, beside the coordinates and their rates, each with what it holds."""
+
+
 def multiplier_columns(index: int) -> tuple[str, str]:
     """Columns of a multiplier's real and imaginary part; multipliers count from 0 by falling modulus."""
     return f"multiplier_{index}_re", f"multiplier_{index}_im"
@@ -49,8 +63,8 @@ ATTRIBUTES = frozenset(
 OPTION_WORDS = frozenset(
     # options of the command line
     "acceptance backend cascade check claims config continuation cycle derive_timeout folder fps "
-    "friction_limit group help json magnify model only out plot range resume search search_box seeds set show "
-    "size starts state steps sweeps thin vary workers "
+    "friction_limit group help json magnify model only out plot range rate resume search search_box seeds set "
+    "show size start starts state steps sweeps target thin trajectory vary workers "
     # arguments of public functions
     "data executor options orbit orbits params path progress samples source tile_cells titles".split()
 )

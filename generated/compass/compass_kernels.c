@@ -1,5 +1,5 @@
 /* Compass walker: kernels of the solver
- * Printed by CasADi 3.8.2 from equations 6cee94c77bf81c04.
+ * Printed by CasADi 3.8.2 from equations 6f962745be47a799.
  * Do not edit: run `make derive`.
  * SPDX-License-Identifier: BSD-3-Clause
  */

@@ -320,6 +320,17 @@ def swing_foot(xp, q, v, p):
     }
 
 
+def stance_foot(xp):
+    """Stance foot.
+
+    Source: the origin for a point foot; a round foot rolls without slip.
+    0 operations.
+    """
+    return {
+        "stance": [0, 0],
+    }
+
+
 def drawing(xp, q, p):
     """What the walker is drawn by.
 

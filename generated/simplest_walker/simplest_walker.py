@@ -334,6 +334,17 @@ def swing_foot(xp, q, v):
     }
 
 
+def stance_foot(xp):
+    """Stance foot.
+
+    Source: the origin for a point foot; a round foot rolls without slip.
+    0 operations.
+    """
+    return {
+        "stance": [0, 0],
+    }
+
+
 def drawing(xp, q):
     """What the walker is drawn by.
 

@@ -1,5 +1,5 @@
 /* Compass walker with a horizontally wobbling mass: kernels of the solver
- * Printed by CasADi 3.8.2 from equations efc09395b16be2af.
+ * Printed by CasADi 3.8.2 from equations a6ce668b7eb0dcb2.
  * Do not edit: run `make derive`.
  * SPDX-License-Identifier: BSD-3-Clause
  */

@@ -365,6 +365,41 @@ def friction(cycles: Cycles) -> Array:
 
 
 @_measure
+def impact_friction(cycles: Cycles) -> Array:
+    """Ratio of horizontal to vertical impulse on the foot that touches down."""
+    at_impact = {**cycles.end, "t": cycles.period, "p": cycles.params}
+    impulse = cycles.model.evaluate("impact_impulse", **at_impact)["Lambda"]
+    with np.errstate(divide="ignore", invalid="ignore"):
+        ratio = np.abs(impulse[:, 0]) / impulse[:, 1]
+    return np.where(impulse[:, 1] > 0, ratio, np.nan)
+
+
+@_measure
+def lift_off_speed(cycles: Cycles) -> Array:
+    """Speed away from the ground of the foot that is released, with the other one at rest on the ground.
+
+    In the coordinates before the legs swap names the stance foot is the one that is released. Its velocity
+    is minus that which the foot that landed would have if it stood: only the motion of one foot against the
+    other counts, and a round foot's arc rolls along the ground, not away from it.
+    """
+    model, params = cycles.model, cycles.params
+    q, v = cycles.start["q"], cycles.start["v"]
+    before, moved = (
+        model.evaluate("before_touchdown", q=at, p=params)["q_minus"] for at in (q, q + v)
+    )  # which is linear in the coordinates
+    landed = model.evaluate("swing_foot", q=before, v=moved - before, p=params)["dfoot"]
+    speed: Array = -landed[:, 1]
+    return speed
+
+
+@_measure
+def trailing_lifts_off(cycles: Cycles) -> NDArray[np.bool_]:
+    """Whether the foot that is released moves away from the ground."""
+    lifts: NDArray[np.bool_] = cycles["lift_off_speed"] > 0
+    return lifts
+
+
+@_measure
 def clearance(cycles: Cycles) -> Array:
     """Lowest height of the swing foot."""
     return -extreme(cycles.trace, "foot_height", np.negative)

@@ -1,7 +1,8 @@
-"""``stridemap simulate``: a walk, step by step."""
+"""``stridemap simulate``: a walk, step by step, and as a time series."""
 
 import json
-from typing import Annotated, Any
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
@@ -17,6 +18,13 @@ from stridemap.cli.options import (
     split,
     whole,
 )
+from stridemap.errors import InputError
+
+if TYPE_CHECKING:
+    from stridemap.solver.walks.simulator import Walk
+
+RATE = 100.0
+"""Rows of a time series per unit of time, unless it is said."""
 
 
 def simulate(
@@ -27,35 +35,87 @@ def simulate(
         list[str] | None,
         typer.Option(metavar="NAME=VALUE", help="An entry of the state just after touchdown; all or none."),
     ] = None,
+    start: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--from",
+            metavar="NAME=VALUE",
+            help="Start within a step: a coordinate or rate, all of them, and t, the time since touchdown.",
+        ),
+    ] = None,
     steps: Annotated[int, whole("Number of steps to walk.")] = 10,
+    trajectory: Annotated[
+        Path | None,
+        typer.Option(help="Write the walk as a time series to this file (.parquet or .csv)."),
+    ] = None,
+    rate: Annotated[
+        float | None, typer.Option(help=f"Samples of the time series per unit of time; {RATE:g} by default.")
+    ] = None,
     json_: JsonOption = False,
     derive_timeout: DeriveTimeoutOption = None,
 ) -> int:
     """Walk from a state just after touchdown (by default the most stable limit cycle), step by step.
 
+    With --from the walk begins within a step. With --trajectory it is written as an evenly sampled series.
+
     The integrator is event-driven and shares nothing with the search for limit cycles.
     """
-    from stridemap.cli.output import print_table
+    from stridemap.cli.series import check_ending, write_series
     from stridemap.solver.api import simulate as simulate_
 
+    dt = _spacing(rate, trajectory)
+    if trajectory is not None:
+        check_ending(trajectory)
     params = parameters(context.args, set_)
-    start: dict[str, Any] = {}
-    for word in state or ():
-        assign(start, *split(word, "--state"))
-    walk = simulate_(model, start or None, steps=steps, params=params)
+    walk = simulate_(
+        model, _entries(state, "--state"), start=_entries(start, "--from"), steps=steps, params=params
+    )
+    if trajectory is not None:
+        about = {**_summary(model, walk), "rate": 1 / dt, "outcome": walk.outcome.value}
+        write_series(walk.trajectory(dt), trajectory, about)
     if json_:
         rows = [
             {"period": s.period, "step_length": s.step_length, "state": dict(s.state)} for s in walk.steps
         ]
-        out = {"model": model, "params": dict(walk.params), "outcome": str(walk.outcome), "steps": rows}
+        out = {**_summary(model, walk), "outcome": walk.outcome.value, "steps": rows}
         print(json.dumps(out, indent=1, allow_nan=False))
     else:
-        names = list(walk.steps[0].state) if walk.steps else []
-        table = [["step", "period", "length", *names]]
-        for i, s in enumerate(walk.steps, 1):
-            table.append(
-                [str(i), f"{s.period:.9f}", f"{s.step_length:.9f}", *(f"{v:.9f}" for v in s.state.values())]
-            )
-        print_table(table)
-        print(f"{walk.outcome.value.replace('_', ' ')} after {len(walk.steps)} of {steps} steps")
+        _print(walk, steps)
     return FOUND if len(walk.steps) == steps else NOTHING
+
+
+def _entries(words: list[str] | None, option: str) -> dict[str, Any] | None:
+    """Numbers by name from words ``NAME=VALUE``; None where there are none."""
+    out: dict[str, Any] = {}
+    for word in words or ():
+        assign(out, *split(word, option))
+    return out or None
+
+
+def _spacing(rate: float | None, trajectory: Path | None) -> float:
+    """Time between two samples."""
+    if rate is not None and trajectory is None:
+        raise InputError(f"--rate {rate:g} has no effect without --trajectory; name a file to be written")
+    chosen = RATE if rate is None else rate
+    if not 0 < chosen < float("inf"):
+        raise InputError(f"--rate {chosen:g} is not allowed: a finite number above 0 is needed")
+    return 1 / chosen
+
+
+def _summary(model: str, walk: "Walk") -> dict[str, Any]:
+    return {"model": model, "params": dict(walk.params), "start": dict(walk.start)}
+
+
+def _print(walk: "Walk", steps: int) -> None:
+    """The steps as a table, and how the walk ended."""
+    from stridemap.cli.output import print_table
+
+    names = list(walk.steps[0].state) if walk.steps else []
+    table = [["step", "period", "length", *names]]
+    for i, s in enumerate(walk.steps, 1):
+        values = [s.period, s.step_length, *s.state.values()]
+        table.append([str(i), *(f"{value:.9f}" for value in values)])
+    print_table(table)
+    if walk.outcome.sentence:
+        print(walk.outcome.sentence)
+    print(f"{walk.outcome.words} after {len(walk.steps)} of {steps} steps")

@@ -13,14 +13,15 @@ import stridemap
 from stridemap.quantities import MEASURED
 from stridemap.solver.backends.selection import load_kernels
 from stridemap.solver.model.loading import available, load
-from stridemap.solver.walks.simulator import Outcome
+from stridemap.solver.walks.outcomes import Outcome
 from tests.oracles.reference import REFERENCE, reference_name
 from tests.oracles.sweeping import STRIDEMAP, tables
 
 ORBIT_KEYS = (
     "status state period multipliers spectral_radius stable group step_length speed d_max work work_positive "
     "work_net cot cot_per_speed min_vertical_force friction clearance peaks x_zero_crossings "
-    "wobble_amplitude touchdown_speed residual integration_error"
+    "wobble_amplitude touchdown_speed impact_friction lift_off_speed trailing_lifts_off residual "
+    "integration_error"
 ).split()
 """In this order; others script against them."""
 
@@ -169,7 +170,7 @@ def test_nothing_found_is_status_1(run):
 
 def test_simulate_starts_from_the_most_stable_cycle(run):
     walk = printed(run("simulate", *TWO, "--steps", "4", "--json"))
-    assert list(walk) == ["model", "params", "outcome", "steps"]
+    assert list(walk) == ["model", "params", "start", "outcome", "steps"]
     assert (walk["model"], walk["params"]["k"], walk["outcome"]) == ("wobbling", 6.0, "walked")
     stable = stridemap.find_orbits("wobbling", k=6, alpha=0.25, omega=3)[1]
     assert len(walk["steps"]) == 4
