@@ -8,7 +8,7 @@ import sympy as sp
 from stridemap.derive.mechanics import Mechanics
 from stridemap.derive.parts import TIME
 from stridemap.derive.program import Argument, Builder, Entry, Factors, Output, Program
-from stridemap.derive.simplify import simplified
+from stridemap.derive.simplify import simplified, start_afresh
 from stridemap.derive.steps import in_steps
 from stridemap.derive.walker import Walker
 
@@ -39,6 +39,7 @@ class Functions:
     arguments: tuple[Argument, ...] = field(init=False)
 
     def __post_init__(self) -> None:
+        start_afresh()
         w = self.walker
         self.mechanics = Mechanics(in_steps(w))
         time = Entry(TIME, w.units.time, "time since touchdown")

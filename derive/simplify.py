@@ -6,7 +6,6 @@ for that, or has sums in denominators, is left as it is. Bounds are numbers of t
 the result is the same on every machine.
 """
 
-from functools import cache
 from math import comb
 
 import sympy as sp
@@ -14,8 +13,17 @@ import sympy as sp
 from stridemap.derive.normal_form import normal_form
 from stridemap.derive.terms import Term
 
-READABLE = 70
+READABLE = 64
 """Terms that an expression may have, when it is multiplied out, to be given its most readable form."""
+
+TRIED = 300
+"""Terms, when it is multiplied out, times different symbols and functions, up to which it is given that form."""
+
+GENERATORS = 14
+"""Different symbols and functions up to which it is given that form."""
+
+COLLECTED = 150
+"""Operations of a normal form up to which it is tried to collect its terms by each of its symbols."""
 
 QUOTIENT = 30
 """Operations that an expression with sums in denominators may have to be given its most readable form."""
@@ -24,7 +32,15 @@ PRODUCTS = 20_000
 """Products of two terms that may be formed to bring an expression into normal form."""
 
 
-@cache
+_KNOWN: dict[sp.Expr, sp.Expr] = {}
+"""What has been simplified in this derivation."""
+
+
+def start_afresh() -> None:
+    """Forget what was simplified, so that no derivation depends on those before it in the process."""
+    _KNOWN.clear()
+
+
 def simplified(expr: sp.Expr) -> sp.Expr:
     """The shortest of a few equivalent forms, so that equations stay checkable by eye.
 
@@ -33,8 +49,14 @@ def simplified(expr: sp.Expr) -> sp.Expr:
     expr : sympy.Expr
         Terms in it are taken for symbols.
     """
-    if expr.is_Atom:
-        return expr
+    if expr not in _KNOWN:
+        found = expr if expr.is_Atom else _simplified(expr)
+        _KNOWN[expr] = found
+        _KNOWN.setdefault(found, found)  # what has been shortened once is as short as it gets
+    return _KNOWN[expr]
+
+
+def _simplified(expr: sp.Expr) -> sp.Expr:
     if terms := sorted(expr.atoms(Term), key=sp.default_sort_key):
         stand_in = {t: sp.Symbol(f"{t.name}_{i}", real=True) for i, t in enumerate(terms)}
         back = {s: t for t, s in stand_in.items()}
@@ -42,9 +64,17 @@ def simplified(expr: sp.Expr) -> sp.Expr:
     if has_quotient(expr):
         return _readable(expr) if sp.count_ops(expr) <= QUOTIENT else expr
     if expanded_size(expr) <= READABLE:
-        return _readable(expr)
+        expanded = sp.expand(expr)
+        generators = len(expanded.free_symbols) + len(expanded.atoms(sp.Function))
+        if generators <= GENERATORS and len(sp.Add.make_args(expanded)) * generators <= TRIED:
+            return _readable(expr)
     found = normal_form(expr, PRODUCTS)
-    return expr if found is None else min(expr, found, sp.factor_terms(found), key=sp.count_ops)
+    if found is None:
+        return expr
+    candidates = [expr, found, sp.factor_terms(found)]
+    if sp.count_ops(found) <= COLLECTED:
+        candidates += [sp.collect(found, s) for s in sorted(found.free_symbols, key=lambda s: s.name)]
+    return _shortest(candidates)
 
 
 def _readable(expr: sp.Expr) -> sp.Expr:
@@ -53,13 +83,20 @@ def _readable(expr: sp.Expr) -> sp.Expr:
     candidates = [expr, expanded, reduced, sp.factor(reduced)]
     for symbol in sorted(reduced.free_symbols, key=lambda s: s.name):
         candidates += [sp.collect(expanded, symbol), sp.collect(reduced, symbol)]
-    candidates += [sp.factor_terms(c) for c in candidates]
-    return min(candidates, key=lambda e: (sp.count_ops(e), sp.default_sort_key(e)))
+    candidates = list(dict.fromkeys(candidates))
+    return _shortest([*candidates, *map(sp.factor_terms, candidates)])
+
+
+def _shortest(candidates: list[sp.Expr]) -> sp.Expr:
+    counted = [(sp.count_ops(e), e) for e in dict.fromkeys(candidates)]
+    least = min(count for count, _ in counted)
+    return min((e for count, e in counted if count == least), key=sp.default_sort_key)
 
 
 def has_quotient(expr: sp.Expr) -> bool:
-    """Whether a sum stands in a denominator, which an expansion multiplies and never cancels."""
-    return any(p.exp.is_negative and p.base.is_Add for p in expr.atoms(sp.Pow))
+    """Whether sums of sines stand in a denominator, or several sums: what an expansion multiplies out."""
+    below = {p.base for p in expr.atoms(sp.Pow) if p.exp.is_negative and p.base.is_Add}
+    return len(below) > 2 or any(base.has(sp.sin, sp.cos) for base in below)
 
 
 def expanded_size(expr: sp.Expr) -> int:
