@@ -7,6 +7,7 @@ from typing import Any
 import sympy as sp
 
 from stridemap import spec
+from stridemap.derive.terms import mapped
 from stridemap.spec import UnitNames
 
 STANCE_FOOT = sp.Matrix(sp.symbols("stance_x stance_y", real=True))
@@ -238,7 +239,7 @@ def exact(value: Any) -> Any:
     if isinstance(value, sp.MatrixBase):
         return sp.ImmutableMatrix(value.applyfunc(exact))
     if isinstance(value, sp.Basic):
-        return sp.nsimplify(value, rational=True) if value.has(sp.Float) else value
+        return mapped(value, _rational)
     if isinstance(value, Body | Touchdown | Clock | Line | Measured):
         return replace(value, **{name: _exact_number(name, v) for name, v in vars(value).items()})
     if isinstance(value, tuple):
@@ -246,6 +247,10 @@ def exact(value: Any) -> Any:
     if isinstance(value, Mapping):
         return {key: exact(v) for key, v in value.items()}
     return value
+
+
+def _rational(value: sp.Basic) -> sp.Basic:
+    return sp.nsimplify(value, rational=True) if value.has(sp.Float) else value
 
 
 def _exact_number(name: str, value: Any) -> Any:

@@ -147,6 +147,15 @@ def _direct(expr: sp.Basic) -> list[Term]:
     return sorted(expr.atoms(Term), key=sp.default_sort_key, reverse=True)
 
 
+def mapped(expr: sp.Basic, change: Callable[[sp.Basic], sp.Basic]) -> sp.Basic:
+    """`change` of an expression, and of what every term in it stands for."""
+    known: dict[sp.Basic, sp.Basic] = {}
+    for term in terms_in([expr]):
+        definition = change(_plain(term.definition, known))
+        known[term] = term if definition == term.definition else Term(term.name, definition)
+    return change(_plain(expr, known))
+
+
 def opened(expr: Any) -> Any:
     """An expression or matrix with every term replaced by what it stands for."""
     if isinstance(expr, sp.MatrixBase):

@@ -10,14 +10,14 @@ from typing import Any
 
 import sympy as sp
 
-from stridemap.derive.declaration import Declaration
+from stridemap.derive.derived import Derived
 from stridemap.derive.parts import Clock, exact
 from stridemap.derive.validate.mechanics import validate_mechanics
 from stridemap.derive.validate.names import validate_names
 
 
 @dataclass(frozen=True, kw_only=True)
-class Walker(Declaration):
+class Walker(Derived):
     """A planar walker that steps from one foot to the other, over flat or sloping ground.
 
     The x-axis lies along the ground, in the direction of walking, and the y-axis points away from it.
@@ -77,6 +77,10 @@ class Walker(Declaration):
     sources : dict of str to str
         Where an equation is found in the literature, by generated function.
 
+    Its torques may use what is derived from the rest: the mass matrix `M` and bias forces `h`
+    (``M ddq + h = Q``), `energy`, `kinetic_energy`, `potential_energy`, `centre_of_mass`, and `jacobian` and
+    `rate` of any point. Declare it without torques first, and add them by `with_`.
+
     Raises
     ------
     InputError
@@ -84,7 +88,7 @@ class Walker(Declaration):
     """
 
     def __post_init__(self) -> None:
-        for name, value in vars(self).items():
+        for name, value in list(vars(self).items()):
             object.__setattr__(self, name, exact(value))
         if isinstance(self.clock, Clock) and not self.clock.resets:
             self._add_clock(self.clock)
