@@ -10,6 +10,7 @@ The names below are what a model file needs.
 
 from typing import Any
 
+from stridemap.derive.derived import solve
 from stridemap.derive.parts import (
     SI,
     STANCE_FOOT,
@@ -25,6 +26,7 @@ from stridemap.derive.parts import (
     Touchdown,
     rolling_arc,
 )
+from stridemap.derive.terms import Term
 from stridemap.derive.walker import Walker
 from stridemap.spec import UnitNames
 
@@ -40,10 +42,12 @@ __all__ = [
     "Measured",
     "Motor",
     "Parameter",
+    "Term",
     "Touchdown",
     "UnitNames",
     "Walker",
     "rolling_arc",
+    "solve",
 ]
 
 

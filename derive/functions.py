@@ -5,9 +5,11 @@ from dataclasses import dataclass, field
 
 import sympy as sp
 
-from stridemap.derive.mechanics import Mechanics, simplified
+from stridemap.derive.mechanics import Mechanics
 from stridemap.derive.parts import TIME
 from stridemap.derive.program import Argument, Builder, Entry, Factors, Output, Program
+from stridemap.derive.simplify import simplified, start_afresh
+from stridemap.derive.steps import in_steps
 from stridemap.derive.walker import Walker
 
 DEFAULT_SOURCES = {
@@ -38,8 +40,9 @@ class Functions:
     arguments: tuple[Argument, ...] = field(init=False)
 
     def __post_init__(self) -> None:
+        start_afresh()
         w = self.walker
-        self.mechanics = Mechanics(w)
+        self.mechanics = Mechanics(in_steps(w))
         time = Entry(TIME, w.units.time, "time since touchdown")
         q = tuple(Entry(c.symbol, c.unit, c.meaning) for c in w.coordinates)
         v = tuple(Entry(c.rate, w.units.rate(c.unit), f"rate of {c.name}") for c in w.coordinates)

@@ -6,29 +6,18 @@ two rows of the held foot give the ground force, and releasing it gives the impa
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from functools import cache, cached_property
+from functools import cached_property
 from typing import NoReturn
 
 import sympy as sp
 
 from stridemap.derive.declaration import Declaration
 from stridemap.derive.parts import STANCE_FOOT, Coordinate
+from stridemap.derive.simplify import simplified
 from stridemap.errors import InputError
 
 BASE = 2
 """Number of floating-base coordinates; they come first."""
-
-
-@cache
-def simplified(expr: sp.Expr) -> sp.Expr:
-    """The shortest of a few equivalent forms, so that equations stay checkable by eye."""
-    expanded = sp.expand(expr)
-    reduced = sp.trigsimp(expanded)
-    candidates = [expr, expanded, reduced, sp.factor(reduced)]
-    for symbol in sorted(reduced.free_symbols, key=lambda s: s.name):
-        candidates += [sp.collect(expanded, symbol), sp.collect(reduced, symbol)]
-    candidates += [sp.factor_terms(c) for c in candidates]
-    return min(candidates, key=lambda e: (sp.count_ops(e), sp.default_sort_key(e)))
 
 
 @dataclass(frozen=True)

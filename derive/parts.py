@@ -7,6 +7,7 @@ from typing import Any, Literal
 import sympy as sp
 
 from stridemap import spec
+from stridemap.derive.terms import mapped
 from stridemap.errors import InputError
 from stridemap.spec import UnitNames
 
@@ -313,7 +314,7 @@ def exact(value: Any) -> Any:
     if isinstance(value, sp.MatrixBase):
         return sp.ImmutableMatrix(value.applyfunc(exact))
     if isinstance(value, sp.Basic):
-        return sp.nsimplify(value, rational=True) if value.has(sp.Float) else value
+        return mapped(value, _rational)
     if isinstance(value, Motor):  # limit and efficiency stay numbers
         parts = {name: _exact_number(name, getattr(value, name)) for name in ("torque", "drives", "bodies")}
         return replace(value, **parts)
@@ -324,6 +325,10 @@ def exact(value: Any) -> Any:
     if isinstance(value, Mapping):
         return {key: exact(v) for key, v in value.items()}
     return value
+
+
+def _rational(value: sp.Basic) -> sp.Basic:
+    return sp.nsimplify(value, rational=True) if value.has(sp.Float) else value
 
 
 def _exact_number(name: str, value: Any) -> Any:

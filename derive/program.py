@@ -8,10 +8,15 @@ import re
 from collections.abc import Container, Iterable, Iterator
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from itertools import count
 
 import sympy as sp
 
-from stridemap.derive.mechanics import simplified
+from stridemap.derive.simplify import simplified
+from stridemap.derive.terms import Term, statements
+
+FIRST_TERM = 10**6
+"""Number of the first unnamed term: beyond those of shared terms, until all are numbered as they stand."""
 
 
 @dataclass(frozen=True)
@@ -213,6 +218,9 @@ class Builder:
         arguments, outputs = self.arguments, tuple(outputs)
         raw = [*self.named.values(), *(e for o in outputs for e in o.entries)]
         taken = {*self.taken, *(s.name for s in self.named)}
+        own, raw = _terms_by_name(raw, {*taken, *(o.name for o in outputs)})
+        taken |= {s.name for s in own if not isinstance(s, sp.Dummy)}
+        raw = [*own.values(), *raw]
         trig = _named_trigonometry(raw, taken)
         taken |= {*(s.name for s in trig.values()), *(o.name for o in outputs)}
         fresh = (sp.Dummy(f"t{i}", real=True) for i in range(1, 10**6))
@@ -222,7 +230,8 @@ class Builder:
             order="canonical",
         )
         terms, reduced = _without_trivial(dict(shared), reduced)
-        terms, reduced = _under_their_names(terms, reduced, list(self.named))
+        terms, reduced = _under_their_names(terms, reduced, [*own, *self.named])
+        terms, reduced = _without_copies(terms, reduced, own)
         terms |= {symbol: call for call, symbol in trig.items()}
         results = iter(reduced)
         closed = tuple(replace(o, value=_refill(o, results)) for o in outputs)
@@ -251,6 +260,38 @@ def _under_their_names(
         if symbol not in terms:
             terms[symbol] = expr.xreplace(alias)
     return terms, [e.xreplace(alias) for e in reduced[len(named) :]]
+
+
+def _terms_by_name(
+    raw: list[sp.Expr], taken: set[str]
+) -> tuple[dict[sp.Symbol, sp.Expr], list[sp.Expr]]:
+    """The terms in expressions as statements, and the expressions with the terms' symbols in them."""
+    known = set(taken)
+    numbers = count(FIRST_TERM)
+
+    def name(term: Term) -> sp.Symbol:
+        if not term.name:
+            return sp.Dummy(f"t{next(numbers)}", real=True)
+        found = free(term.name, known)
+        known.add(found)
+        return sp.Symbol(found, real=True)
+
+    return statements(raw, name)
+
+
+def _without_copies(
+    terms: dict[sp.Symbol, sp.Expr], exprs: list[sp.Expr], own: Container[sp.Symbol]
+) -> tuple[dict[sp.Symbol, sp.Expr], list[sp.Expr]]:
+    """Leave out those of `own` that are nothing but another term, or a number."""
+    copies = {s: e for s, e in terms.items() if s in own and e.is_Atom}
+    if not copies:
+        return terms, exprs
+    for symbol, expr in copies.items():
+        while expr in copies:
+            expr = copies[expr]
+        copies[symbol] = expr
+    kept = {s: e.xreplace(copies) for s, e in terms.items() if s not in copies}
+    return kept, [e.xreplace(copies) for e in exprs]
 
 
 def _without_trivial(
@@ -301,6 +342,7 @@ def _refill(output: Output, results: Iterator[sp.Expr]) -> sp.Matrix | sp.Expr:
 def _named_trigonometry(exprs: Iterable[sp.Expr], taken: Iterable[str]) -> dict[sp.Expr, sp.Symbol]:
     """A readable name for each sine and cosine: ``c_theta2``, ``s_theta1_minus_theta2``."""
     calls = sorted(set().union(*(e.atoms(sp.sin, sp.cos) for e in exprs)), key=sp.default_sort_key)
+    calls = [call for call in calls if not call.atoms(sp.Dummy)]
     known, names = set(taken), {}
     for call in calls:
         text = str(call.args[0]).replace(" - ", "_minus_").replace(" + ", "_plus_").replace("-", "minus_")

@@ -11,7 +11,7 @@ from typing import Any
 
 import sympy as sp
 
-from stridemap.derive.declaration import Declaration
+from stridemap.derive.derived import Derived
 from stridemap.derive.parts import DIMENSIONLESS, STANCE_FOOT, Clock, exact
 from stridemap.derive.validate.mechanics import validate_mechanics
 from stridemap.derive.validate.model_name import validate_model_name
@@ -26,7 +26,7 @@ USUAL_PERIODS = (0.3, 3.0)
 
 
 @dataclass(frozen=True, kw_only=True)
-class Walker(Declaration):
+class Walker(Derived):
     """A planar walker that steps from one foot to the other, over flat or sloping ground.
 
     The x-axis lies along the ground, in the direction of walking, and the y-axis points away from it.
@@ -90,6 +90,10 @@ class Walker(Declaration):
     sources : dict of str to str
         Where an equation is found in the literature, by generated function.
 
+    Its torques may use what is derived from the rest: the mass matrix `M` and bias forces `h`
+    (``M ddq + h = Q``), `energy`, `kinetic_energy`, `potential_energy`, `centre_of_mass`, and `jacobian` and
+    `rate` of any point. Declare it without torques first, and add them by `with_`.
+
     Raises
     ------
     InputError
@@ -104,7 +108,7 @@ class Walker(Declaration):
 
     def _validate(self) -> None:
         validate_types(self)
-        for name, value in vars(self).items():
+        for name, value in list(vars(self).items()):
             object.__setattr__(self, name, exact(value))
         if isinstance(self.clock, Clock) and not self.clock.resets:
             self._add_clock(self.clock)

@@ -25,6 +25,7 @@ from stridemap.derive.parts import (
 )
 from stridemap.derive.validate.refusal import refuse
 from stridemap.derive.validate.reserved import FILES, better, in_code, meaning
+from stridemap.derive.validate.smooth import validate_smooth
 from stridemap.quantities import KINDS
 from stridemap.spec import REDUCTIONS
 from stridemap.words import ATTRIBUTES
@@ -51,6 +52,7 @@ def validate_names(walker: Declaration) -> None:
     _parameters(walker)
     _references(walker)
     _shapes(walker)
+    validate_smooth(walker, [*_scalars(walker), *_points(walker)])
     _symbols(walker)
     _translation(walker)
     _search(walker)
@@ -217,11 +219,16 @@ def _references(walker: Declaration) -> None:
             )
 
 
+def _points(walker: Declaration) -> Iterator[tuple[str, Any]]:
+    for body in walker.bodies:
+        yield f"the position of the body {body.name}", body.position
+    yield from (("swing_foot", walker.swing_foot), ("gravity", walker.gravity), ("stance", walker.stance))
+    for line in walker.drawing:
+        yield from ((f"a point of the line {line.name}", point) for point in line.points)
+
+
 def _shapes(walker: Declaration) -> None:
-    vectors = [(f"the position of the body {b.name}", b.position) for b in walker.bodies]
-    vectors += [("swing_foot", walker.swing_foot), ("gravity", walker.gravity), ("stance", walker.stance)]
-    vectors += [(f"a point of the line {line.name}", p) for line in walker.drawing for p in line.points]
-    for what, value in vectors:
+    for what, value in _points(walker):
         shape = getattr(value, "shape", None)
         if shape != (2, 1):
             refuse(walker, f"{what} has shape {shape}; a point has shape (2, 1), as sympy.Matrix([x, y])")

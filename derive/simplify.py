@@ -1,0 +1,114 @@
+"""Shorter forms of an expression, sought with effort that is bounded by the expression's size.
+
+`simplified` gives short expressions the form that reads best. What would take long is brought into a normal
+form instead, in which products of sines and cosines are sums of sines and cosines; and what is too large even
+for that, or has sums in denominators, is left as it is. Bounds are numbers of terms and not of seconds, so that
+the result is the same on every machine.
+"""
+
+from math import comb
+
+import sympy as sp
+
+from stridemap.derive.normal_form import normal_form
+from stridemap.derive.terms import Term
+
+READABLE = 64
+"""Terms that an expression may have, when it is multiplied out, to be given its most readable form."""
+
+TRIED = 300
+"""Terms, when it is multiplied out, times different symbols and functions, up to which it is given that form."""
+
+GENERATORS = 14
+"""Different symbols and functions up to which it is given that form."""
+
+COLLECTED = 150
+"""Operations of a normal form up to which it is tried to collect its terms by each of its symbols."""
+
+QUOTIENT = 30
+"""Operations that an expression with sums in denominators may have to be given its most readable form."""
+
+PRODUCTS = 20_000
+"""Products of two terms that may be formed to bring an expression into normal form."""
+
+
+_KNOWN: dict[sp.Expr, sp.Expr] = {}
+"""What has been simplified in this derivation."""
+
+
+def start_afresh() -> None:
+    """Forget what was simplified, so that no derivation depends on those before it in the process."""
+    _KNOWN.clear()
+
+
+def simplified(expr: sp.Expr) -> sp.Expr:
+    """The shortest of a few equivalent forms, so that equations stay checkable by eye.
+
+    Parameters
+    ----------
+    expr : sympy.Expr
+        Terms in it are taken for symbols.
+    """
+    if expr not in _KNOWN:
+        found = expr if expr.is_Atom else _simplified(expr)
+        _KNOWN[expr] = found
+        _KNOWN.setdefault(found, found)  # what has been shortened once is as short as it gets
+    return _KNOWN[expr]
+
+
+def _simplified(expr: sp.Expr) -> sp.Expr:
+    if terms := sorted(expr.atoms(Term), key=sp.default_sort_key):
+        stand_in = {t: sp.Symbol(f"{t.name}_{i}", real=True) for i, t in enumerate(terms)}
+        back = {s: t for t, s in stand_in.items()}
+        return simplified(expr.xreplace(stand_in)).xreplace(back)
+    if has_quotient(expr):
+        return _readable(expr) if sp.count_ops(expr) <= QUOTIENT else expr
+    if expanded_size(expr) <= READABLE:
+        expanded = sp.expand(expr)
+        generators = len(expanded.free_symbols) + len(expanded.atoms(sp.Function))
+        if generators <= GENERATORS and len(sp.Add.make_args(expanded)) * generators <= TRIED:
+            return _readable(expr)
+    found = normal_form(expr, PRODUCTS)
+    if found is None:
+        return expr
+    candidates = [expr, found, sp.factor_terms(found)]
+    if sp.count_ops(found) <= COLLECTED:
+        candidates += [sp.collect(found, s) for s in sorted(found.free_symbols, key=lambda s: s.name)]
+    return _shortest(candidates)
+
+
+def _readable(expr: sp.Expr) -> sp.Expr:
+    expanded = sp.expand(expr)
+    reduced = sp.trigsimp(expanded)
+    candidates = [expr, expanded, reduced, sp.factor(reduced)]
+    for symbol in sorted(reduced.free_symbols, key=lambda s: s.name):
+        candidates += [sp.collect(expanded, symbol), sp.collect(reduced, symbol)]
+    candidates = list(dict.fromkeys(candidates))
+    return _shortest([*candidates, *map(sp.factor_terms, candidates)])
+
+
+def _shortest(candidates: list[sp.Expr]) -> sp.Expr:
+    counted = [(sp.count_ops(e), e) for e in dict.fromkeys(candidates)]
+    least = min(count for count, _ in counted)
+    return min((e for count, e in counted if count == least), key=sp.default_sort_key)
+
+
+def has_quotient(expr: sp.Expr) -> bool:
+    """Whether sums of sines stand in a denominator, or several sums: what an expansion multiplies out."""
+    below = {p.base for p in expr.atoms(sp.Pow) if p.exp.is_negative and p.base.is_Add}
+    return len(below) > 2 or any(base.has(sp.sin, sp.cos) for base in below)
+
+
+def expanded_size(expr: sp.Expr) -> int:
+    """An upper bound of the number of terms that an expression has when it is multiplied out."""
+    if expr.is_Add:
+        return sum(expanded_size(a) for a in expr.args)
+    if expr.is_Mul:
+        size = 1
+        for a in expr.args:
+            size *= expanded_size(a)
+        return size
+    if expr.is_Pow and expr.exp.is_Integer and expr.exp.is_positive:
+        terms, power = expanded_size(expr.base), int(expr.exp)
+        return comb(terms + power - 1, power)
+    return 1
