@@ -1,5 +1,5 @@
 /* Rimless wheel: kernels of the solver
- * Printed by CasADi 3.8.2 from equations 9f8d096f786f401e.
+ * Printed by CasADi 3.8.2 from equations 87fd8388a466376b.
  * Do not edit: run `make derive`.
  * SPDX-License-Identifier: BSD-3-Clause
  */

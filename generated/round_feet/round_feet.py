@@ -43,7 +43,7 @@ def bias_forces(xp, q, v, p):
     """Bias forces of the swing phase.
 
     Source: M ddq + h + v = Q with v = v_gravity.
-    89 operations.
+    82 operations.
     """
     q1 = q[0]
     q2 = q[1]
@@ -55,26 +55,23 @@ def bias_forces(xp, q, v, p):
     com_offset = p[4]
     radius = p[5]
     slope = p[6]
-    t1 = dq2*dq2*leg_mass
-    c_q1_minus_q2 = xp.cos(q1 - q2)
-    t2 = c_q1_minus_q2*com_offset*leg_mass
-    t3 = dq2*dq2*radius
-    s_q1_minus_q2 = xp.sin(q1 - q2)
-    t4 = com_distance*leg_mass*s_q1_minus_q2
-    c_q2 = xp.cos(q2)
-    s_q2 = xp.sin(q2)
-    t5 = c_q2*com_offset - com_distance*s_q2
+    t1 = 2*dq1 - dq2
+    t2 = dq1*dq1 - 2*dq1*dq2 + dq2*dq2
     c_q1 = xp.cos(q1)
+    c_q2 = xp.cos(q2)
     s_q1 = xp.sin(q1)
+    s_q2 = xp.sin(q2)
+    c_q1_minus_q2 = xp.cos(q1 - q2)
+    s_q1_minus_q2 = xp.sin(q1 - q2)
     c_minus_q1_plus_q2_plus_slope = xp.cos(q2 - q1 + slope)
     s_minus_q1_plus_q2_plus_slope = xp.sin(q2 - q1 + slope)
-    t6 = c_minus_q1_plus_q2_plus_slope*com_offset - com_distance*s_minus_q1_plus_q2_plus_slope
+    t3 = c_minus_q1_plus_q2_plus_slope*com_offset - com_distance*s_minus_q1_plus_q2_plus_slope
     s_slope = xp.sin(slope)
     c_q1_minus_slope = xp.cos(q1 - slope)
     s_q1_minus_slope = xp.sin(q1 - slope)
     return {
-        "h": [c_q2*com_offset*t1 - com_distance*s_q2*t1 + dq1*dq1*radius*(c_q1*com_offset*leg_mass + com_distance*leg_mass*s_q1 - hip_mass*s_q1 - 2*leg_mass*s_q1 + t2 + t4) - 2*dq1*dq2*leg_mass*(c_q1_minus_q2*com_offset*radius + com_distance*radius*s_q1_minus_q2 + t5) + t2*t3 + t3*t4, dq1*dq1*leg_mass*t5],
-        "v_gravity": [hip_mass*radius*s_slope - hip_mass*s_q1_minus_slope + leg_mass*(c_q1_minus_slope*com_offset + com_distance*s_q1_minus_slope + 2*radius*s_slope - 2*s_q1_minus_slope + t6), -leg_mass*t6],
+        "h": [dq1*dq1*radius*s_q1*(leg_mass*(com_distance - 2) - hip_mass) + leg_mass*(c_q1*com_offset*dq1*dq1*radius + c_q1_minus_q2*com_offset*radius*t2 - c_q2*com_offset*dq2*t1 + com_distance*dq2*s_q2*t1 + com_distance*radius*s_q1_minus_q2*t2), dq1*dq1*leg_mass*(c_q2*com_offset - com_distance*s_q2)],
+        "v_gravity": [hip_mass*radius*s_slope - hip_mass*s_q1_minus_slope + leg_mass*(c_q1_minus_slope*com_offset + com_distance*s_q1_minus_slope + 2*radius*s_slope - 2*s_q1_minus_slope + t3), -leg_mass*t3],
     }
 
 
@@ -82,7 +79,7 @@ def state_derivative(xp, q, v, p):
     """Time derivative of the state in the swing phase.
 
     Source: M ddq + h + v = Q.
-    149 operations.
+    139 operations.
     """
     q1 = q[0]
     q2 = q[1]
@@ -111,18 +108,16 @@ def state_derivative(xp, q, v, p):
     M_L21 = M_12*t5
     M_22 = inertia + leg_mass*t4
     M_D2 = M_22 - M_11*M_L21*M_L21
-    t6 = dq2*dq2*leg_mass
-    t7 = c_q1_minus_q2*com_offset*radius
-    t8 = com_distance*radius*s_q1_minus_q2
-    c_minus_q1_plus_q2_plus_slope = xp.cos(q2 - q1 + slope)
-    s_minus_q1_plus_q2_plus_slope = xp.sin(q2 - q1 + slope)
-    t9 = c_minus_q1_plus_q2_plus_slope*com_offset - com_distance*s_minus_q1_plus_q2_plus_slope
-    t10 = c_q2*com_offset - com_distance*s_q2
+    t6 = hip_mass + leg_mass*(2 - com_distance)
+    t7 = 2*dq1 - dq2
+    t8 = 2*dq1*dq2 - dq1*dq1 - dq2*dq2
     s_slope = xp.sin(slope)
     c_q1_minus_slope = xp.cos(q1 - slope)
     s_q1_minus_slope = xp.sin(q1 - slope)
-    force_1 = com_distance*dq2*dq2*leg_mass*s_q2 - c_q2*com_offset*t6 - dq1*dq1*radius*(c_q1*com_offset*leg_mass + c_q1_minus_q2*com_offset*leg_mass + com_distance*leg_mass*s_q1 + com_distance*leg_mass*s_q1_minus_q2 - hip_mass*s_q1 - 2*leg_mass*s_q1) + 2*dq1*dq2*leg_mass*(t10 + t7 + t8) - hip_mass*radius*s_slope + hip_mass*s_q1_minus_slope - leg_mass*(c_q1_minus_slope*com_offset + com_distance*s_q1_minus_slope + 2*radius*s_slope - 2*s_q1_minus_slope + t9) - t6*t7 - t6*t8
-    force_2 = leg_mass*(t9 - dq1*dq1*t10)
+    c_minus_q1_plus_q2_plus_slope = xp.cos(q2 - q1 + slope)
+    s_minus_q1_plus_q2_plus_slope = xp.sin(q2 - q1 + slope)
+    force_1 = dq1*dq1*radius*s_q1*t6 + leg_mass*(c_q1_minus_q2*com_offset*radius*t8 - c_minus_q1_plus_q2_plus_slope*com_offset - c_q1*com_offset*dq1*dq1*radius - c_q1_minus_slope*com_offset + c_q2*com_offset*dq2*t7 - com_distance*dq2*s_q2*t7 + com_distance*radius*s_q1_minus_q2*t8 + com_distance*s_minus_q1_plus_q2_plus_slope) - radius*s_slope*(hip_mass + 2*leg_mass) + s_q1_minus_slope*t6
+    force_2 = leg_mass*(c_minus_q1_plus_q2_plus_slope*com_offset - com_distance*s_minus_q1_plus_q2_plus_slope + dq1*dq1*(com_distance*s_q2 - c_q2*com_offset))
     acc_f2 = force_2 - M_L21*force_1
     acc_2 = acc_f2/M_D2
     acc_1 = force_1*t5 - M_L21*acc_2
@@ -136,7 +131,7 @@ def state_derivative_dq(xp, q, v, p):
     """Derivative of the accelerations with respect to q.
 
     Source: M ddq + h + v = Q, differentiated: M d(dv) = d(Q - h - v) - dM dv.
-    271 operations.
+    254 operations.
     """
     q1 = q[0]
     q2 = q[1]
@@ -149,56 +144,56 @@ def state_derivative_dq(xp, q, v, p):
     com_offset = p[4]
     radius = p[5]
     slope = p[6]
-    s_q1_minus_q2 = xp.sin(q1 - q2)
-    t1 = com_offset*radius*s_q1_minus_q2
-    c_q1_minus_q2 = xp.cos(q1 - q2)
-    t2 = c_q1_minus_q2*com_distance*radius
-    t3 = com_distance*com_distance + com_offset*com_offset
     c_q1 = xp.cos(q1)
+    t1 = 2*c_q1*radius
+    s_q1_minus_q2 = xp.sin(q1 - q2)
+    t2 = com_offset*radius*s_q1_minus_q2
+    c_q1_minus_q2 = xp.cos(q1 - q2)
+    t3 = c_q1_minus_q2*com_distance*radius
+    t4 = com_distance*com_distance + com_offset*com_offset
     c_q2 = xp.cos(q2)
     s_q1 = xp.sin(q1)
     s_q2 = xp.sin(q2)
-    M_11 = 2*c_q1*hip_mass*radius + hip_mass*radius*radius + hip_mass + 2*inertia + 2*leg_mass*(2*c_q1*radius - c_q1*com_distance*radius - c_q2*com_distance - com_distance + com_offset*radius*s_q1 - com_offset*s_q2 + radius*radius + t1 - t2 + t3 + 1)
-    t4 = 1/M_11
-    M_22 = inertia + leg_mass*t3
-    t5 = c_q2*com_distance + com_offset*s_q2
-    t6 = t2 - t1 + t5
-    M_12 = leg_mass*(t6 - com_distance*com_distance - com_offset*com_offset) - inertia
-    M_L21 = M_12*t4
+    M_11 = hip_mass*radius*radius + hip_mass*t1 + hip_mass + 2*inertia + 2*leg_mass*(com_offset*radius*s_q1 - c_q1*com_distance*radius - c_q2*com_distance - com_distance - com_offset*s_q2 + radius*radius + t1 + t2 - t3 + t4 + 1)
+    t5 = 1/M_11
+    M_22 = inertia + leg_mass*t4
+    M_12 = leg_mass*(c_q2*com_distance - com_distance*com_distance - com_offset*com_offset + com_offset*s_q2 - t2 + t3) - inertia
+    M_L21 = M_12*t5
     M_D2 = M_22 - M_11*M_L21*M_L21
-    t7 = 1/M_D2
-    t8 = dq2*dq2*leg_mass
-    t9 = 2*dq1*dq2*leg_mass
-    t10 = dq1*dq1*radius
-    t11 = c_q1_minus_q2*com_offset + com_distance*s_q1_minus_q2
-    t12 = com_offset*s_q1_minus_q2 - c_q1_minus_q2*com_distance
-    c_minus_q1_plus_q2_plus_slope = xp.cos(q2 - q1 + slope)
-    s_minus_q1_plus_q2_plus_slope = xp.sin(q2 - q1 + slope)
-    t13 = c_minus_q1_plus_q2_plus_slope*com_distance + com_offset*s_minus_q1_plus_q2_plus_slope
-    t14 = c_q1_minus_q2*com_offset*leg_mass
-    t15 = dq2*dq2*radius
-    t16 = com_distance*leg_mass*s_q1_minus_q2
-    t17 = c_minus_q1_plus_q2_plus_slope*com_offset - com_distance*s_minus_q1_plus_q2_plus_slope
-    t18 = c_q2*com_offset - com_distance*s_q2
-    t19 = c_q1_minus_q2*com_offset*radius + com_distance*radius*s_q1_minus_q2 + t18
+    t6 = 1/M_D2
+    t7 = hip_mass + leg_mass*(2 - com_distance)
+    t8 = com_offset*dq1*dq1
+    t9 = 2*dq1 - dq2
+    t10 = radius*(2*dq1*dq2 - dq1*dq1 - dq2*dq2)
     s_slope = xp.sin(slope)
     c_q1_minus_slope = xp.cos(q1 - slope)
     s_q1_minus_slope = xp.sin(q1 - slope)
-    force_1 = com_distance*dq2*dq2*leg_mass*s_q2 - c_q2*com_offset*t8 - hip_mass*radius*s_slope + hip_mass*s_q1_minus_slope - leg_mass*(c_q1_minus_slope*com_offset + com_distance*s_q1_minus_slope + 2*radius*s_slope - 2*s_q1_minus_slope + t17) - t10*(c_q1*com_offset*leg_mass + com_distance*leg_mass*s_q1 - hip_mass*s_q1 - 2*leg_mass*s_q1 + t14 + t16) - t14*t15 - t15*t16 + t19*t9
-    force_2 = leg_mass*(t17 - dq1*dq1*t18)
+    c_minus_q1_plus_q2_plus_slope = xp.cos(q2 - q1 + slope)
+    s_minus_q1_plus_q2_plus_slope = xp.sin(q2 - q1 + slope)
+    force_1 = dq1*dq1*radius*s_q1*t7 + leg_mass*(c_q1_minus_q2*com_offset*t10 - c_minus_q1_plus_q2_plus_slope*com_offset - c_q1*radius*t8 - c_q1_minus_slope*com_offset + c_q2*com_offset*dq2*t9 - com_distance*dq2*s_q2*t9 + com_distance*s_minus_q1_plus_q2_plus_slope + com_distance*s_q1_minus_q2*t10) - radius*s_slope*(hip_mass + 2*leg_mass) + s_q1_minus_slope*t7
+    force_2 = leg_mass*(c_minus_q1_plus_q2_plus_slope*com_offset - com_distance*s_minus_q1_plus_q2_plus_slope + dq1*dq1*(com_distance*s_q2 - c_q2*com_offset))
     acc_f2 = force_2 - M_L21*force_1
-    acc_2 = acc_f2*t7
-    acc_1 = force_1*t4 - M_L21*acc_2
-    r1_1 = 2*acc_1*radius*(hip_mass*s_q1 - leg_mass*(c_q1*com_offset + com_distance*s_q1 - 2*s_q1 + t11)) + acc_2*leg_mass*radius*t11 + c_q1_minus_slope*hip_mass + com_offset*dq2*dq2*leg_mass*radius*s_q1_minus_q2 + leg_mass*(2*c_q1_minus_slope - c_q1_minus_slope*com_distance + com_offset*s_q1_minus_slope - t13) - radius*t12*t9 + t10*(c_q1*hip_mass - c_q1*com_distance*leg_mass + 2*c_q1*leg_mass - c_q1_minus_q2*com_distance*leg_mass + com_offset*leg_mass*s_q1 + com_offset*leg_mass*s_q1_minus_q2) - t2*t8
-    r1_2 = leg_mass*(acc_1*radius*t11 + t13)
+    acc_2 = acc_f2*t6
+    acc_1 = force_1*t5 - M_L21*acc_2
+    t11 = 2*acc_1*com_distance
+    t12 = com_distance*dq1*dq1
+    t13 = 2*acc_1*com_offset
+    t14 = com_offset*dq2*dq2
+    t15 = 2*dq1*dq2
+    t16 = acc_2*com_distance - com_offset*t15 - t11 + t14 + t8
+    t17 = com_distance*dq2*dq2 - acc_2*com_offset - com_distance*t15
+    t18 = t12 + t13 + t17
+    r1_1 = c_q1*radius*(dq1*dq1*hip_mass + leg_mass*(2*dq1*dq1 - t12 - t13)) + c_q1_minus_slope*t7 + leg_mass*(com_offset*s_q1_minus_slope - c_minus_q1_plus_q2_plus_slope*com_distance - c_q1_minus_q2*radius*t18 - com_offset*s_minus_q1_plus_q2_plus_slope + radius*s_q1_minus_q2*t16) + radius*s_q1*(2*acc_1*hip_mass + leg_mass*(4*acc_1 - t11 + t8))
+    t19 = c_minus_q1_plus_q2_plus_slope*com_distance + com_offset*s_minus_q1_plus_q2_plus_slope
+    r1_2 = leg_mass*(acc_1*radius*(c_q1_minus_q2*com_offset + com_distance*s_q1_minus_q2) + t19)
     d1_f2 = r1_2 - M_L21*r1_1
-    d1_2 = d1_f2*t7
-    d1_1 = r1_1*t4 - M_L21*d1_2
-    r2_1 = leg_mass*(2*acc_1*t19 - acc_2*t19 + c_minus_q1_plus_q2_plus_slope*com_distance + c_q1_minus_q2*com_distance*dq2*dq2*radius + c_q2*com_distance*dq2*dq2 + com_offset*dq2*dq2*s_q2 + com_offset*s_minus_q1_plus_q2_plus_slope - 2*dq1*dq2*t6 - dq2*dq2*t1 - t10*t12)
-    r2_2 = leg_mass*(dq1*dq1*t5 - acc_1*t19 - t13)
+    d1_2 = d1_f2*t6
+    d1_1 = r1_1*t5 - M_L21*d1_2
+    r2_1 = leg_mass*(c_q1_minus_q2*radius*t18 + c_q2*(t13 + t17) - radius*s_q1_minus_q2*t16 + s_q2*(acc_2*com_distance - com_offset*t15 - t11 + t14) + t19)
+    r2_2 = leg_mass*(c_q2*(t12 - acc_1*com_offset) - acc_1*c_q1_minus_q2*com_offset*radius - acc_1*com_distance*radius*s_q1_minus_q2 + s_q2*(acc_1*com_distance + t8) - t19)
     d2_f2 = r2_2 - M_L21*r2_1
-    d2_2 = d2_f2*t7
-    d2_1 = r2_1*t4 - M_L21*d2_2
+    d2_2 = d2_f2*t6
+    d2_1 = r2_1*t5 - M_L21*d2_2
     return {
         "dv_dq": [[d1_1, d2_1], [d1_2, d2_2]],
     }
@@ -208,7 +203,7 @@ def state_derivative_dv(xp, q, v, p):
     """Derivative of the accelerations with respect to v.
 
     Source: M ddq + h + v = Q, differentiated: M d(dv) = d(Q - h - v) - dM dv.
-    117 operations.
+    120 operations.
     """
     q1 = q[0]
     q2 = q[1]
@@ -237,18 +232,21 @@ def state_derivative_dv(xp, q, v, p):
     M_L21 = M_12*t5
     M_D2 = M_22 - M_11*M_L21*M_L21
     t6 = 1/M_D2
-    t7 = c_q1_minus_q2*com_offset*radius
-    t8 = com_distance*radius*s_q1_minus_q2
-    t9 = c_q2*com_offset - com_distance*s_q2
-    t10 = t7 + t8 + t9
-    t11 = -2*dq2*leg_mass*t10
-    t12 = radius*(c_q1*com_offset*leg_mass + c_q1_minus_q2*com_offset*leg_mass + com_distance*leg_mass*s_q1 + com_distance*leg_mass*s_q1_minus_q2 - hip_mass*s_q1 - 2*leg_mass*s_q1)
-    r1_1 = -2*dq1*t12 - t11
-    r1_2 = -2*dq1*leg_mass*t9
+    t7 = hip_mass + leg_mass*(2 - com_distance)
+    t8 = radius*s_q1*t7
+    t9 = c_q1*com_offset*radius
+    t10 = com_distance*dq2*s_q2
+    t11 = c_q2*com_offset*dq2
+    t12 = c_q1_minus_q2*com_offset*radius
+    t13 = com_distance*radius*s_q1_minus_q2
+    t14 = 2*dq2 - 2*dq1
+    r1_1 = 2*dq1*t8 + leg_mass*(2*t11 - 2*dq1*t9 - 2*t10 + t12*t14 + t13*t14)
+    t15 = c_q2*com_offset - com_distance*s_q2
+    r1_2 = -2*dq1*leg_mass*t15
     d1_f2 = r1_2 - M_L21*r1_1
     d1_2 = d1_f2*t6
     d1_1 = r1_1*t5 - M_L21*d1_2
-    r2_1 = 2*leg_mass*t10*(dq1 - dq2)
+    r2_1 = 2*leg_mass*(dq1 - dq2)*(t12 + t13 + t15)
     d2_f2 = -M_L21*r2_1
     d2_2 = d2_f2*t6
     d2_1 = r2_1*t5 - M_L21*d2_2
@@ -289,7 +287,7 @@ def impact_map(xp, q, v, p):
     """State just after touchdown from the state just before.
 
     Source: plastic impact: Me (v+ - v-) = J^T Lambda, J v+ = 0, projected on the velocities with J v = 0.
-    137 operations.
+    127 operations.
     """
     q1 = q[0]
     q2 = q[1]
@@ -301,31 +299,32 @@ def impact_map(xp, q, v, p):
     com_distance = p[3]
     com_offset = p[4]
     radius = p[5]
+    t1 = hip_mass*radius*radius
     c_q1_minus_q2 = xp.cos(q1 - q2)
-    t1 = 2*c_q1_minus_q2*radius
+    t2 = 2*c_q1_minus_q2*radius
     s_q1_minus_q2 = xp.sin(q1 - q2)
-    t2 = com_offset*radius*s_q1_minus_q2
+    t3 = com_offset*radius*s_q1_minus_q2
+    t4 = com_distance*com_distance + com_offset*com_offset
     s_q1 = xp.sin(q1)
-    t3 = com_offset*radius*s_q1
+    t5 = com_offset*radius*s_q1
     c_q1 = xp.cos(q1)
-    t4 = c_q1*com_distance*radius
-    t5 = com_distance*com_distance + com_offset*com_offset
-    t6 = t3 - t4 + t5
+    t6 = c_q1*com_distance*radius
     c_q2 = xp.cos(q2)
     s_q2 = xp.sin(q2)
-    t7 = com_offset*s_q2 - c_q2*com_distance
-    t8 = hip_mass*radius*radius + 2*inertia
-    A_11 = hip_mass*t1 + hip_mass + 2*leg_mass*(radius*radius - c_q1_minus_q2*com_distance*radius - com_distance + t1 + t2 + t6 + t7 + 1) + t8
-    t9 = 1/A_11
-    A_12 = -inertia - leg_mass*(t6 + t7)
-    A_L21 = A_12*t9
-    A_22 = inertia + leg_mass*t5
+    t7 = com_offset*s_q2 - c_q2*com_distance + t5 - t6
+    A_11 = hip_mass*t2 + hip_mass + 2*inertia + 2*leg_mass*(radius*radius - c_q1_minus_q2*com_distance*radius - com_distance + t2 + t3 + t4 + t7 + 1) + t1
+    t8 = 1/A_11
+    A_12 = -inertia - leg_mass*(t4 + t7)
+    A_L21 = A_12*t8
+    A_22 = inertia + leg_mass*t4
     A_D2 = A_22 - A_11*A_L21*A_L21
-    momentum_1 = c_q1_minus_q2*com_distance*dq2*leg_mass*radius - com_distance*com_distance*dq2*leg_mass + com_distance*dq2*leg_mass - com_offset*com_offset*dq2*leg_mass + dq1*(c_q1*hip_mass*radius + 2*c_q1*leg_mass*radius + c_q1_minus_q2*hip_mass*radius - 2*c_q2*com_distance*leg_mass + c_q2*hip_mass + 2*c_q2*leg_mass + 2*com_distance*com_distance*leg_mass - com_distance*leg_mass*t1 - 2*com_distance*leg_mass + 2*com_offset*com_offset*leg_mass + 2*leg_mass*radius*radius + leg_mass*t1 + 2*leg_mass*t2 + 2*leg_mass*t3 - 2*leg_mass*t4 + t8) - dq2*inertia - dq2*leg_mass*t2
-    momentum_2 = dq1*(leg_mass*(com_distance - t6) - inertia)
+    t9 = dq1*(hip_mass + leg_mass*(2 - 2*com_distance))
+    t10 = com_distance*dq2 - 2*com_distance*dq1
+    momentum_1 = c_q1*radius*t9 + c_q1_minus_q2*radius*(dq1*hip_mass + leg_mass*(2*dq1 + t10)) + c_q2*t9 + 2*dq1*inertia + dq1*t1 - dq2*inertia + leg_mass*(2*com_distance*com_distance*dq1 - com_distance*com_distance*dq2 + 2*com_offset*com_offset*dq1 - com_offset*com_offset*dq2 + 2*dq1*radius*radius + 2*dq1*t5 + t10 + t3*(2*dq1 - dq2))
+    momentum_2 = dq1*(leg_mass*(com_distance - t4) - inertia) + leg_mass*(dq1*t6 - dq1*t5)
     after_f2 = momentum_2 - A_L21*momentum_1
     after_2 = after_f2/A_D2
-    after_1 = momentum_1*t9 - A_L21*after_2
+    after_1 = momentum_1*t8 - A_L21*after_2
     return {
         "q_plus": [q1 - q2, -q2],
         "v_plus": [after_1, after_2],
@@ -337,7 +336,7 @@ def impact_map_dq(xp, q, v, p):
 
     Source: plastic impact: Me (v+ - v-) = J^T Lambda, J v+ = 0, projected on the velocities with J v = 0,
     differentiated.
-    255 operations.
+    208 operations.
     """
     q1 = q[0]
     q2 = q[1]
@@ -349,47 +348,51 @@ def impact_map_dq(xp, q, v, p):
     com_distance = p[3]
     com_offset = p[4]
     radius = p[5]
+    t1 = hip_mass*radius*radius
     c_q1_minus_q2 = xp.cos(q1 - q2)
-    t1 = 2*c_q1_minus_q2*radius
+    t2 = 2*c_q1_minus_q2*radius
     s_q1_minus_q2 = xp.sin(q1 - q2)
-    t2 = com_offset*radius*s_q1_minus_q2
+    t3 = com_offset*radius*s_q1_minus_q2
+    t4 = com_distance*com_distance + com_offset*com_offset
     s_q1 = xp.sin(q1)
-    t3 = com_offset*radius*s_q1
+    t5 = com_offset*radius*s_q1
     c_q1 = xp.cos(q1)
-    t4 = c_q1*com_distance*radius
-    t5 = com_distance*com_distance + com_offset*com_offset
-    t6 = t3 - t4 + t5
+    t6 = c_q1*com_distance*radius
     c_q2 = xp.cos(q2)
     s_q2 = xp.sin(q2)
-    t7 = com_offset*s_q2 - c_q2*com_distance
-    t8 = hip_mass*radius*radius + 2*inertia
-    A_11 = hip_mass*t1 + hip_mass + 2*leg_mass*(radius*radius - c_q1_minus_q2*com_distance*radius - com_distance + t1 + t2 + t6 + t7 + 1) + t8
-    t9 = 1/A_11
-    A_22 = inertia + leg_mass*t5
-    A_12 = -inertia - leg_mass*(t6 + t7)
-    A_L21 = A_12*t9
+    t7 = com_offset*s_q2 - c_q2*com_distance + t5 - t6
+    A_11 = hip_mass*t2 + hip_mass + 2*inertia + 2*leg_mass*(radius*radius - c_q1_minus_q2*com_distance*radius - com_distance + t2 + t3 + t4 + t7 + 1) + t1
+    t8 = 1/A_11
+    A_22 = inertia + leg_mass*t4
+    A_12 = -inertia - leg_mass*(t4 + t7)
+    A_L21 = A_12*t8
     A_D2 = A_22 - A_11*A_L21*A_L21
-    t10 = 1/A_D2
-    t11 = 2*leg_mass*s_q1_minus_q2
-    t12 = c_q1*com_offset + com_distance*s_q1
-    momentum_1 = c_q1_minus_q2*com_distance*dq2*leg_mass*radius - com_distance*com_distance*dq2*leg_mass + com_distance*dq2*leg_mass - com_offset*com_offset*dq2*leg_mass + dq1*(c_q1*hip_mass*radius + 2*c_q1*leg_mass*radius + c_q1_minus_q2*hip_mass*radius - 2*c_q2*com_distance*leg_mass + c_q2*hip_mass + 2*c_q2*leg_mass + 2*com_distance*com_distance*leg_mass - com_distance*leg_mass*t1 - 2*com_distance*leg_mass + 2*com_offset*com_offset*leg_mass + com_offset*radius*t11 + 2*leg_mass*radius*radius + leg_mass*t1 + 2*leg_mass*t3 - 2*leg_mass*t4 + t8) - dq2*inertia - dq2*leg_mass*t2
-    momentum_2 = dq1*(leg_mass*(com_distance - t6) - inertia)
+    t9 = 1/A_D2
+    t10 = -2*com_distance*dq1
+    t11 = 2*dq1 + t10
+    t12 = dq1*(hip_mass + leg_mass*(2 - 2*com_distance))
+    t13 = com_distance*dq2 + t11
+    momentum_1 = c_q1*radius*t12 + c_q1_minus_q2*radius*(dq1*hip_mass + leg_mass*t13) + c_q2*t12 + 2*dq1*inertia + dq1*t1 - dq2*inertia + leg_mass*(2*com_distance*com_distance*dq1 - com_distance*com_distance*dq2 + com_distance*dq2 + 2*com_offset*com_offset*dq1 - com_offset*com_offset*dq2 + 2*dq1*radius*radius + 2*dq1*t5 + t10 + t3*(2*dq1 - dq2))
+    momentum_2 = dq1*(leg_mass*(com_distance - t4) - inertia) + leg_mass*(dq1*t6 - dq1*t5)
     after_f2 = momentum_2 - A_L21*momentum_1
-    after_2 = after_f2*t10
-    after_1 = momentum_1*t9 - A_L21*after_2
-    r1_1 = radius*(2*after_1*(hip_mass*s_q1_minus_q2 - leg_mass*(c_q1_minus_q2*com_offset + com_distance*s_q1_minus_q2 - 2*s_q1_minus_q2 + t12)) + after_2*leg_mass*t12 - c_q1_minus_q2*com_offset*dq2*leg_mass - com_distance*dq2*leg_mass*s_q1_minus_q2 + dq1*(2*c_q1*com_offset*leg_mass + 2*c_q1_minus_q2*com_offset*leg_mass + 2*com_distance*leg_mass*s_q1 + com_distance*t11 - hip_mass*s_q1 - hip_mass*s_q1_minus_q2 - 2*leg_mass*s_q1 - t11))
-    r1_2 = leg_mass*radius*t12*(after_1 - dq1)
+    after_2 = after_f2*t9
+    after_1 = momentum_1*t8 - A_L21*after_2
+    t14 = 2*after_1*com_distance
+    t15 = leg_mass*(after_2*com_distance - t11 - t14) - dq1*hip_mass
+    t16 = 2*after_1 - 2*dq1 + dq2
+    t17 = c_q1_minus_q2*com_offset*radius
+    t18 = 2*after_1*hip_mass
+    t19 = t13 - 4*after_1 + t14
+    r1_1 = leg_mass*(c_q1*com_offset*radius*(after_2 - 2*after_1 + 2*dq1) - t16*t17) + radius*s_q1*t15 + radius*s_q1_minus_q2*(t18 - dq1*hip_mass - leg_mass*t19)
+    r1_2 = leg_mass*radius*(after_1 - dq1)*(c_q1*com_offset + com_distance*s_q1)
     d1_f2 = r1_2 - A_L21*r1_1
-    d1_2 = d1_f2*t10
-    d1_1 = r1_1*t9 - A_L21*d1_2
-    t13 = c_q1_minus_q2*com_offset*radius
-    t14 = com_distance*radius*s_q1_minus_q2
-    t15 = c_q2*com_offset + com_distance*s_q2
-    r2_1 = after_2*leg_mass*t15 - 2*after_1*(hip_mass*radius*s_q1_minus_q2 + leg_mass*(2*radius*s_q1_minus_q2 - t13 - t14 + t15)) + dq1*(2*com_distance*leg_mass*s_q2 - com_distance*radius*t11 + hip_mass*radius*s_q1_minus_q2 - hip_mass*s_q2 + 2*leg_mass*radius*s_q1_minus_q2 - 2*leg_mass*s_q2 - 2*leg_mass*t13) + dq2*leg_mass*t13 + dq2*leg_mass*t14
-    r2_2 = after_1*leg_mass*t15
+    d1_2 = d1_f2*t9
+    d1_1 = r1_1*t8 - A_L21*d1_2
+    r2_1 = leg_mass*(c_q2*com_offset*(after_2 - 2*after_1) + t16*t17) + radius*s_q1_minus_q2*(dq1*hip_mass + leg_mass*t19 - t18) + s_q2*t15
+    r2_2 = after_1*leg_mass*(c_q2*com_offset + com_distance*s_q2)
     d2_f2 = r2_2 - A_L21*r2_1
-    d2_2 = d2_f2*t10
-    d2_1 = r2_1*t9 - A_L21*d2_2
+    d2_2 = d2_f2*t9
+    d2_1 = r2_1*t8 - A_L21*d2_2
     return {
         "v_plus_dq": [[d1_1, d2_1], [d1_2, d2_2]],
     }
@@ -400,7 +403,7 @@ def impact_map_dv(xp, q, p):
 
     Source: plastic impact: Me (v+ - v-) = J^T Lambda, J v+ = 0, projected on the velocities with J v = 0,
     differentiated.
-    95 operations.
+    98 operations.
     """
     q1 = q[0]
     q2 = q[1]
@@ -410,40 +413,40 @@ def impact_map_dv(xp, q, p):
     com_distance = p[3]
     com_offset = p[4]
     radius = p[5]
+    s_q1_minus_q2 = xp.sin(q1 - q2)
+    t1 = com_offset*radius*s_q1_minus_q2
     c_q1_minus_q2 = xp.cos(q1 - q2)
-    t1 = 2*c_q1_minus_q2*radius
-    c_q2 = xp.cos(q2)
-    t2 = -c_q2*com_distance
-    s_q2 = xp.sin(q2)
-    t3 = com_offset*s_q2 + t2
+    t2 = -c_q1_minus_q2*com_distance*radius
+    t3 = 2*c_q1_minus_q2*radius
     t4 = com_distance*com_distance + com_offset*com_offset
     s_q1 = xp.sin(q1)
     t5 = com_offset*radius*s_q1
     c_q1 = xp.cos(q1)
     t6 = c_q1*com_distance*radius
     t7 = t4 - com_distance + t5 - t6
-    s_q1_minus_q2 = xp.sin(q1 - q2)
-    t8 = com_offset*radius*s_q1_minus_q2
-    t9 = t8 - c_q1_minus_q2*com_distance*radius
-    t10 = radius*radius + t7 + t9
-    t11 = hip_mass*radius*radius + 2*inertia
-    A_11 = hip_mass*t1 + hip_mass + 2*leg_mass*(t1 + t10 + t3 + 1) + t11
-    t12 = 1/A_11
+    c_q2 = xp.cos(q2)
+    s_q2 = xp.sin(q2)
+    t8 = com_offset*s_q2 - c_q2*com_distance
+    t9 = hip_mass*radius*radius
+    t10 = 2*inertia + t9
+    A_11 = hip_mass*t3 + hip_mass + 2*leg_mass*(radius*radius + t1 + t2 + t3 + t7 + t8 + 1) + t10
+    t11 = 1/A_11
     A_22 = inertia + leg_mass*t4
-    A_12 = -inertia - leg_mass*(t3 + t4 + t5 - t6)
-    A_L21 = A_12*t12
+    A_12 = -inertia - leg_mass*(t4 + t5 - t6 + t8)
+    A_L21 = A_12*t11
     A_D2 = A_22 - A_11*A_L21*A_L21
-    t13 = 1/A_D2
-    t14 = c_q1*hip_mass*radius + c_q1_minus_q2*hip_mass*radius + c_q2*hip_mass + t11
-    r1_1 = 2*leg_mass*(c_q1*radius + c_q1_minus_q2*radius + c_q2 + t10 + t2) + t14
+    t12 = 1/A_D2
+    t13 = hip_mass + 2*leg_mass*(1 - com_distance)
+    t14 = t1 - com_distance + t4
+    r1_1 = c_q1*radius*t13 + c_q1_minus_q2*radius*t13 + c_q2*t13 + 2*leg_mass*(radius*radius + t14 + t5) + t10
     r1_2 = -inertia - leg_mass*t7
     d1_f2 = r1_2 - A_L21*r1_1
-    d1_2 = d1_f2*t13
-    d1_1 = r1_1*t12 - A_L21*d1_2
-    r2_1 = leg_mass*(com_distance - t4 - t9) - inertia
+    d1_2 = d1_f2*t12
+    d1_1 = r1_1*t11 - A_L21*d1_2
+    r2_1 = -inertia - leg_mass*(t14 + t2)
     d2_f2 = -A_L21*r2_1
-    d2_2 = d2_f2*t13
-    d2_1 = r2_1*t12 - A_L21*d2_2
+    d2_2 = d2_f2*t12
+    d2_1 = r2_1*t11 - A_L21*d2_2
     return {
         "v_plus_dv": [[d1_1, d2_1], [d1_2, d2_2]],
     }
@@ -453,7 +456,7 @@ def impact_impulse(xp, q, v, p):
     """Impulse of the ground at touchdown.
 
     Source: plastic impact: Me (v+ - v-) = J^T Lambda, J v+ = 0, projected on the velocities with J v = 0.
-    191 operations.
+    186 operations.
     """
     q1 = q[0]
     q2 = q[1]
@@ -465,38 +468,36 @@ def impact_impulse(xp, q, v, p):
     com_distance = p[3]
     com_offset = p[4]
     radius = p[5]
+    t1 = hip_mass + 2*leg_mass
+    t2 = hip_mass*radius*radius
     c_q1_minus_q2 = xp.cos(q1 - q2)
-    t1 = 2*c_q1_minus_q2*radius
+    t3 = 2*c_q1_minus_q2*radius
     s_q1_minus_q2 = xp.sin(q1 - q2)
-    t2 = com_offset*radius*s_q1_minus_q2
-    t3 = c_q1_minus_q2*com_distance*radius
+    t4 = com_offset*radius*s_q1_minus_q2
+    t5 = com_distance*com_distance + com_offset*com_offset
     s_q1 = xp.sin(q1)
-    t4 = com_offset*radius*s_q1
+    t6 = com_offset*radius*s_q1
     c_q1 = xp.cos(q1)
-    t5 = c_q1*com_distance*radius
-    t6 = com_distance*com_distance + com_offset*com_offset
-    t7 = t4 - t5 + t6
     c_q2 = xp.cos(q2)
     s_q2 = xp.sin(q2)
-    t8 = com_offset*s_q2 - c_q2*com_distance
-    t9 = hip_mass*radius*radius + 2*inertia
-    A_11 = hip_mass*t1 + hip_mass + 2*leg_mass*(radius*radius - com_distance + t1 + t2 - t3 + t7 + t8 + 1) + t9
-    A_22 = inertia + leg_mass*t6
-    t10 = 1/A_11
-    A_12 = -inertia - leg_mass*(t7 + t8)
-    A_L21 = A_12*t10
+    t7 = com_offset*s_q2 - c_q1*com_distance*radius - c_q2*com_distance + t6
+    A_11 = hip_mass*t3 + hip_mass + 2*inertia + 2*leg_mass*(radius*radius - c_q1_minus_q2*com_distance*radius - com_distance + t3 + t4 + t5 + t7 + 1) + t2
+    t8 = 1/A_11
+    A_12 = -inertia - leg_mass*(t5 + t7)
+    A_L21 = A_12*t8
+    A_22 = inertia + leg_mass*t5
     A_D2 = A_22 - A_11*A_L21*A_L21
-    momentum_1 = c_q1_minus_q2*com_distance*dq2*leg_mass*radius - com_distance*com_distance*dq2*leg_mass + com_distance*dq2*leg_mass - com_offset*com_offset*dq2*leg_mass + dq1*(c_q1*hip_mass*radius + 2*c_q1*leg_mass*radius + c_q1_minus_q2*hip_mass*radius + 2*c_q1_minus_q2*leg_mass*radius - 2*c_q2*com_distance*leg_mass + c_q2*hip_mass + 2*c_q2*leg_mass + 2*com_distance*com_distance*leg_mass - 2*com_distance*leg_mass + 2*com_offset*com_offset*leg_mass + 2*leg_mass*radius*radius + 2*leg_mass*t2 - 2*leg_mass*t3 + 2*leg_mass*t4 - 2*leg_mass*t5 + t9) - dq2*inertia - dq2*leg_mass*t2
-    momentum_2 = dq1*(leg_mass*(com_distance - t7) - inertia)
+    t9 = hip_mass + leg_mass*(2 - 2*com_distance)
+    t10 = com_distance*dq2 - 2*com_distance*dq1
+    momentum_1 = c_q1*dq1*radius*t9 + c_q1_minus_q2*radius*(dq1*hip_mass + leg_mass*(2*dq1 + t10)) + c_q2*dq1*t9 + 2*dq1*inertia + dq1*t2 - dq2*inertia + leg_mass*(2*com_distance*com_distance*dq1 - com_distance*com_distance*dq2 + 2*com_offset*com_offset*dq1 - com_offset*com_offset*dq2 + 2*dq1*radius*radius + 2*dq1*t6 + t10 + t4*(2*dq1 - dq2))
+    momentum_2 = dq1*(leg_mass*(com_distance - t5) - inertia) + leg_mass*(c_q1*com_distance*dq1*radius - com_offset*dq1*radius*s_q1)
     after_f2 = momentum_2 - A_L21*momentum_1
     after_2 = after_f2/A_D2
-    t11 = leg_mass*(after_2 + dq2)
-    t12 = hip_mass + 2*leg_mass
-    after_1 = momentum_1*t10 - A_L21*after_2
-    t13 = after_1 - after_2 - dq1
-    t14 = c_q1_minus_q2*com_offset + com_distance*s_q1_minus_q2
+    after_1 = momentum_1*t8 - A_L21*after_2
+    t11 = after_1 - after_2 - dq1
+    t12 = c_q1_minus_q2*com_offset + com_distance*s_q1_minus_q2
     return {
-        "Lambda": [t11*(c_q1_minus_q2*com_distance - com_offset*s_q1_minus_q2) + t12*(after_1*(c_q1 - c_q1_minus_q2 - radius) - after_2*c_q1 + dq1*radius) + t13*(leg_mass*(c_q1*com_distance - 2*c_q1 + c_q1_minus_q2*com_distance - com_offset*s_q1 - com_offset*s_q1_minus_q2) - c_q1*hip_mass), t11*t14 + t12*(after_1*(s_q1 - s_q1_minus_q2) - after_2*s_q1) + t13*(leg_mass*(c_q1*com_offset + com_distance*s_q1 - 2*s_q1 + t14) - hip_mass*s_q1)],
+        "Lambda": [leg_mass*(after_2 + dq2)*(c_q1_minus_q2*com_distance - com_offset*s_q1_minus_q2) + t1*(after_1*(c_q1 - c_q1_minus_q2 - radius) - after_2*c_q1 + dq1*radius) + t11*(leg_mass*(c_q1*com_distance - 2*c_q1 + c_q1_minus_q2*com_distance - com_offset*s_q1 - com_offset*s_q1_minus_q2) - c_q1*hip_mass), leg_mass*t12*(after_2 + dq2) + t1*(after_1*(s_q1 - s_q1_minus_q2) - after_2*s_q1) + t11*(leg_mass*(c_q1*com_offset + com_distance*s_q1 - 2*s_q1 + t12) - hip_mass*s_q1)],
     }
 
 
@@ -504,7 +505,7 @@ def kinetic_energy(xp, q, v, p):
     """Kinetic energy of the swing phase.
 
     Source: v^T M v / 2.
-    68 operations.
+    71 operations.
     """
     q1 = q[0]
     q2 = q[1]
@@ -516,19 +517,20 @@ def kinetic_energy(xp, q, v, p):
     com_distance = p[3]
     com_offset = p[4]
     radius = p[5]
-    t1 = com_distance*com_distance + com_offset*com_offset
-    c_q1_minus_q2 = xp.cos(q1 - q2)
-    t2 = c_q1_minus_q2*com_distance*radius
-    s_q1_minus_q2 = xp.sin(q1 - q2)
-    t3 = com_offset*radius*s_q1_minus_q2
-    c_q2 = xp.cos(q2)
-    s_q2 = xp.sin(q2)
-    t4 = leg_mass*(c_q2*com_distance - com_distance*com_distance - com_offset*com_offset + com_offset*s_q2 + t2 - t3) - inertia
+    t1 = dq2*dq2/2
+    t2 = com_distance*com_distance*leg_mass
+    t3 = com_offset*com_offset*leg_mass
+    t4 = -com_distance*leg_mass
+    t5 = com_offset*leg_mass*radius
+    t6 = com_distance*leg_mass*(dq2 - dq1)
     c_q1 = xp.cos(q1)
-    t5 = 2*c_q1*radius
+    c_q2 = xp.cos(q2)
     s_q1 = xp.sin(q1)
+    s_q2 = xp.sin(q2)
+    c_q1_minus_q2 = xp.cos(q1 - q2)
+    s_q1_minus_q2 = xp.sin(q1 - q2)
     return {
-        "kinetic": dq1*(dq1*(hip_mass*radius*radius + hip_mass*t5 + hip_mass + 2*inertia + 2*leg_mass*(com_offset*radius*s_q1 - c_q1*com_distance*radius - c_q2*com_distance - com_distance - com_offset*s_q2 + radius*radius + t1 - t2 + t3 + t5 + 1)) + dq2*t4)/2 + dq2*(dq1*t4 + dq2*(inertia + leg_mass*t1))/2,
+        "kinetic": dq1*dq1*(c_q1*radius*(hip_mass + 2*leg_mass + t4) + hip_mass*radius*radius/2 + hip_mass/2 + inertia + leg_mass*radius*radius + leg_mass + s_q1*t5 + t2 + t3 + t4) + dq1*(c_q1_minus_q2*radius*t6 + c_q2*t6 + com_offset*leg_mass*s_q2*(dq2 - dq1) - dq2*inertia - dq2*t2 - dq2*t3 + s_q1_minus_q2*t5*(dq1 - dq2)) + inertia*t1 + t1*t2 + t1*t3,
     }
 
 
@@ -562,17 +564,19 @@ def total_mass(xp, p):
     """Mass and weight of the whole walker.
 
     Source: sum over the bodies.
-    4 operations.
+    6 operations.
     """
     hip_mass = p[0]
     leg_mass = p[1]
     slope = p[6]
     t1 = hip_mass + 2*leg_mass
     s_slope = xp.sin(slope)
+    c_slope = xp.cos(slope)
     return {
         "mass": t1,
         "weight": t1,
         "pull": s_slope*t1,
+        "press": c_slope*t1,
     }
 
 
@@ -610,7 +614,7 @@ def ground_force(xp, q, v, p):
     """Force of the ground on the stance foot.
 
     Source: the two floating-base rows that hold the stance foot.
-    244 operations.
+    202 operations.
     """
     q1 = q[0]
     q2 = q[1]
@@ -624,45 +628,46 @@ def ground_force(xp, q, v, p):
     radius = p[5]
     slope = p[6]
     t1 = hip_mass + 2*leg_mass
-    c_q1_minus_q2 = xp.cos(q1 - q2)
-    s_q1_minus_q2 = xp.sin(q1 - q2)
-    t2 = com_offset*s_q1_minus_q2 - c_q1_minus_q2*com_distance
-    t3 = c_q1_minus_q2*com_offset + com_distance*s_q1_minus_q2
+    t2 = com_offset*dq1*dq1
     c_q1 = xp.cos(q1)
-    s_q1 = xp.sin(q1)
-    t4 = c_q1*com_offset + com_distance*s_q1
-    t5 = 2*c_q1*radius
-    t6 = com_offset*radius*s_q1_minus_q2
-    t7 = c_q1_minus_q2*com_distance*radius
-    t8 = com_distance*com_distance + com_offset*com_offset
+    t3 = 2*c_q1*radius
+    s_q1_minus_q2 = xp.sin(q1 - q2)
+    t4 = com_offset*radius*s_q1_minus_q2
+    c_q1_minus_q2 = xp.cos(q1 - q2)
+    t5 = c_q1_minus_q2*com_distance*radius
+    t6 = com_distance*com_distance + com_offset*com_offset
     c_q2 = xp.cos(q2)
+    s_q1 = xp.sin(q1)
     s_q2 = xp.sin(q2)
-    M_11 = hip_mass*radius*radius + hip_mass*t5 + hip_mass + 2*inertia + 2*leg_mass*(com_offset*radius*s_q1 - c_q1*com_distance*radius - c_q2*com_distance - com_distance - com_offset*s_q2 + radius*radius + t5 + t6 - t7 + t8 + 1)
-    t9 = 1/M_11
-    M_12 = leg_mass*(c_q2*com_distance - com_distance*com_distance - com_offset*com_offset + com_offset*s_q2 - t6 + t7) - inertia
-    M_L21 = M_12*t9
-    M_22 = inertia + leg_mass*t8
+    M_11 = hip_mass*radius*radius + hip_mass*t3 + hip_mass + 2*inertia + 2*leg_mass*(com_offset*radius*s_q1 - c_q1*com_distance*radius - c_q2*com_distance - com_distance - com_offset*s_q2 + radius*radius + t3 + t4 - t5 + t6 + 1)
+    t7 = 1/M_11
+    M_12 = leg_mass*(c_q2*com_distance - com_distance*com_distance - com_offset*com_offset + com_offset*s_q2 - t4 + t5) - inertia
+    M_L21 = M_12*t7
+    M_22 = inertia + leg_mass*t6
     M_D2 = M_22 - M_11*M_L21*M_L21
-    t10 = c_q1_minus_q2*com_offset*leg_mass
-    t11 = dq2*dq2*radius
-    t12 = com_distance*leg_mass*s_q1_minus_q2
-    c_minus_q1_plus_q2_plus_slope = xp.cos(q2 - q1 + slope)
-    s_minus_q1_plus_q2_plus_slope = xp.sin(q2 - q1 + slope)
-    t13 = c_minus_q1_plus_q2_plus_slope*com_offset - com_distance*s_minus_q1_plus_q2_plus_slope
-    t14 = c_q2*com_offset - com_distance*s_q2
-    t15 = 2*dq1*dq2*leg_mass
+    t8 = hip_mass + leg_mass*(2 - com_distance)
+    t9 = 2*dq1 - dq2
+    t10 = 2*dq1*dq2 - dq1*dq1 - dq2*dq2
     s_slope = xp.sin(slope)
     c_q1_minus_slope = xp.cos(q1 - slope)
     s_q1_minus_slope = xp.sin(q1 - slope)
-    force_1 = com_distance*dq2*dq2*leg_mass*s_q2 - c_q2*com_offset*dq2*dq2*leg_mass - dq1*dq1*radius*(c_q1*com_offset*leg_mass + com_distance*leg_mass*s_q1 - hip_mass*s_q1 - 2*leg_mass*s_q1 + t10 + t12) - hip_mass*radius*s_slope + hip_mass*s_q1_minus_slope - leg_mass*(c_q1_minus_slope*com_offset + com_distance*s_q1_minus_slope + 2*radius*s_slope - 2*s_q1_minus_slope + t13) - t10*t11 - t11*t12 + t15*(c_q1_minus_q2*com_offset*radius + com_distance*radius*s_q1_minus_q2 + t14)
-    force_2 = leg_mass*(t13 - dq1*dq1*t14)
+    c_minus_q1_plus_q2_plus_slope = xp.cos(q2 - q1 + slope)
+    s_minus_q1_plus_q2_plus_slope = xp.sin(q2 - q1 + slope)
+    force_1 = dq1*dq1*radius*s_q1*t8 + leg_mass*(c_q1_minus_q2*com_offset*radius*t10 - c_minus_q1_plus_q2_plus_slope*com_offset - c_q1*radius*t2 - c_q1_minus_slope*com_offset + c_q2*com_offset*dq2*t9 - com_distance*dq2*s_q2*t9 + com_distance*radius*s_q1_minus_q2*t10 + com_distance*s_minus_q1_plus_q2_plus_slope) - radius*s_slope*t1 + s_q1_minus_slope*t8
+    force_2 = leg_mass*(c_minus_q1_plus_q2_plus_slope*com_offset - com_distance*s_minus_q1_plus_q2_plus_slope + dq1*dq1*(com_distance*s_q2 - c_q2*com_offset))
     acc_f2 = force_2 - M_L21*force_1
     acc_2 = acc_f2/M_D2
-    acc_1 = force_1*t9 - M_L21*acc_2
-    t16 = com_offset*leg_mass*s_q1_minus_q2
+    acc_1 = force_1*t7 - M_L21*acc_2
+    t11 = t2 - acc_1*com_distance
+    t12 = -acc_1*hip_mass - leg_mass*(2*acc_1 + t11)
+    t13 = dq1*dq1*hip_mass
+    t14 = acc_1*com_offset + com_distance*dq1*dq1
+    t15 = t14 - 2*dq1*dq1
+    t16 = 2*com_offset*dq1*dq2 - acc_2*com_distance - com_offset*dq2*dq2 - t11
+    t17 = com_distance*dq2*dq2 - acc_2*com_offset - 2*com_distance*dq1*dq2 + t14
     c_slope = xp.cos(slope)
     return {
-        "force": [acc_1*(leg_mass*(c_q1*com_distance - 2*c_q1 + c_q1_minus_q2*com_distance - com_offset*s_q1 - com_offset*s_q1_minus_q2) - c_q1*hip_mass) - acc_1*radius*t1 + acc_2*leg_mass*t2 + dq1*(dq1*hip_mass*s_q1 + dq1*leg_mass*(s_q1 - t4) + leg_mass*(dq1*(s_q1 - t3) + dq2*t3)) + dq2*leg_mass*t3*(dq1 - dq2) - s_slope*t1, acc_1*(leg_mass*(t3 - 2*s_q1 + t4) - hip_mass*s_q1) - acc_2*leg_mass*t3 + c_q1_minus_q2*com_distance*dq2*dq2*leg_mass + c_slope*t1 - dq1*dq1*(c_q1*hip_mass - c_q1*com_distance*leg_mass + 2*c_q1*leg_mass - c_q1_minus_q2*com_distance*leg_mass + com_offset*leg_mass*s_q1 + t16) - dq2*dq2*t16 + t15*t2],
+        "force": [c_q1*t12 - acc_1*radius*t1 + leg_mass*(c_q1_minus_q2*t16 - s_q1_minus_q2*t17) + s_q1*(t13 - leg_mass*t15) - s_slope*t1, c_q1*(leg_mass*t15 - t13) + c_slope*t1 + leg_mass*(c_q1_minus_q2*t17 + s_q1_minus_q2*t16) + s_q1*t12],
     }
 
 
@@ -670,7 +675,7 @@ def zmp(xp, q, v, p):
     """Zero moment point.
 
     Source: p = x_g - F_x / F_y y_g with the ground force F.
-    271 operations.
+    246 operations.
     """
     q1 = q[0]
     q2 = q[1]
@@ -683,50 +688,49 @@ def zmp(xp, q, v, p):
     com_offset = p[4]
     radius = p[5]
     slope = p[6]
-    c_q1_minus_q2 = xp.cos(q1 - q2)
-    s_q1_minus_q2 = xp.sin(q1 - q2)
-    t1 = c_q1_minus_q2*com_offset + com_distance*s_q1_minus_q2
+    t1 = hip_mass + 2*leg_mass
+    t2 = 1/t1
     c_q1 = xp.cos(q1)
     s_q1 = xp.sin(q1)
-    t2 = c_q1*com_offset + com_distance*s_q1
-    t3 = t1 - 2*s_q1 + t2
-    t4 = hip_mass + 2*leg_mass
-    t5 = 1/t4
-    com_1 = t5*(leg_mass*(t3 - 2*q1*radius) - hip_mass*q1*radius - hip_mass*s_q1)
-    t6 = 2*c_q1 - c_q1*com_distance - c_q1_minus_q2*com_distance + com_offset*s_q1 + com_offset*s_q1_minus_q2
-    com_2 = t5*(c_q1*hip_mass + hip_mass*radius + leg_mass*(2*radius + t6))
-    t7 = com_offset*s_q1_minus_q2 - c_q1_minus_q2*com_distance
-    t8 = com_offset*radius*s_q1_minus_q2
-    t9 = c_q1_minus_q2*com_distance*radius
-    t10 = com_distance*com_distance + com_offset*com_offset
+    c_q1_minus_q2 = xp.cos(q1 - q2)
+    s_q1_minus_q2 = xp.sin(q1 - q2)
+    com_1 = t2*(leg_mass*(c_q1*com_offset + c_q1_minus_q2*com_offset + com_distance*s_q1 + com_distance*s_q1_minus_q2 - 2*q1*radius - 2*s_q1) - hip_mass*q1*radius - hip_mass*s_q1)
+    com_2 = t2*(c_q1*hip_mass + hip_mass*radius + leg_mass*(2*c_q1 - c_q1*com_distance - c_q1_minus_q2*com_distance + com_offset*s_q1 + com_offset*s_q1_minus_q2 + 2*radius))
+    t3 = com_offset*dq1*dq1
+    t4 = com_offset*radius*s_q1_minus_q2
+    t5 = c_q1_minus_q2*com_distance*radius
+    t6 = com_distance*com_distance + com_offset*com_offset
     c_q2 = xp.cos(q2)
     s_q2 = xp.sin(q2)
-    M_11 = 2*c_q1*hip_mass*radius + hip_mass*radius*radius + hip_mass + 2*inertia + 2*leg_mass*(2*c_q1*radius - c_q1*com_distance*radius - c_q2*com_distance - com_distance + com_offset*radius*s_q1 - com_offset*s_q2 + radius*radius + t10 + t8 - t9 + 1)
-    t11 = 1/M_11
-    M_12 = leg_mass*(c_q2*com_distance - com_distance*com_distance - com_offset*com_offset + com_offset*s_q2 - t8 + t9) - inertia
-    M_L21 = M_12*t11
-    M_22 = inertia + leg_mass*t10
+    M_11 = 2*c_q1*hip_mass*radius + hip_mass*radius*radius + hip_mass + 2*inertia + 2*leg_mass*(2*c_q1*radius - c_q1*com_distance*radius - c_q2*com_distance - com_distance + com_offset*radius*s_q1 - com_offset*s_q2 + radius*radius + t4 - t5 + t6 + 1)
+    t7 = 1/M_11
+    M_12 = leg_mass*(c_q2*com_distance - com_distance*com_distance - com_offset*com_offset + com_offset*s_q2 - t4 + t5) - inertia
+    M_L21 = M_12*t7
+    M_22 = inertia + leg_mass*t6
     M_D2 = M_22 - M_11*M_L21*M_L21
-    t12 = c_q1_minus_q2*com_offset*leg_mass
-    t13 = dq2*dq2*radius
-    t14 = com_distance*leg_mass*s_q1_minus_q2
-    c_minus_q1_plus_q2_plus_slope = xp.cos(q2 - q1 + slope)
-    s_minus_q1_plus_q2_plus_slope = xp.sin(q2 - q1 + slope)
-    t15 = c_minus_q1_plus_q2_plus_slope*com_offset - com_distance*s_minus_q1_plus_q2_plus_slope
-    t16 = c_q2*com_offset - com_distance*s_q2
-    t17 = 2*dq1*dq2*leg_mass
+    t8 = hip_mass + leg_mass*(2 - com_distance)
+    t9 = 2*dq1 - dq2
+    t10 = radius*(2*dq1*dq2 - dq1*dq1 - dq2*dq2)
     s_slope = xp.sin(slope)
     c_q1_minus_slope = xp.cos(q1 - slope)
     s_q1_minus_slope = xp.sin(q1 - slope)
-    force_1 = com_distance*dq2*dq2*leg_mass*s_q2 - c_q2*com_offset*dq2*dq2*leg_mass - dq1*dq1*radius*(c_q1*com_offset*leg_mass + com_distance*leg_mass*s_q1 - hip_mass*s_q1 - 2*leg_mass*s_q1 + t12 + t14) - hip_mass*radius*s_slope + hip_mass*s_q1_minus_slope - leg_mass*(c_q1_minus_slope*com_offset + com_distance*s_q1_minus_slope + 2*radius*s_slope - 2*s_q1_minus_slope + t15) - t12*t13 - t13*t14 + t17*(c_q1_minus_q2*com_offset*radius + com_distance*radius*s_q1_minus_q2 + t16)
-    force_2 = leg_mass*(t15 - dq1*dq1*t16)
+    c_minus_q1_plus_q2_plus_slope = xp.cos(q2 - q1 + slope)
+    s_minus_q1_plus_q2_plus_slope = xp.sin(q2 - q1 + slope)
+    force_1 = dq1*dq1*radius*s_q1*t8 + leg_mass*(c_q1_minus_q2*com_offset*t10 - c_minus_q1_plus_q2_plus_slope*com_offset - c_q1*radius*t3 - c_q1_minus_slope*com_offset + c_q2*com_offset*dq2*t9 - com_distance*dq2*s_q2*t9 + com_distance*s_minus_q1_plus_q2_plus_slope + com_distance*s_q1_minus_q2*t10) - radius*s_slope*t1 + s_q1_minus_slope*t8
+    force_2 = leg_mass*(c_minus_q1_plus_q2_plus_slope*com_offset - com_distance*s_minus_q1_plus_q2_plus_slope + dq1*dq1*(com_distance*s_q2 - c_q2*com_offset))
     acc_f2 = force_2 - M_L21*force_1
     acc_2 = acc_f2/M_D2
-    acc_1 = force_1*t11 - M_L21*acc_2
-    ground_1 = acc_2*leg_mass*t7 - acc_1*radius*t4 - acc_1*(c_q1*hip_mass + leg_mass*t6) + dq1*(dq1*hip_mass*s_q1 + dq1*leg_mass*(s_q1 - t2) + leg_mass*(dq1*(s_q1 - t1) + dq2*t1)) + dq2*leg_mass*t1*(dq1 - dq2) - s_slope*t4
-    t18 = com_offset*leg_mass*s_q1_minus_q2
+    acc_1 = force_1*t7 - M_L21*acc_2
+    t11 = t3 - acc_1*com_distance
+    t12 = -acc_1*hip_mass - leg_mass*(2*acc_1 + t11)
+    t13 = dq1*dq1*hip_mass
+    t14 = acc_1*com_offset + com_distance*dq1*dq1
+    t15 = t14 - 2*dq1*dq1
+    t16 = 2*com_offset*dq1*dq2 - acc_2*com_distance - com_offset*dq2*dq2 - t11
+    t17 = com_distance*dq2*dq2 - acc_2*com_offset - 2*com_distance*dq1*dq2 + t14
+    ground_1 = c_q1*t12 - acc_1*radius*t1 + leg_mass*(c_q1_minus_q2*t16 - s_q1_minus_q2*t17) + s_q1*(t13 - leg_mass*t15) - s_slope*t1
     c_slope = xp.cos(slope)
-    ground_2 = acc_1*(leg_mass*t3 - hip_mass*s_q1) - acc_2*leg_mass*t1 + c_q1_minus_q2*com_distance*dq2*dq2*leg_mass + c_slope*t4 - dq1*dq1*(c_q1*hip_mass - c_q1*com_distance*leg_mass + 2*c_q1*leg_mass - c_q1_minus_q2*com_distance*leg_mass + com_offset*leg_mass*s_q1 + t18) - dq2*dq2*t18 + t17*t7
+    ground_2 = c_q1*(leg_mass*t15 - t13) + c_slope*t1 + leg_mass*(c_q1_minus_q2*t17 + s_q1_minus_q2*t16) + s_q1*t12
     point = com_1 - com_2*ground_1/ground_2 + q1*radius
     return {
         "zmp": point,
@@ -827,13 +831,16 @@ def step_length(xp, q, p):
     """Length of the step from the coordinates just after touchdown.
 
     Source: geometry of the legs.
-    6 operations.
+    10 operations.
     """
     q1 = q[0]
     q2 = q[1]
     radius = p[5]
     s_q1 = xp.sin(q1)
     s_q1_minus_q2 = xp.sin(q1 - q2)
+    c_q1 = xp.cos(q1)
+    c_q1_minus_q2 = xp.cos(q1 - q2)
     return {
         "length": q2*radius + s_q1 - s_q1_minus_q2,
+        "rise": c_q1_minus_q2 - c_q1,
     }
