@@ -177,7 +177,9 @@ def solve(matrix: sp.Matrix, right: sp.Matrix, name: str = "") -> sp.Matrix:
     for j in range(rows):
         pivot = next((i for i in range(j, rows) if a[i, j] != 0), None)
         if pivot is None:
-            raise InputError(f"solve was given a matrix without an inverse: column {j + 1} is zero below the others")
+            raise InputError(
+                f"solve was given a matrix without an inverse: column {j + 1} is zero below the others"
+            )
         a.row_swap(j, pivot)
         b.row_swap(j, pivot)
         for i in range(j + 1, rows):

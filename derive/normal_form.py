@@ -23,7 +23,10 @@ class TooLargeError(Exception):
 
 
 def normal_form(
-    expr: sp.Expr, largest: int, constants: Iterable[sp.Symbol] = (), name: Callable[[sp.Expr], sp.Expr] | None = None
+    expr: sp.Expr,
+    largest: int,
+    constants: Iterable[sp.Symbol] = (),
+    name: Callable[[sp.Expr], sp.Expr] | None = None,
 ) -> sp.Expr | None:
     """An expression as a sum of sines and cosines with coefficients; None where it is too large.
 

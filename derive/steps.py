@@ -18,7 +18,17 @@ from stridemap.derive.terms import Term, short, terms_in
 STEP = 6
 """Operations of one step that are left together; a longer part becomes a term of its own."""
 
-GEOMETRY = ("bodies", "swing_foot", "gravity", "stance", "touchdown", "relabel", "section", "drawing", "locks")
+GEOMETRY = (
+    "bodies",
+    "swing_foot",
+    "gravity",
+    "stance",
+    "touchdown",
+    "relabel",
+    "section",
+    "drawing",
+    "locks",
+)
 """Fields that stay as they are declared: they are short, and what follows from them is to be readable."""
 
 

@@ -73,6 +73,7 @@ _ENTRIES = (
         "why not known",
         "Why it is not known whether the cycle is stable; empty where it is known.",
         type="str",
+        over_steps="cycle",
     ),
     Quantity(
         "group",

@@ -260,14 +260,11 @@ class Branches(Sequence[Branch]):
         StorageError
             When a file cannot be written.
         """
-        path = Path(path)
-        kinds = {".parquet": "to_parquet", ".csv": "to_csv"}
-        if path.suffix not in kinds:
-            raise InputError(f"{path} must end in {' or '.join(kinds)}")
+        path, writer = Path(path), table_writer(path)
         paths = [path, path.with_stem(f"{path.stem}_special")]
         for target, frame in zip(paths, (self.to_frame(), self.special_frame()), strict=True):
             try:
-                getattr(frame, kinds[path.suffix])(target, index=False)
+                getattr(frame, writer)(target, index=False)
             except OSError as error:
                 raise StorageError(
                     f"cannot write {target} ({error.strerror or error}); give a path that can be written"
@@ -299,6 +296,21 @@ class Branches(Sequence[Branch]):
     def plot(self, y: str = "period", **options: Any) -> Any:
         """Draw a bifurcation diagram with matplotlib: see `stridemap.views.branch_diagram`."""
         return service("branch_diagram")(self, y, **options)
+
+
+def table_writer(path: str | Path) -> str:
+    """The method of a data frame that writes the kind of file that a path's ending names.
+
+    Raises
+    ------
+    InputError
+        For an ending that names none.
+    """
+    writers = {".parquet": "to_parquet", ".csv": "to_csv"}
+    suffix = Path(path).suffix
+    if suffix not in writers:
+        raise InputError(f"{path} must end in {' or '.join(writers)}")
+    return writers[suffix]
 
 
 def by_continuity(multipliers: NDArray[np.complex128]) -> NDArray[np.complex128]:

@@ -7,6 +7,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stridemap.solver.cycles.chain import Chain
+from stridemap.solver.cycles.errors import differences, size
+from stridemap.solver.linear import solved
+from stridemap.solver.model.scales import Scales
 from stridemap.solver.observables.events import Trace
 from stridemap.solver.observables.measures import Cycles, measured
 from stridemap.solver.observables.over_steps import over_steps
@@ -40,15 +43,13 @@ def chain_measures(
         steps = u[at].reshape(len(at) * n, -1)
         point = np.repeat(params[at], n, axis=0)
         traced = chain.kernels.trace(2 * each, steps, point)
-        closing = np.abs(chain.residual(each, u[at], params[at])).max(axis=1)
-        finer = np.abs(chain.residual(2 * each, u[at], params[at])).max(axis=1)
+        numbers = _errors(chain, each, u[at], params[at], multipliers[at])
         cycles = Cycles(
             model,
             point,
             steps,
             np.repeat(multipliers[at], n, axis=0),
-            np.repeat(closing, n),
-            np.repeat(finer, n),
+            *(np.repeat(one, n) for one in numbers),
             Trace.of(chain.kernels, steps, point, traced),
         )
         values = measured(cycles)
@@ -61,3 +62,21 @@ def chain_measures(
         name: None if parts[0][name] is None else np.concatenate([part[name] for part in parts])[back]
         for name in parts[0]
     }
+
+
+def _errors(
+    chain: Chain, n_rk: int, u: Array, params: Array, multipliers: NDArray[np.complex128]
+) -> tuple[Array, Array, Array, Array]:
+    """Residuals, and errors of integration, state and multipliers, shape (m,) each, in the model's scales."""
+    scales = Scales.of(chain.kernels.model)
+    unknowns, entries = np.tile(scales.unknowns, chain.n_steps), np.tile(scales.residual, chain.n_steps)
+    coarse, closing = chain.jacobian(n_rk, u, params)
+    finer = chain.residual(2 * n_rk, u, params)
+    change = solved(coarse, -finer)
+    refined = chain.jacobian(2 * n_rk, u + np.nan_to_num(change), params).jacobian
+    return (
+        size(closing, entries),
+        size(finer - closing, entries),
+        size(change, unknowns),
+        differences(multipliers, chain.multipliers(refined)),
+    )

@@ -54,8 +54,16 @@ def branch(
     """Follow all branches of limit cycles over one parameter and locate their special points."""
     from stridemap.cli.output import print_table
     from stridemap.solver.api import branches
+    from stridemap.solver.branches.branches import table_writer
+    from stridemap.solver.model.loading import load
     from stridemap.solver.options import ArclengthOptions, SearchOptions
+    from stridemap.views.branch_diagram import check_column, check_picture
 
+    if out is not None:
+        table_writer(out)
+    if plot is not None:
+        check_picture(plot)
+        check_column(load(model), show)
     found = branches(
         model,
         vary,
@@ -98,15 +106,12 @@ def branch(
 
 def _write(figure: Any, path: Path) -> None:
     """Write a figure in the format that its path's ending names."""
-    from stridemap.errors import InputError
+    from stridemap.errors import StorageError
 
-    kinds = sorted(figure.canvas.get_supported_filetypes())
-    if path.suffix[1:] not in kinds:
-        raise InputError(f"--plot {path} has no ending that names a kind of picture: {', '.join(kinds)}")
     try:
         figure.savefig(path)
     except OSError as error:
-        raise InputError(
+        raise StorageError(
             f"cannot write {path} ({error.strerror or error}); give a path that can be written"
         ) from None
 

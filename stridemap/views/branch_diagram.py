@@ -1,5 +1,6 @@
 """Bifurcation diagrams: branches of limit cycles over a parameter, with their special points."""
 
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -7,7 +8,9 @@ from numpy.typing import NDArray
 
 from stridemap.errors import InputError
 from stridemap.solver.branches.branches import Branches
+from stridemap.solver.model.model import Model
 from stridemap.views.optional import require_pictures
+from stridemap.words import multiplier_columns
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -60,6 +63,7 @@ def branch_diagram(branches: Branches, y: str = "period", *, gaits_only: bool = 
     InputError
         When there is no such column, or matplotlib is missing.
     """
+    check_column(branches.model, y)
     require_pictures()
     from stridemap.views import style
 
@@ -77,6 +81,37 @@ def branch_diagram(branches: Branches, y: str = "period", *, gaits_only: bool = 
     return figure
 
 
+def check_column(model: Model, y: str) -> None:
+    """Refuse what cannot be drawn over the parameter.
+
+    Raises
+    ------
+    InputError
+        When y is neither an entry of the section, the period, nor a number that is measured on the model.
+    """
+    measured = [name for name, one in model.measured.items() if one.type in ("float", "int")]
+    multipliers = [name for i in range(len(model.section)) for name in multiplier_columns(i)]
+    known = list(dict.fromkeys([*model.section, "period", *measured, *multipliers]))
+    if y not in known:
+        raise InputError(f"{y!r} cannot be drawn; what can be is {', '.join(known)}")
+
+
+def check_picture(path: Path) -> None:
+    """Refuse a path whose ending does not name a kind of picture.
+
+    Raises
+    ------
+    InputError
+        For such an ending, or when matplotlib is missing.
+    """
+    require_pictures()
+    from matplotlib.backend_bases import FigureCanvasBase
+
+    kinds = sorted(FigureCanvasBase.get_supported_filetypes())
+    if path.suffix[1:] not in kinds:
+        raise InputError(f"{path} has no ending that names a kind of picture: {', '.join(kinds)}")
+
+
 def _values(branches: Branches, number: int, y: str) -> Array:
     """What is drawn of a branch, shape (points, curves)."""
     branch = branches[number]
@@ -86,9 +121,6 @@ def _values(branches: Branches, number: int, y: str) -> Array:
         values: Array = steps[:, :, names.index(y)]
         return values
     frame = branches.to_frame()
-    if y not in frame or not np.issubdtype(frame[y].dtype, np.number):
-        numeric = [name for name in frame if np.issubdtype(frame[name].dtype, np.number)]
-        raise InputError(f"y = {y!r} cannot be drawn; columns that can be are {', '.join(numeric)}")
     column: Array = frame.loc[frame["branch"] == number, y].to_numpy(dtype=np.float64)[:, None]
     return column
 

@@ -42,7 +42,7 @@ def test_a_multiplier_changes_as_its_slope_says(simplest):
     after = points[points.slope > doubling.value].iloc[0]
     columns = [f"multiplier_{i}_re" for i in range(2)]
     change = after[columns] - before[columns]
-    crossing = change[np.argmin(np.abs(before[columns] + 1))]
+    crossing = change.iloc[np.argmin(np.abs(before[columns] + 1))]
     rate = crossing / (after.arclength - before.arclength)
     assert rate == pytest.approx(doubling.crossing_slope, rel=0.1)
 
