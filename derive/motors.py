@@ -30,7 +30,8 @@ def kind_of(walker: Declaration, motor: Motor) -> Literal["torque", "force"]:
     linear = not any(motor.drives.diff(c.symbol).free_symbols & {*walker.q, *STANCE_FOOT} for c in moved)
     if moved and linear and not moving & set(STANCE_FOOT):
         return "torque" if all(c.unit in _ANGLES for c in moved) else "force"
-    lengths = [x.symbol for x in (*walker.coordinates, *walker.parameters) if x.unit == walker.units.length]
+    lengths = [c.symbol for c in walker.coordinates if c.unit == walker.units.length]
+    lengths += [a.symbol for a in walker.parameters if a.unit == walker.units.length]
     lengths += list(STANCE_FOOT)
     if any(x in moving for x in lengths) and _grows(motor.drives, lengths):
         return "force"

@@ -141,6 +141,10 @@ class Newton:
         torque = -a["Kp"] * (self.q[:, 1] - target) - a["Kd"] * (self.v[:, 1] - target_rate)
         return {"u": torque[:, None]}
 
+    def motor_rates(self):
+        """The motor at the hip drives the angle between the legs."""
+        return {"driven": self.q[:, 1:2], "rate": self.v[:, 1:2]}
+
     def state_derivative(self):
         force = -sum(self.bias_forces().values())
         if "Kp" in self.par:
@@ -191,7 +195,7 @@ class Newton:
 
     def step_length(self):
         """The old stance foot is now the swing foot, that far behind the new one."""
-        return {"length": -self.foot.position[:, 0]}
+        return {"length": -self.foot.position[:, 0], "rise": -self.foot.position[:, 1]}
 
     # -- what is measured ------------------------------------------------------------------------------------
 
@@ -210,7 +214,8 @@ class Newton:
     def total_mass(self):
         """The acceleration of gravity is 1 in all these walkers."""
         mass = sum(body.mass for body in self.bodies)
-        return {"mass": mass, "weight": mass, "pull": mass * self.gravity[:, 0]}
+        pull, press = mass * self.gravity[:, 0], -mass * self.gravity[:, 1]
+        return {"mass": mass, "weight": mass, "pull": pull, "press": press}
 
     def centre_of_mass(self):
         mass = self.total_mass()["mass"][:, None]
@@ -375,7 +380,7 @@ class Wheel(Newton):
 
     def step_length(self):
         """From the foot of the spoke behind to the stance foot."""
-        return {"length": -self.behind.position[:, 0]}
+        return {"length": -self.behind.position[:, 0], "rise": -self.behind.position[:, 1]}
 
     def lines(self):
         return {"stance_spokes": [self.rest, self.hip, self.foot], "spoke_behind": [self.hip, self.behind]}

@@ -136,7 +136,8 @@ def test_every_function_of_a_model_is_a_casadi_function_with_names(name):
     wanted = {
         "mass_matrix", "bias_forces", "state_derivative", "touchdown_condition", "impact_map",
         "kinetic_energy", "potential_energy", "centre_of_mass", "ground_force", "swing_foot",
-        "before_touchdown", "step_length", "total_mass", *(["controller_torque"] if model.actuated else []),
+        "before_touchdown", "step_length", "total_mass",
+        *(["controller_torque", "motor_rates"] if model.actuated else []),
     }  # fmt: skip
     assert wanted <= set(functions), sorted(functions)
     for key, entry in functions.items():
