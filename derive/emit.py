@@ -34,7 +34,13 @@ PRINTERS: Mapping[str, Callable[[Equations], str]] = {
 """What prints each generated file, by the file's name."""
 
 
-def emit(walker: Walker, generator: str) -> tuple[dict[str, str], ModelSpec]:
+Progress = Callable[[int, int, str], None]
+"""What is called as the derivation moves on: steps done, steps in all, and what was done last."""
+
+
+def emit(
+    walker: Walker, generator: str, progress: Progress | None = None
+) -> tuple[dict[str, str], ModelSpec]:
     """Derive a walker's equations and print them.
 
     Parameters
@@ -42,6 +48,7 @@ def emit(walker: Walker, generator: str) -> tuple[dict[str, str], ModelSpec]:
     walker : Walker
     generator : str
         Name and version for the banner.
+    progress : callable, optional
 
     Raises
     ------
@@ -56,20 +63,22 @@ def emit(walker: Walker, generator: str) -> tuple[dict[str, str], ModelSpec]:
         What the files hold: functions, argument order, shapes, units, parameters, hash of the model.
     """
     try:
-        return _printed(walker, generator)
+        return _printed(walker, generator, progress)
     except (TypeError, ValueError) as error:
         if isinstance(error, InputError):
             raise
         raise InputError(f"model {walker.name}: {error}") from error
 
 
-def _printed(walker: Walker, generator: str) -> tuple[dict[str, str], ModelSpec]:
-    written = equations(walker, generator)
+def _printed(
+    walker: Walker, generator: str, progress: Progress | None
+) -> tuple[dict[str, str], ModelSpec]:
+    written = equations(walker, generator, progress)
     files = {pattern.format(model=walker.name): text(written) for pattern, text in PRINTERS.items()}
     return files, specification(written)
 
 
-def equations(walker: Walker, generator: str) -> Equations:
+def equations(walker: Walker, generator: str, progress: Progress | None = None) -> Equations:
     """Derive a walker's equations, without printing them.
 
     Parameters
@@ -77,6 +86,7 @@ def equations(walker: Walker, generator: str) -> Equations:
     walker : Walker
     generator : str
         Name and version for banners.
+    progress : callable, optional
 
     Returns
     -------
@@ -92,9 +102,13 @@ def equations(walker: Walker, generator: str) -> Equations:
     """
     functions = Functions(walker)
     validate_section_rates(functions.mechanics)
-    programs = tuple(functions.programs())
+    programs = []
+    for program in functions.programs():
+        programs.append(program)
+        if progress is not None:
+            progress(len(programs), functions.count, program.name)
     digest = hashlib.sha256(Python().body(programs).encode()).hexdigest()
-    return Equations(walker, programs, generator, digest)
+    return Equations(walker, tuple(programs), generator, digest)
 
 
 def specification(written: Equations) -> ModelSpec:

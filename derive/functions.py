@@ -12,6 +12,9 @@ from stridemap.derive.simplify import simplified, start_afresh
 from stridemap.derive.steps import in_steps
 from stridemap.derive.walker import Walker
 
+ALWAYS = 22
+"""Programs that every walker has."""
+
 DEFAULT_SOURCES = {
     "mass_matrix": "M ddq + h + v = Q",
     "bias_forces": "M ddq + h + v = Q",
@@ -84,6 +87,12 @@ class Functions:
         yield self.section_state()
         yield self.before_touchdown()
         yield self.step_length()
+
+    @property
+    def count(self) -> int:
+        """How many programs there are, known before any is derived."""
+        w = self.walker
+        return ALWAYS + sum(map(bool, (w.torques, w.quantities, w.spring_mode is not None)))
 
     def _builder(self) -> Builder:
         return Builder(self.arguments)

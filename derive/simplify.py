@@ -72,7 +72,7 @@ def _simplified(expr: sp.Expr) -> sp.Expr:
     if found is None:
         return expr
     candidates = [expr, found, sp.factor_terms(found)]
-    if sp.count_ops(found) <= COLLECTED:
+    if sp.count_ops(found) <= COLLECTED and not _denominators(found):
         candidates += [sp.collect(found, s) for s in sorted(found.free_symbols, key=lambda s: s.name)]
     return _shortest(candidates)
 
@@ -95,8 +95,12 @@ def _shortest(candidates: list[sp.Expr]) -> sp.Expr:
 
 def has_quotient(expr: sp.Expr) -> bool:
     """Whether sums of sines stand in a denominator, or several sums: what an expansion multiplies out."""
-    below = {p.base for p in expr.atoms(sp.Pow) if p.exp.is_negative and p.base.is_Add}
+    below = _denominators(expr)
     return len(below) > 2 or any(base.has(sp.sin, sp.cos) for base in below)
+
+
+def _denominators(expr: sp.Expr) -> set[sp.Expr]:
+    return {p.base for p in expr.atoms(sp.Pow) if p.exp.is_negative and p.base.is_Add}
 
 
 def expanded_size(expr: sp.Expr) -> int:

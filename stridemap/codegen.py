@@ -9,6 +9,7 @@ import sys
 import tempfile
 import traceback
 from collections.abc import Callable, Mapping
+from contextlib import nullcontext
 from dataclasses import fields, is_dataclass, replace
 from importlib.metadata import version
 from importlib.resources import files
@@ -22,6 +23,7 @@ from stridemap.derive.emit import emit
 from stridemap.derive.models import WALKERS
 from stridemap.derive.walker import Walker
 from stridemap.errors import InputError
+from stridemap.services import offered, service
 from stridemap.solver.backends.compiler import cache_folder
 from stridemap.solver.kernels.catalogue import c_source
 from stridemap.solver.model import derivation
@@ -57,11 +59,12 @@ def write_model(walker: Walker, folder: Path) -> list[Path]:
     InputError
         When the folder cannot be written.
     """
-    texts, spec = emit(walker, f"stridemap {version('stridemap')}")
-    # The kernels are printed from the equations as written; a half-written folder is never seen.
-    with tempfile.TemporaryDirectory() as scratch:
-        _write(Path(scratch), texts, spec)
-        texts[kernels_file(walker.name)] = c_source(Model(Folder(Path(scratch)), walker.name))
+    with service("show_deriving")(walker.name) if offered("show_deriving") else nullcontext() as progress:
+        texts, spec = emit(walker, f"stridemap {version('stridemap')}", progress)
+        # The kernels are printed from the equations as written; a half-written folder is never seen.
+        with tempfile.TemporaryDirectory() as scratch:
+            _write(Path(scratch), texts, spec)
+            texts[kernels_file(walker.name)] = c_source(Model(Folder(Path(scratch)), walker.name))
     try:
         folder.mkdir(parents=True, exist_ok=True)
         _write(folder, texts, spec)  # the manifest last: it names the others
@@ -74,13 +77,17 @@ def _write(folder: Path, texts: dict[str, str], spec: ModelSpec) -> None:
     hashes = {name: _digest(text.encode()) for name, text in sorted(texts.items())}
     text = json.dumps(replace(spec, files=hashes).to_manifest(), indent=1) + "\n"
     for name, content in [*texts.items(), (MANIFEST, text)]:
-        # Beside and renamed: another process, which may write the same, never sees half a file.
-        scratch = folder / f".{name}.{os.getpid()}"
-        try:
-            scratch.write_text(content, encoding="utf-8", newline="\n")
-            scratch.replace(folder / name)
-        finally:
-            scratch.unlink(missing_ok=True)
+        _put(folder / name, content.encode())
+
+
+def _put(path: Path, content: bytes) -> None:
+    # Beside and renamed: another process, which may write the same, never sees half a file.
+    scratch = path.with_name(f".{path.name}.{os.getpid()}")
+    try:
+        scratch.write_bytes(content)
+        scratch.replace(path)
+    finally:
+        scratch.unlink(missing_ok=True)
 
 
 def _digest(content: bytes) -> str:
@@ -129,8 +136,25 @@ def into_folder(walker: Walker, folder: Path) -> Path:
             f"{folder / present[0]} does not belong to the model {walker.name} and would be overwritten; "
             "give --out another folder"
         )
-    write_model(walker, folder)
+    try:
+        cached = _into_cache(walker)
+    except InputError as error:
+        if not isinstance(error.__cause__, OSError):
+            raise
+        write_model(walker, folder)  # there is no cache that can be written
+        return folder
+    _copy(cached, folder)
     return folder
+
+
+def _copy(source: Path, folder: Path) -> None:
+    """Copy a model's files, the manifest last: it names the others."""
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        for name in [*_manifest_in(source)["files"], MANIFEST]:
+            _put(folder / name, (source / name).read_bytes())
+    except OSError as error:
+        raise InputError(f"cannot write {folder}: {error.strerror}") from error
 
 
 def into_cache(walker: Walker, keep: bool = False) -> Path:
@@ -142,17 +166,21 @@ def into_cache(walker: Walker, keep: bool = False) -> Path:
     keep : bool
         Whether files that are there stay even if they were changed since; loading them then refuses.
     """
+    try:
+        return _into_cache(walker, keep)
+    except InputError as error:
+        raise InputError(
+            f"{error}; set STRIDEMAP_CACHE to a folder that can be written, or derive with --out"
+            if isinstance(error.__cause__, OSError)
+            else str(error)
+        ) from None
+
+
+def _into_cache(walker: Walker, keep: bool = False) -> Path:
     folder = cache_folder() / "models" / f"{walker.name}-{fingerprint(walker)[:32]}"
     manifest = _manifest_in(folder)
     if not manifest or not (keep or _intact(folder, manifest)):
-        try:
-            write_model(walker, folder)
-        except InputError as error:
-            raise InputError(
-                f"{error}; set STRIDEMAP_CACHE to a folder that can be written, or derive with --out"
-                if isinstance(error.__cause__, OSError)
-                else str(error)
-            ) from None
+        write_model(walker, folder)
     return folder
 
 

@@ -18,6 +18,11 @@ def provide(**homes: str) -> None:
     _HOMES.update(homes)
 
 
+def offered(name: str) -> bool:
+    """Whether a service has been stated: some, such as showing progress, only a command offers."""
+    return name in _HOMES
+
+
 def service(name: str) -> Callable[..., Any]:
     """The function behind a service; its module is imported when it is first asked for."""
     module, _, function = _HOMES[name].partition(":")

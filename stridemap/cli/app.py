@@ -26,6 +26,7 @@ from stridemap.cli.simulate import simulate
 from stridemap.cli.sweep import sweep
 from stridemap.cli.version import version
 from stridemap.errors import StridemapError, bounded, short
+from stridemap.services import provide
 
 # The base of all complaints about the command line; typer has it under varying module names.
 _UsageError: Any = next(c for c in typer.BadParameter.__mro__ if c.__name__ == "ClickException")
@@ -48,6 +49,7 @@ for command in _PLAIN:
 def main() -> NoReturn:
     """Run the command line; every error that the user can mend is one sentence and exit status 2."""
     _fill_closed_streams()
+    provide(show_deriving="stridemap.cli.progress:show_deriving")
     warnings.showwarning = lambda message, *_: print(f"warning: {message}", file=sys.stderr)
     if sys.stdout is None:
         _fail("standard output is closed, so that nothing can be printed; send it to a file or to /dev/null")

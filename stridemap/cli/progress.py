@@ -1,4 +1,4 @@
-"""How a sweep shows that it moves: a bar on a terminal, plain lines elsewhere."""
+"""How a sweep or a derivation shows that it moves: a bar on a terminal, plain lines elsewhere."""
 
 import sys
 import time
@@ -71,3 +71,50 @@ def _lines() -> "Callable[[SweepProgress], None]":
         )
 
     return update
+
+
+QUIET = 1.0
+"""Seconds that a derivation may take without a word."""
+
+DERIVING_LINE_EVERY = 2.0
+"""Seconds between plain lines of a derivation."""
+
+
+@contextmanager
+def show_deriving(model: str) -> "Iterator[Callable[[int, int, str], None]]":
+    """Show on standard error how far the derivation of a model is, once it has taken a second.
+
+    Parameters
+    ----------
+    model : str
+        Its name.
+    """
+    console = Console(stderr=True)
+    begun = last = time.monotonic()
+    said = False
+
+    def lines(done: int, total: int, name: str) -> None:
+        nonlocal last, said
+        now = time.monotonic()
+        if now - begun < QUIET or (said and now - last < DERIVING_LINE_EVERY and done < total):
+            return
+        last, said = now, True
+        what = f"{name} done" if done < total else "writing the kernels"
+        print(
+            f"deriving {model}: {done} of {total} functions, {what}, {now - begun:.0f} s",
+            file=sys.stderr,
+            flush=True,
+        )
+
+    if not console.is_terminal:
+        yield lines
+        return
+    columns = (TextColumn(f"deriving {model}"), BarColumn(), MofNCompleteColumn(), TextColumn("{task.fields[what]}"))
+    with Progress(*columns, console=console, transient=True) as bar:
+        task = bar.add_task("", total=None, what="")
+
+        def update(done: int, total: int, name: str) -> None:
+            what = f"functions, {name} done" if done < total else "functions, writing the kernels"
+            bar.update(task, completed=done, total=total, what=what)
+
+        yield update
