@@ -26,6 +26,9 @@ FACTOR = 3.0
 ROUNDING = 1e-13
 """Errors below it are rounding."""
 
+FOLD_STEPS = 10
+"""Halvings of the distance to a fold."""
+
 REFERENCE_N_RK = 768
 RANGES = {"k": (0.3, 60.0), "alpha": (0.05, 0.6), "omega": (1.5, 4.0)}
 """Where cycles are drawn, by parameter; evenly in its logarithm."""
@@ -34,7 +37,7 @@ RANGES = {"k": (0.3, 60.0), "alpha": (0.05, 0.6), "omega": (1.5, 4.0)}
 def drawn(solver: Solver, n: int, seed: int) -> Orbits:
     """About `n` cycles, half of them close to a fold."""
     model, rng = solver.model, np.random.default_rng(seed)
-    options = SearchOptions(starts=128, max_starts=128).resolved_for(model)
+    options = SearchOptions(starts=48, max_starts=48).resolved_for(model)
     parts: list[Orbits] = []
     while sum(map(len, parts)) < n:
         points = np.tile(model.point({}), (64, 1))
@@ -49,10 +52,10 @@ def near_folds(solver: Solver, orbits: Orbits, options: SearchOptions) -> Orbits
     """Cycles closer to the fold between two of a point, where there are two: half way, again and again."""
     column = solver.model.spec.names.index("k")
     inside, outside = orbits.params[:, column].copy(), orbits.params[:, column] * 0.7
-    points, guesses, last = orbits.params.copy(), orbits.u.copy(), orbits
-    for _ in range(14):
+    points, guesses = orbits.params.copy(), orbits.u.copy()
+    for _ in range(FOLD_STEPS):
         points[:, column] = 0.5 * (inside + outside)
-        start = orbits.params.copy()
+        start = points.copy()
         start[:, column] = inside
         ends = follow(solver, guesses, start, points, options.wider_period_range)
         reached = ends.branch[ends.reached]

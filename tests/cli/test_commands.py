@@ -18,9 +18,9 @@ from tests.oracles.reference import REFERENCE, reference_name
 from tests.oracles.sweeping import STRIDEMAP, tables
 
 ORBIT_KEYS = (
-    "status state period multipliers spectral_radius stable group step_length speed d_max work work_positive "
+    "status state period multipliers spectral_radius multiplier_error stable undecided group step_length speed d_max work work_positive "
     "work_net cot cot_per_speed min_vertical_force friction clearance peaks x_zero_crossings "
-    "wobble_amplitude touchdown_speed residual integration_error"
+    "wobble_amplitude touchdown_speed residual state_error integration_error"
 ).split()
 """In this order; others script against them."""
 
@@ -54,7 +54,7 @@ def test_the_command_and_the_module_are_the_same():
         script, module = pool.map(shell, commands)
     assert script == module
     found = printed(script)
-    assert list(found) == ["model", "params", "orbits"]
+    assert list(found) == ["model", "params", "orbits", "search"]
     orbits = stridemap.find_orbits("wobbling", k=6, alpha=0.25, omega=3)
     assert found["orbits"] == [orbit.to_dict() for orbit in orbits]
     assert len(orbits) == 2
@@ -63,7 +63,7 @@ def test_the_command_and_the_module_are_the_same():
 @pytest.mark.quick
 def test_json_of_a_point_with_two_cycles(run):
     found = printed(run("orbit", "--model", "wobbling", *TWO, "--json"))
-    assert list(found) == ["model", "params", "orbits"]
+    assert list(found) == ["model", "params", "orbits", "search"]
     assert found["model"] == "wobbling"
     assert found["params"] == {
         "k": 6.0, "alpha": 0.25, "omega": 3.0, "beta": 0.15, "Kp": 10.0, "Kd": 0.6, "S": 0.18, "gamma": 0.18,
