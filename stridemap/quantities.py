@@ -169,8 +169,8 @@ _ENTRIES = (
         "state_error",
         "number",
         "error of the state",
-        "Largest error of an entry of the section point or of the period, estimated from twice the resolution; "
-        "in rad, and in terms of the model's own length and time.",
+        "Largest error of an entry of the section point or of the period, estimated from twice the "
+        "resolution; in rad, and in terms of the model's own length and time.",
     ),
     Quantity(
         "integration_error",

@@ -356,6 +356,4 @@ class _Run:
 def _thrown_away(counts: Mapping[Status, int]) -> str:
     """How many solutions were no limit cycle, and why."""
     known = (status for status in Status if counts.get(status))
-    return ", ".join(
-        f"{counts[one]} solution{'' if counts[one] == 1 else 's'} {one.reason}" for one in known
-    )
+    return ", ".join(f"{counts[one]} solution{'' if counts[one] == 1 else 's'} {one.reason}" for one in known)

@@ -22,11 +22,11 @@ Mask = NDArray[np.bool_]
 
 
 NEARLY = 1e-2
-"""Residual below which a solution nearly closed, in terms of the scales: at a finer resolution it may close."""
+"""Residual below which a solution nearly closed, in terms of the scales: a finer resolution may close it."""
 
 RESOLVED = 0.1
-"""Change of a residual at twice the resolution, in terms of the residual itself, below which a solution that does
-not close is not a matter of the resolution."""
+"""Change of a residual at twice the resolution, in terms of the residual itself, below which a solution that
+does not close is not a matter of the resolution."""
 
 WORTHWHILE = 16 * np.finfo(float).eps
 """Integration error that is rounding: a finer resolution does not lower it."""

@@ -32,7 +32,8 @@ TIME_LIMIT = 25.0
 SAMPLES = 8
 """Samples per step of the integrator, between which an event is looked for."""
 FIRST_STEP = 1e-3
-"""Of the integrator, in terms of the scale of time. SciPy's own guess is not a number for huge rates, and it then never returns."""
+"""Of the integrator, in terms of the scale of time. SciPy's own guess is not a number for huge rates, and it
+then never returns."""
 FORCE_SAMPLES = 257
 """Times in a step at which the ground force is sampled."""
 

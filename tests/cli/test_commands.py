@@ -18,7 +18,8 @@ from tests.oracles.reference import REFERENCE, reference_name
 from tests.oracles.sweeping import STRIDEMAP, tables
 
 ORBIT_KEYS = (
-    "status state period multipliers spectral_radius multiplier_error stable undecided group step_length speed d_max work work_positive "
+    "status state period multipliers spectral_radius multiplier_error stable undecided "
+    "group step_length speed d_max work work_positive "
     "work_net cot cot_per_speed min_vertical_force friction clearance peaks x_zero_crossings "
     "wobble_amplitude touchdown_speed residual state_error integration_error"
 ).split()

@@ -1,7 +1,7 @@
 """A declaration in other units: the same walker, whose numbers are other ones.
 
-Every expression of the old walker is written in terms of the new coordinates, rates and time, and its value is
-brought to the new units. Parameters stay the numbers that they are.
+Every expression of the old walker is written in terms of the new coordinates, rates and time, and its value
+is brought to the new units. Parameters stay the numbers that they are.
 """
 
 from dataclasses import dataclass, replace
@@ -103,18 +103,18 @@ def rescaled(walker, name, scale):
         potentials={key: new(value, "energy") for key, value in walker.potentials.items()},
         dissipation=new(walker.dissipation, "power"),
         torques={
-            c: new(value, "torque" if kind_of(c) == "angle" else "force") for c, value in walker.torques.items()
+            c: new(value, "torque" if kind_of(c) == "angle" else "force")
+            for c, value in walker.torques.items()
         },
         clock=clock and Clock(new(clock.rate, "angular frequency"), clock.resets, clock.turn),
         stance=new(walker.stance, "length"),
         locks=tuple(new(lock) for lock in walker.locks),
         spring_mode=walker.spring_mode and new(walker.spring_mode, "angular frequency"),
         drawing=tuple(
-            replace(line, points=tuple(new(point, "length") for point in line.points)) for line in walker.drawing
+            replace(line, points=tuple(new(point, "length") for point in line.points))
+            for line in walker.drawing
         ),
-        quantities=tuple(
-            replace(one, expression=new(one.expression, one.kind)) for one in walker.quantities
-        ),
+        quantities=tuple(replace(one, expression=new(one.expression, one.kind)) for one in walker.quantities),
         search_box=names(walker.search_box),
         period_range=(float(low * scale.time), float(high * scale.time)),
         units=UnitNames("u_m", walker.units.length, "u_t", "u_e"),

@@ -12,7 +12,6 @@ from stridemap.solver.cycles.status import Status
 from stridemap.solver.model.loading import load
 from stridemap.solver.model.scales import Scales
 from stridemap.solver.observables.measures import decided
-from stridemap.solver.options import AcceptanceOptions
 from tests.oracles.reference import GUESSES, continue_one
 
 FOLD = GUESSES[Status.INACCURATE]
@@ -48,7 +47,7 @@ def test_errors_are_true_within_a_factor_of_three(some):
 
 @pytest.mark.quick
 def test_next_to_a_fold_a_small_integration_error_is_a_large_one_of_the_cycle():
-    """The residual grows with the square of the distance: within 4e-11 of the fold, 1e-15 moves it by 1e-9."""
+    """The residual grows with the square of the distance: so near to the fold 1e-15 moves it by 1e-9."""
     _, _, orbit = continue_one(*FOLD)
     assert orbit.integration_error < 1e-11
     assert orbit.state_error > 100 * orbit.integration_error
