@@ -14,8 +14,9 @@ import numpy as np
 import pandas as pd
 
 import stridemap
+from stridemap.solver.cycles.duplicates import DUPLICATE, distinct
 from stridemap.solver.cycles.orbits import Orbits
-from stridemap.solver.cycles.search import DUPLICATE, distinct, merged
+from stridemap.solver.cycles.search import merged
 from stridemap.solver.cycles.solver import Solver
 from stridemap.solver.model.loading import load
 from stridemap.solver.model.model import Model

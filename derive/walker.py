@@ -83,9 +83,9 @@ class Walker(Derived):
     quantities : tuple of Measured
         What is measured on every limit cycle in addition to the quantities of all models.
     period_range : (float, float), optional
-        Shortest and longest period that is searched for by default. Where it is left out, 0.3 to 3 sqrt(L/g); in
-        units of one's own, L is the distance of the centre of mass from the stance foot, with all coordinates
-        zero and the preset's parameters.
+        Shortest and longest period that is searched for by default. Where it is left out, 0.3 to 3
+        sqrt(L/g); in units of one's own, L is the distance of the centre of mass from the stance foot, with
+        all coordinates zero and the preset's parameters.
     units : UnitNames
     sources : dict of str to str
         Where an equation is found in the literature, by generated function.
@@ -123,7 +123,7 @@ class Walker(Derived):
             object.__setattr__(self, "period_range", self._usual_periods())
 
     def _usual_periods(self) -> tuple[float, float]:
-        """The range of periods that is searched for in units of one's own, where the declaration does not say."""
+        """The range of periods that is searched for in units of one's own, where none is declared."""
         rest: dict[sp.Symbol, Any] = {a.symbol: a.default for a in self.parameters}
         rest |= {symbol: 0 for c in self.coordinates for symbol in (c.symbol, c.rate)}
         total = sum((body.mass for body in self.bodies), sp.S.Zero)

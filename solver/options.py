@@ -70,8 +70,8 @@ class SearchOptions(Options):
     starts : int
         Number of quasi-random starts per point, to begin with.
     max_starts : int or None
-        As long as a limit cycle was reached from one start alone, as many starts again are made, up to so many;
-        by default 8 times `starts`. Not in a sweep, where neighbours make up for what a cell misses.
+        As long as a limit cycle was reached from one start alone, as many starts again are made, up to so
+        many; by default 8 times `starts`. Not in a sweep, where neighbours make up for what a cell misses.
     seed : int
         Seed of their scrambling.
     period_min, period_max : float or None
@@ -185,7 +185,7 @@ def _box(given: Any) -> tuple[tuple[str, tuple[float, float]], ...]:
     entries = dict(given) if isinstance(given, Mapping | tuple) else None
     if entries is None:
         raise InputError(
-            f"search_box = {given!r} is not allowed: a mapping of names to (low, high) is needed"
+            f"search_box = {given!r} is not allowed: a mapping of names to two numbers is needed"
         )
     out = []
     for name, ends in sorted(entries.items()):

@@ -34,6 +34,7 @@ if TYPE_CHECKING:
     from stridemap.solver.cycles.gait import is_physical_gait
     from stridemap.solver.cycles.orbit import Orbit
     from stridemap.solver.cycles.orbits import Orbits
+    from stridemap.solver.cycles.report import SearchReport
     from stridemap.solver.cycles.status import Status
     from stridemap.solver.model.loading import available, load
     from stridemap.solver.model.model import Model

@@ -232,17 +232,6 @@ _ENTRIES = (
         over_steps="maximum",
     ),
     Quantity(
-        "residual", "number", "closing error", "Largest entry of the closing error.", over_steps="maximum"
-    ),
-    Quantity(
-        "state_error",
-        "number",
-        "error of the state",
-        "Largest error of an entry of the section point or of the period, estimated from twice the resolution; "
-        "in rad, and in terms of the model's own length and time.",
-        over_steps="maximum",
-    ),
-    Quantity(
         "impact_friction",
         "number",
         "friction needed at the impact",
@@ -268,6 +257,17 @@ _ENTRIES = (
         "on the ground, and the impact would be another one.",
         type="bool",
         over_steps="minimum",
+    ),
+    Quantity(
+        "residual", "number", "closing error", "Largest entry of the closing error.", over_steps="maximum"
+    ),
+    Quantity(
+        "state_error",
+        "number",
+        "error of the state",
+        "Largest error of an entry of the section point or of the period, estimated from twice the "
+        "resolution; in rad, and in terms of the model's own length and time.",
+        over_steps="maximum",
     ),
     Quantity(
         "integration_error",

@@ -54,8 +54,9 @@ def multiplier_columns(index: int) -> tuple[str, str]:
 _MULTIPLIER = re.compile(r"multiplier_\d+(_(re|im))?")
 
 ATTRIBUTES = frozenset(
-    "animate codes columns concatenate count empty found from_columns index jacobian known_stable measures model "
-    "motion multipliers params period plot search reason scaled section_point simulate stability state status summary take to_dict to_frame "
+    "animate codes columns concatenate count empty found from_columns index jacobian known_stable measures "
+    "model motion multipliers params period plot reason scaled search section_point simulate stability state "
+    "status summary take to_dict to_frame "
     "u".split()
 )
 """Attributes of a limit cycle and of an array of them, which a quantity of that name would hide."""

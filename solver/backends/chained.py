@@ -1,8 +1,8 @@
 """Steps of any number of RK steps, chained from kernels of `BLOCK` RK steps each, on arrays of points.
 
-A kernel is compiled per resolution, so there are few of them. Where a motion needs more RK steps than the finest
-one has, such as one with a steep torque, its pieces are called one after another from here: all points take
-their n-th piece at once. The arithmetic is that of the compiled kernels.
+A kernel is compiled per resolution, so there are few of them. Where a motion needs more RK steps than the
+finest one has, such as one with a steep torque, its pieces are called one after another from here: all points
+take their n-th piece at once. The arithmetic is that of the compiled kernels.
 """
 
 from typing import TYPE_CHECKING
@@ -77,7 +77,7 @@ def solved(matrices: Array, right: Array) -> Array:
 
 
 def trace(kernels: "Kernels", n_rk: int, u: Array, p: Array) -> tuple[Array, Array, Array, Array]:
-    """States with net works, observables and their derivatives at the nodes, and residuals; see `jacobian`."""
+    """States with net works, observables with their derivatives, and residuals; see `jacobian`."""
     nq = len(kernels.model.coordinates)
     (y,) = kernels.call(BEGIN, u, p)
     state = np.ascontiguousarray(y[:, 0])

@@ -20,7 +20,8 @@ Array = NDArray[np.float64]
 Index = NDArray[np.int64]
 
 MAX_CHANGE = 0.05
-"""Largest change, in any section coordinate or the period and in terms of the scales, from one cycle of a branch to the next."""
+"""Largest change from one cycle of a branch to the next, in any section coordinate or the period and in terms
+of the model's scales."""
 
 MAX_HALVINGS = 14
 """A branch ends where it does not go on in steps of 2^-MAX_HALVINGS of the whole distance."""

@@ -9,9 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stridemap.solver.branches.plane import Plane, cells_of, classified
+from stridemap.solver.cycles.duplicates import distinct
 from stridemap.solver.cycles.gait import is_physical_gait
 from stridemap.solver.cycles.orbits import Orbits
-from stridemap.solver.cycles.search import distinct, merged
+from stridemap.solver.cycles.search import merged
 from stridemap.solver.cycles.solver import Solver
 from stridemap.solver.model.scales import Scales
 from stridemap.solver.options import SearchOptions

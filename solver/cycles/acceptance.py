@@ -22,11 +22,11 @@ Mask = NDArray[np.bool_]
 
 
 NEARLY = 1e-2
-"""Residual below which a solution nearly closed, in terms of the scales: at a finer resolution it may close."""
+"""Residual below which a solution nearly closed, in terms of the scales: a finer resolution may close it."""
 
 RESOLVED = 0.1
-"""Change of a residual at twice the resolution, in terms of the residual itself, below which a solution that does
-not close is not a matter of the resolution."""
+"""Change of a residual at twice the resolution, in terms of the residual itself, below which a solution that
+does not close is not a matter of the resolution."""
 
 WORTHWHILE = 16 * np.finfo(float).eps
 """Integration error that is rounding: a finer resolution does not lower it."""
@@ -51,6 +51,8 @@ class Candidates:
     residual, integration_error : ndarray, shape (m,)
     change : ndarray, shape (m, nz + 1)
         What twice as many RK steps change in `u`.
+    spread : ndarray, shape (m, nz + 1)
+        What rounding may change in it.
     closed : ndarray of bool, shape (m,)
     trace : Trace
         Of the points that closed, in their order.
@@ -64,6 +66,7 @@ class Candidates:
     residual: Array
     integration_error: Array
     change: Array
+    spread: Array
     closed: Mask
     trace: Trace
 
@@ -80,11 +83,12 @@ class Candidates:
             closed = np.isfinite(u).all(axis=1) & (u[:, -1] > 0) & (residual < options.max_residual)
         at = np.flatnonzero(closed)
         traced = kernels.trace(2 * n_rk, u[at], params[at])
-        error, change = np.full(len(u), np.nan), np.full(u.shape, np.nan)
+        error, change, spread = np.full(len(u), np.nan), np.full(u.shape, np.nan), np.full(u.shape, np.nan)
         error[at] = np.abs((traced.residual - closing[at]) / unit).max(axis=1)
-        change[at] = Correction.of(jacobian[at], traced.residual, u[at], scales.unknowns).change
+        correction = Correction.of(jacobian[at], traced.residual, u[at], scales.unknowns)
+        change[at], spread[at] = correction.change, correction.spread
         trace = Trace.of(kernels, u[at], params[at], traced)
-        return cls(options, n_rk, params, u, jacobian, residual, error, change, closed, trace)
+        return cls(options, n_rk, params, u, jacobian, residual, error, change, spread, closed, trace)
 
     @property
     def kernels(self) -> Kernels:
@@ -133,6 +137,7 @@ class Candidates:
             self.residual[index],
             self.integration_error[index],
             self.change[index],
+            self.spread[index],
             self.closed[index],
             self.trace.take(chosen),
         )
@@ -197,12 +202,22 @@ class Candidates:
         )
 
     def _errors(self) -> tuple[Array, Array]:
-        """Errors of state and multipliers, shape (m,) each: from the corrected cycle, corrected once more."""
-        u, scale = self.u + self.change, self.scale
+        """Errors of state and multipliers, shape (m,) each: from the corrected cycle, corrected once more.
+
+        The multipliers are compared with those of a cycle that is off by the error of the state, rounding
+        included.
+        """
+        u, scale = self.u + self.change + self.spread, self.scale
         jacobian, residual = self.kernels.jacobian(2 * self.n_rk, u, self.params)
         again = Correction.of(jacobian, residual, u, scale)
-        state = size(self.change + again.change, scale) + again.rounding
-        return state, multiplier_error(self.jacobian, jacobian, scale)
+        second = again.change + self.spread
+        # In a fold itself every correction is half of the one before: what is left is their sum.
+        with np.errstate(divide="ignore", invalid="ignore"):
+            ratio = np.minimum(size(second, scale) / size(self.change, scale), 0.6)
+        ratio[~(size(self.change, scale) > 3 * again.rounding)] = 0.0
+        rest = 1 / (1 - ratio)
+        state = np.hypot(size(self.change + rest[:, None] * second, scale), again.rounding)
+        return state, rest * multiplier_error(self.jacobian, jacobian, scale)
 
 
 def depends_on_resolution(kernels: Kernels, n_rk: int, u: Array, params: Array) -> Mask:

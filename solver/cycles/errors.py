@@ -20,7 +20,7 @@ from stridemap.solver.cycles.floquet import sorted_eigenvalues, step_map_derivat
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
-ROUNDING = 8 * np.finfo(float).eps
+ROUNDING = 0.5 * float(np.finfo(float).eps)
 """Rounding of the residual and of the derivative, in terms of what they are computed from: measured."""
 
 
@@ -34,10 +34,13 @@ class Correction:
         Of the section point and the period.
     rounding : ndarray, shape (n,)
         What rounding may have added to the error, in terms of the scales.
+    spread : ndarray, shape (n, nz + 1)
+        The same as a change of the unknowns: where they move to most easily, on the side of `change`.
     """
 
     change: Array
     rounding: Array
+    spread: Array
 
     @classmethod
     def of(cls, jacobian: Array, residual: Array, u: Array, scale: Array) -> "Correction":
@@ -57,8 +60,13 @@ class Correction:
         level = ROUNDING * np.maximum(np.abs(u), scale)
         with np.errstate(invalid="ignore"):
             level[:, -1] = ROUNDING * np.abs(jacobian[:, -1, -1]) * scale[-1]
-            rounding = np.sqrt(((inverse * level[:, None, :]) ** 2).sum(axis=2)) / scale
-        return cls(change, rounding.max(axis=1, initial=0.0))
+            moved = inverse * level[:, None, :]
+            rounding = np.sqrt((moved**2).sum(axis=2)) / scale
+            # Near a fold all columns of the inverse point along the branch.
+            column = np.nan_to_num(np.abs(moved / scale[:, None]).max(axis=1)).argmax(axis=1)
+            spread = np.take_along_axis(moved, column[:, None, None], axis=2)[:, :, 0]
+            side = np.where((spread * change / scale**2).sum(axis=1) < 0, -1.0, 1.0)
+        return cls(change, rounding.max(axis=1, initial=0.0), side[:, None] * spread)
 
 
 def inverted(matrices: Array) -> Array:
@@ -94,7 +102,7 @@ def multiplier_error(jacobian: Array, refined: Array, scale: Array) -> Array:
     """
     derivative = step_map_derivative(jacobian)
     values, others = sorted_eigenvalues(derivative), sorted_eigenvalues(step_map_derivative(refined))
-    return differences(values, others) + _rounding(derivative, scale[:-1])
+    return np.hypot(differences(values, others), _rounding(derivative, scale[:-1]))
 
 
 def differences(values: Complex, others: Complex) -> Array:

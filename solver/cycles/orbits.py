@@ -234,7 +234,7 @@ class Orbits(Sequence[Orbit]):
 
     @property
     def known_stable(self) -> NDArray[np.bool_]:
-        """Which of them are stable for certain, shape (n,); `stable` is None where the error does not tell."""
+        """Which of them are known to be stable, shape (n,); `stable` is None where that is not known."""
         return np.array([one is not None and bool(one) for one in self.stable.tolist()], dtype=np.bool_)
 
     @property

@@ -70,27 +70,32 @@ class SearchReport:
         out = []
         if self.unresolved:
             out.append(
-                f"{_counted(self.unresolved, 'solution')} nearly closed, but the motion changes too suddenly for "
-                "the finest resolution: there may be limit cycles that are not listed"
+                f"{_counted(self.unresolved, 'solution')} nearly closed, but the motion changes too suddenly "
+                "for the finest resolution: there may be limit cycles that are not listed"
             )
         if not self.settled:
             once = int(np.count_nonzero(self.reached == 1))
             out.append(
-                f"{_counted(once, 'limit cycle')} reached from one start of {self.starts:,} only: there may be more; "
-                "raise starts or max_starts, or widen the search box"
+                f"{_counted(once, 'limit cycle')} reached from one start of {self.starts:,} only: there may "
+                "be more; raise starts or max_starts, or widen the search box"
             )
         return out
 
     def to_dict(self) -> dict[str, Any]:
         """Plain values for JSON."""
+        lost = self.discarded
         rows = [
-            {"status": one.value, "reason": one.reason, "residual": residual if np.isfinite(residual) else None,
-             "state": dict(zip(self.discarded.model.section, u[:-1], strict=True)), "period": u[-1]}
+            {
+                "status": one.value,
+                "reason": one.reason,
+                "residual": _number(residual),
+                "state": {name: _number(x) for name, x in zip(lost.model.section, u[:-1], strict=True)},
+                "period": _number(u[-1]),
+            }
             for one, residual, u in zip(
-                self.discarded.status.tolist(), self.discarded.residual.tolist(), self.discarded.u.tolist(),
-                strict=True,
+                lost.status.tolist(), lost.residual.tolist(), lost.u.tolist(), strict=True
             )
-        ]  # fmt: skip
+        ]
         return {
             "starts": self.starts,
             "settled": self.settled,
@@ -99,6 +104,11 @@ class SearchReport:
             "discarded": rows,
             "warnings": self.warnings,
         }
+
+
+def _number(value: float) -> float | None:
+    """A number for JSON; None for what is not one."""
+    return value if np.isfinite(value) else None
 
 
 def _counted(n: int, word: str) -> str:

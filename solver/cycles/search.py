@@ -1,8 +1,9 @@
 """All limit cycles at points of parameter space: many starts, Newton's method, duplicates merged.
 
-The number of starts adapts: as long as a limit cycle was reached from one start alone, as many starts again are
-made, up to a bound. The chance that a further start leads to something new is about the share of starts whose
-limit cycle no other start has reached (I. J. Good 1953, Biometrika 40, 237), so that it is small in the end.
+The number of starts adapts: as long as a limit cycle was reached from one start alone, as many starts again
+are made, up to a bound. The chance that a further start leads to something new is about the share of starts
+whose limit cycle no other start has reached (I. J. Good 1953, Biometrika 40, 237), so that it is small in
+the end.
 """
 
 from dataclasses import replace
@@ -15,7 +16,6 @@ from stridemap.solver.cycles.duplicates import (
     DUPLICATE,
     SEARCH_TOLERANCE,
     backwards,
-    distinct,
     first_of_each,
     grouped,
 )
@@ -26,17 +26,6 @@ from stridemap.solver.cycles.status import STATUSES
 from stridemap.solver.model.model import Model
 from stridemap.solver.model.scales import Scales
 from stridemap.solver.options import SearchOptions
-
-__all__ = [
-    "DUPLICATE",
-    "SEARCH_TOLERANCE",
-    "continued",
-    "distinct",
-    "find_all",
-    "first_of_each",
-    "merged",
-    "starts",
-]
 
 Array = NDArray[np.float64]
 Index = NDArray[np.int64]

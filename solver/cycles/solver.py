@@ -154,7 +154,7 @@ class Solver:
                 excess, unresolved = candidates.excess(), candidates.unresolved()
                 refine = (excess > 1) | unresolved
                 if n < LEVELS[-1]:
-                    # The error falls with the order's power of the resolution: go where it will be small enough.
+                    # The error falls with the order's power of the resolution: go where it will do.
                     factor = np.where(unresolved, 2.0, np.maximum(1.1 * excess ** (1 / ORDER), 1.01))
                     n_rk[at[refine]] = coarsest(n * factor[refine], LEVELS)
                     closed = refine & candidates.closed

@@ -42,7 +42,7 @@ class Status(StrEnum):
 _REASONS = {
     Status.NOT_CONVERGED: "Newton's method did not close it",
     Status.UNRESOLVED: "nearly closed, but the motion changes too suddenly for the finest resolution",
-    Status.NOT_A_STEP: "closed, but not as a step: the foot does not descend ahead of the hip, or it falls over",
+    Status.NOT_A_STEP: "closed, but not as a step: the foot does not descend ahead, or the walker falls over",
     Status.LATER_TOUCHDOWN: "closed, but an earlier touchdown ends the step",
     Status.OUT_OF_RANGE: "closed, with a period outside the range that was asked for",
 }

@@ -93,7 +93,7 @@ ADVANCE = Kernel(Kind.ADVANCE)
 """A part of an RK step, observed."""
 
 BEGIN, SWING, END = Kernel(Kind.BEGIN), Kernel(Kind.SWING), Kernel(Kind.END)
-"""Start of a step with its tangents, `BLOCK` RK steps of both, and the impact with the touchdown condition."""
+"""Start of a step with its tangents, `BLOCK` RK steps of both, and impact with touchdown condition."""
 
 OBSERVED_SWING = Kernel(Kind.OBSERVED_SWING)
 """`BLOCK` RK steps of the state with net works, observed at their nodes."""
@@ -105,9 +105,9 @@ CYCLE_N_RK = (24, 36, 48, 72, 96, 144, 192, 288, 384)
 """Resolutions of accepted limit cycles; each is checked at twice as many RK steps."""
 
 FINE_N_RK = (768, 1536, 3072, 6144, 12288, 24576)
-"""Resolutions beyond those of one function each, for motions with sudden changes. They are chained from pieces
-(`backends.chained`), and cost no time to compile. The last is a bound on the time that one point may take: at
-it, a cycle takes seconds."""
+"""Resolutions beyond those of one function each, for motions with sudden changes. They are chained from
+pieces (`backends.chained`), and cost no time to compile. The last is a bound on the time that one point may
+take: at it, a cycle takes seconds."""
 
 
 @dataclass(frozen=True)

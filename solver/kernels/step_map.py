@@ -164,7 +164,7 @@ class StepMap:
             "landing_with_derivative", [y, z, period, p], outputs, ["y", "z", "T", "p"], ["J", "R"]
         )
 
-    # -- pieces of which a step of any number of RK steps is chained ------------------------------------------
+    # -- pieces of which a step of any number of RK steps is chained -----------------------------------------
 
     @cached_property
     def begin(self) -> ca.Function:

@@ -29,7 +29,7 @@ def orbit(
         list[str] | None,
         typer.Option(
             metavar="NAME=VALUE",
-            help="An option of the search: seed, period_min, period_max, max_starts, widen (a factor on its box).",
+            help="An option of the search: seed, period_min, period_max, max_starts, widen.",
         ),
     ] = None,
     search_box: Annotated[

@@ -1,7 +1,7 @@
 """A declaration in other units: the same walker, whose numbers are other ones.
 
-Every expression of the old walker is written in terms of the new coordinates, rates and time, and its value is
-brought to the new units. Parameters stay the numbers that they are.
+Every expression of the old walker is written in terms of the new coordinates, rates and time, and its value
+is brought to the new units. Parameters stay the numbers that they are.
 """
 
 from dataclasses import dataclass, replace

@@ -39,7 +39,7 @@ def test_simulate_takes_parameters_either_way():
 
 
 def test_options_and_acceptance_are_handed_on():
-    few = stridemap.find_orbits("wobbling", TWO_CYCLES, options=SearchOptions(starts=1))
+    few = stridemap.find_orbits("wobbling", TWO_CYCLES, options=SearchOptions(starts=1, max_starts=1))
     assert len(few) < 2
     strict = AcceptanceOptions(max_residual=1e-30)
     assert len(stridemap.find_orbits("wobbling", TWO_CYCLES, acceptance=strict)) == 0

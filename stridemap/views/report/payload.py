@@ -122,7 +122,10 @@ def _table(frame: pd.DataFrame) -> dict[str, Any]:
 
 
 def _column(values: pd.Series) -> dict[str, Any]:
-    """A column as base64 of little-endian numbers; words as indices into a list, -1 for none; 2 for no truth."""
+    """A column as base64 of little-endian numbers; words as indices into a list, -1 for none.
+
+    Truth is 0 or 1, and 2 where it is not known.
+    """
     if pd.api.types.is_bool_dtype(values):
         truth = np.where(values.isna(), 2, values.fillna(False).astype(bool))
         return {"type": "bool", "data": _base64(truth, "u1")}

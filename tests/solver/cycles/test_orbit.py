@@ -98,7 +98,7 @@ def test_orbit_pickles(status):
     assert (again == orbit) == status.found
 
 
-@pytest.mark.parametrize("status", Status)
+@pytest.mark.parametrize("status", GUESSES)
 def test_orbit_is_json_without_nan(status):
     _, _, orbit = continue_one(*GUESSES[status])
     entry = json.loads(json.dumps(orbit.to_dict(), allow_nan=False))

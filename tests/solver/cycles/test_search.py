@@ -4,8 +4,9 @@ import numpy as np
 import pytest
 
 from stridemap.solver.api import find_orbits
+from stridemap.solver.cycles.duplicates import distinct, first_of_each
 from stridemap.solver.cycles.orbits import Orbits
-from stridemap.solver.cycles.search import continued, distinct, find_all, first_of_each, merged
+from stridemap.solver.cycles.search import continued, find_all, merged
 from stridemap.solver.cycles.solver import Solver
 from stridemap.solver.cycles.status import Status
 from stridemap.solver.model.loading import load

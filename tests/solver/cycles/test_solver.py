@@ -18,18 +18,18 @@ from tests.oracles.reference import GUESSES, continue_one, parameters, section_p
 
 @pytest.mark.quick
 def test_every_status_has_a_guess_that_leads_to_it():
-    assert set(GUESSES) == set(Status)
+    assert set(GUESSES) == set(Status) - {Status.UNRESOLVED}
 
 
 @pytest.mark.quick
-@pytest.mark.parametrize("status", Status)
+@pytest.mark.parametrize("status", GUESSES)
 def test_guess_leads_to_its_status(status):
     _, params, orbit = continue_one(*GUESSES[status])
     assert orbit.status is status
     assert list(orbit.params.values()) == params.tolist()
     if status.found:
         assert orbit.residual < 1e-11
-        assert (orbit.integration_error < 1e-9) == (status is Status.CONVERGED)
+        assert (orbit.state_error < 1e-10) == (status is Status.CONVERGED)
     else:
         assert math.isnan(orbit.period)
         assert not orbit.stable
@@ -108,12 +108,13 @@ def test_stiff_spring_is_integrated_finely_enough(omega):
 
 @pytest.mark.quick
 def test_acceptance_decides_what_is_accurate():
-    """The cycle that stays above 1e-9 at the finest resolution is accurate where more is allowed."""
+    """The cycle whose state error stays above 1e-10 is accurate where more is allowed."""
     point, guess = GUESSES[Status.INACCURATE]
     strict = continue_one(point, guess)[2]
     assert strict.status is Status.INACCURATE
-    assert strict.integration_error > 1e-9
-    loose = AcceptanceOptions(max_integration_error=2 * strict.integration_error)
+    assert strict.state_error > 1e-10
+    assert strict.integration_error < 1e-11
+    loose = AcceptanceOptions(max_state_error=2 * strict.state_error)
     assert continue_one(point, guess, loose)[2].status is Status.CONVERGED
 
 

@@ -1,0 +1,155 @@
+"""Estimated errors of cycles and multipliers, held against what they estimate."""
+
+import numpy as np
+import pytest
+
+from stridemap.solver.cycles import floquet
+from stridemap.solver.cycles.errors import Correction, differences, multiplier_error, size
+from stridemap.solver.cycles.orbits import Orbits
+from stridemap.solver.cycles.search import find_all
+from stridemap.solver.cycles.solver import Solver
+from stridemap.solver.cycles.status import Status
+from stridemap.solver.model.loading import load
+from stridemap.solver.model.scales import Scales
+from stridemap.solver.observables.measures import decided
+from tests.oracles.reference import GUESSES, continue_one
+
+FOLD = GUESSES[Status.INACCURATE]
+
+
+@pytest.fixture(scope="module")
+def some():
+    """Cycles at 12 springs, with the same at a much higher resolution."""
+    solver = Solver.for_model(load("wobbling"))
+    points = np.array([solver.model.point({"k": k}) for k in (0.5, 2, 5.96, 6, 8, 12, 20, 22.5, 30, 45)])
+    orbits = find_all(solver, points)[1]
+    u = orbits.u.copy()
+    for _ in range(4):
+        jacobian, residual = solver.kernels.jacobian(384, u, orbits.params)
+        u -= np.linalg.solve(jacobian, residual[:, :, None])[:, :, 0]
+    exact = floquet.multipliers(solver.kernels.jacobian(384, u, orbits.params).jacobian)
+    return orbits, u, exact
+
+
+def test_errors_are_true_within_a_factor_of_three(some):
+    orbits, u, multipliers = some
+    assert len(orbits) > 12
+    error = size(u - orbits.u, Scales.of(orbits.model).unknowns)
+    for estimate, true in (
+        (orbits.state_error, error),
+        (orbits.multiplier_error, differences(orbits.multipliers, multipliers)),
+    ):
+        large = np.maximum(estimate, true) > 1e-13
+        assert large.sum() > 8
+        assert ((estimate / true)[large] < 3).all()
+        assert ((estimate / true)[large] > 1 / 3).all()
+
+
+@pytest.mark.quick
+def test_next_to_a_fold_a_small_integration_error_is_a_large_one_of_the_cycle():
+    """The residual grows with the square of the distance: so near to the fold 1e-15 moves it by 1e-9."""
+    _, _, orbit = continue_one(*FOLD)
+    assert orbit.integration_error < 1e-11
+    assert orbit.state_error > 100 * orbit.integration_error
+    assert orbit.state_error > 1e-10
+    assert orbit.status is Status.INACCURATE
+
+
+@pytest.mark.quick
+def test_stability_is_not_known_where_1_lies_within_the_error():
+    """Where the simplest walker's period doubles a multiplier is -1; to within what it is known to."""
+    solver = Solver.for_model(load("simplest_walker"))
+    guess = np.array([[0.2003, -0.1998, 3.8825]])
+
+    def at(slope):
+        nonlocal guess
+        orbits = solver.converge(guess, solver.model.point({"slope": slope})[None], (1.0, 6.0))
+        guess = orbits.u
+        return orbits[0]
+
+    for slope in np.linspace(0.009, 0.015, 13):
+        at(slope)
+    low, high = 0.015, 0.0152
+    distance = [at(slope).spectral_radius - 1 for slope in (low, high)]
+    assert distance[0] < 0 < distance[1]
+    for _ in range(8):
+        slope = high - distance[1] * (high - low) / (distance[1] - distance[0])
+        low, high, distance = high, slope, [distance[1], at(slope).spectral_radius - 1]
+        if abs(distance[1]) < 1e-13 or high == low:
+            break
+    orbit = at(high)
+    assert orbit.status is Status.CONVERGED
+    assert orbit.multipliers[0].real == pytest.approx(-1, abs=1e-11)
+    assert abs(orbit.spectral_radius - 1) < orbit.multiplier_error
+    assert orbit.stable is None
+    assert "does not tell from 1" in orbit.undecided
+    assert "not known" in orbit.summary
+    assert orbit.to_dict()["stable"] is None
+    near = continue_one(*GUESSES[Status.CONVERGED])[2]
+    assert (near.stable, near.undecided, near.stability) == (True, "", "stable")
+
+
+@pytest.mark.quick
+def test_what_is_known_of_a_radius():
+    radius, error = np.array([0.5, 1.5, 1 - 1e-9, 1 + 1e-9, 1 - 1e-9, 0.5]), np.full(6, 1e-8)
+    error[4], error[5] = 1e-10, np.nan
+    assert decided(radius, error).tolist() == [True, False, None, None, True, None]
+
+
+def test_a_mask_selects_what_is_known_to_be_stable():
+    _, _, orbit = continue_one(*GUESSES[Status.CONVERGED])
+    orbits = Solver.for_model(orbit.model).converge(
+        np.array([orbit.section_point]), orbit.model.point(orbit.params)[None], (0.3, 3.0)
+    )
+    columns = {**orbits.columns(), "stable": np.array([None], dtype=object)}
+    unknown = Orbits.from_columns(orbits.model, columns)
+    both = Orbits.concatenate(orbits.model, [orbits, unknown])
+    assert both.stable.tolist() == [True, None]
+    assert both.known_stable.tolist() == [True, False]
+    assert len(both[both.stable]) == 1
+    assert both[both.stable].stable.dtype == bool
+    frame = both.to_frame()
+    assert frame["stable"].isna().tolist() == [False, True]
+    assert len(frame[frame.stable]) == 1
+    with pytest.raises(TypeError):
+        ~both.stable  # noqa: B018
+
+
+# -- by hand -------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.quick
+def test_a_correction_is_the_newton_step():
+    jacobian = np.array([[[2.0, 1.0], [0.0, 1e-6]]])
+    residual = np.array([[0.0, 1e-9]])
+    correction = Correction.of(jacobian, residual, np.ones((1, 2)), np.ones(2))
+    assert correction.change == pytest.approx(np.array([[0.5e-3, -1e-3]]))
+    eps = np.finfo(float).eps
+    assert 0.1 * eps < correction.rounding[0] < 10 * eps
+    singular = Correction.of(np.zeros((1, 2, 2)), residual, np.ones((1, 2)), np.ones(2))
+    assert np.isnan(singular.change).all()
+
+
+@pytest.mark.quick
+def test_eigenvalues_are_matched_whatever_their_order():
+    one = np.array([[0.5 + 0.5j, 0.5 - 0.5j, 0.70710678]])
+    other = np.array([[0.70710679, 0.5 - 0.5j, 0.5 + 0.5j]])
+    assert differences(one, other)[0] == pytest.approx(1e-8)
+
+
+@pytest.mark.quick
+def test_a_defective_multiplier_is_off_by_the_root_of_the_rounding():
+    """[[a, 1], [d, a]] has the eigenvalues a +- sqrt(d); rounding of the derivative is such a d."""
+
+    def residual_jacobian(derivative):
+        out = np.eye(3)[None].copy()
+        out[0, :2, :2] = derivative - np.eye(2)
+        return out
+
+    exact = residual_jacobian(np.array([[0.5, 1.0], [0.0, 0.5]]))
+    off = residual_jacobian(np.array([[0.5, 1.0], [1e-10, 0.5]]))
+    assert multiplier_error(exact, off, np.ones(3))[0] == pytest.approx(1e-5, rel=0.02)
+    rounding = multiplier_error(exact, exact, np.ones(3))[0]
+    assert 1e-8 < rounding < 1e-6
+    simple = residual_jacobian(np.diag([0.5, 0.25]))
+    assert multiplier_error(simple, simple, np.ones(3))[0] < 1e-14
