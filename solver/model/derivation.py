@@ -34,7 +34,7 @@ START_SECONDS = 120.0
 SAID_MAX = 1_000_000
 """Bytes that a model file may print: whoever prints more has a loop without an end."""
 
-SILENCE = 10.0
+SILENCE = 30.0
 """Seconds without a word after which it is said that the derivation is still at work."""
 
 _CHILD = (
