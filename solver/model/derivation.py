@@ -124,7 +124,8 @@ class _Watch:
             if loading and now - begun < START_SECONDS and "stage" not in _read(self.report):
                 time.sleep(0.02)
                 continue
-            begun, loading = now if loading else begun, False
+            if loading:
+                begun, self.heard, loading = now, now, False
             if now - begun > self.seconds:
                 return (
                     f"{self.path}: {self._doing()} took longer than {self.seconds:g} s and was ended; "
