@@ -19,7 +19,7 @@ from stridemap.derive.validate.motors import validate_motors
 from stridemap.derive.validate.names import validate_names
 from stridemap.derive.validate.refusal import refuse
 from stridemap.derive.validate.types import validate_types
-from stridemap.errors import InputError
+from stridemap.errors import InputError, short
 
 USUAL_PERIODS = (0.3, 3.0)
 """Shortest and longest period that is searched for by default, in sqrt(L/g)."""
@@ -105,6 +105,14 @@ class Walker(Derived):
             self._validate()
         except RecursionError:
             refuse(self, "an expression in it is nested too deeply; write it flat, or with fewer terms")
+        except InputError:
+            raise
+        except Exception as error:  # of SymPy, about an expression that it has no way to handle
+            said = f"{type(error).__name__}: {short(str(error))}"
+            raise InputError(
+                f"model {self.name}: an expression in it cannot be used ({said}); write it with sums, "
+                "products, powers and smooth functions"
+            ) from error
 
     def _validate(self) -> None:
         validate_types(self)

@@ -61,8 +61,10 @@ def _check(walker: Declaration, where: str, value: Any, annotation: Any) -> None
     elif origin is tuple and arguments[-1] is Ellipsis:
         _check_tuple(walker, where, value, arguments[0])
     elif origin is tuple:
-        if isinstance(value, tuple | list) and any(isinstance(x, int) and not _is_number(x) for x in value):
-            refuse(walker, f"{where} is {shown(value)}, which has a number that is too large")
+        pair = isinstance(value, tuple | list) and len(value) == len(arguments)
+        if not pair or not all(map(_is_number, value)):
+            what = _PAIRS.get(where, "{where} {value}; a middle and a half-width of at least 0 are needed")
+            refuse(walker, what.format(where=where, value=shown(value)))
     elif isinstance(origin, type) and issubclass(origin, Mapping):
         _check_mapping(walker, where, value, arguments)
     elif is_dataclass(annotation):
@@ -112,6 +114,7 @@ _ENTRIES = {
     "potentials": "the potential {name}",
     "relabel": "the new value of {name} in relabel",
     "section": "the value of {name} in section",
+    "search_box": "search_box gives {name}",
 }
 """What an entry of a dict is called."""
 
@@ -148,6 +151,12 @@ def _is_expression(value: Any) -> bool:
 def _is_point(value: Any) -> bool:
     return isinstance(value, sp.MatrixBase) and all(_is_expression(x) for x in value)
 
+
+_PAIRS = {
+    "period_range": "period_range = {value} is not allowed; "
+    "give (shortest, longest) with 0 < shortest < longest"
+}
+"""What pairs of numbers must be."""
 
 _UNDONE = (AppliedUndef, ExprWithLimits, sp.Derivative, sp.Lambda, sp.Order, sp.Subs)
 """What stands in expressions that are not values: something to be carried out, or not known at all."""

@@ -34,7 +34,7 @@ START_SECONDS = 120.0
 SAID_MAX = 1_000_000
 """Bytes that a model file may print: whoever prints more has a loop without an end."""
 
-SILENCE = 10.0
+SILENCE = 30.0
 """Seconds without a word after which it is said that the derivation is still at work."""
 
 _CHILD = (
@@ -124,7 +124,8 @@ class _Watch:
             if loading and now - begun < START_SECONDS and "stage" not in _read(self.report):
                 time.sleep(0.02)
                 continue
-            begun, loading = now if loading else begun, False
+            if loading:
+                begun, self.heard, loading = now, now, False
             if now - begun > self.seconds:
                 return (
                     f"{self.path}: {self._doing()} took longer than {self.seconds:g} s and was ended; "

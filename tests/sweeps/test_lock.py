@@ -1,4 +1,4 @@
-"""Two sweeps into one folder: the second is refused with who holds it; what is left of the dead is taken over."""
+"""Two sweeps into one folder: the second is refused with who holds it; what the dead left is taken over."""
 
 import json
 import os

@@ -1,4 +1,4 @@
-"""Model files that do not do what they should: each ends in a sentence, and never keeps the caller waiting."""
+"""Model files that do not do what they should: each ends in a sentence, and nobody waits for ever."""
 
 import os
 import subprocess
