@@ -23,7 +23,7 @@ class Derived(Declaration):
     """The derived quantities of a declaration, for its torques."""
 
     @cached_property
-    def M(self) -> sp.Matrix:  # noqa: N802
+    def M(self) -> sp.Matrix:
         """Mass matrix of the swing phase, shape (n, n): ``M ddq + h = Q`` with generalised torques ``Q``.
 
         Raises

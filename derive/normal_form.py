@@ -5,7 +5,7 @@ cancels is gone. The work is a number of products of polynomials, which is bound
 """
 
 from collections.abc import Callable, Iterable
-from functools import lru_cache
+from functools import cache
 
 import sympy as sp
 from sympy.polys.rings import PolyElement, PolyRing
@@ -164,6 +164,6 @@ class _Transform:
             total.pop(key, None)
 
 
-@lru_cache(maxsize=None)
+@cache
 def _sum(a: sp.Expr, b: sp.Expr) -> sp.Expr:
     return sp.expand(a + b)

@@ -8,7 +8,7 @@ written out in full can grow exponentially.
 
 import hashlib
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from functools import lru_cache
+from functools import cache
 from typing import Any
 
 import sympy as sp
@@ -107,7 +107,7 @@ class Term(sp.Symbol):
         return value if value is not None and not value.free_symbols else self
 
 
-@lru_cache(maxsize=None)
+@cache
 def _interned(name: str, definition: sp.Expr) -> Term:
     """The one term of this name and definition, so that equal terms are identical."""
     term: Term = sp.Symbol.__xnew__(Term, name, real=True)

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from stridemap.paper.claim import Claim, Verdict
     from stridemap.paper.evaluate import claims
     from stridemap.quantities import QUANTITIES
-    from stridemap.solver.api import branches, find_orbits, motion, simulate
+    from stridemap.solver.api import Matches, branches, find, find_orbits, motion, simulate
     from stridemap.solver.backends.base import Backend
     from stridemap.solver.backends.interpreter import Interpreter
     from stridemap.solver.backends.lanes import Lanes

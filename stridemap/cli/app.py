@@ -19,6 +19,7 @@ from stridemap.cli.branch import branch
 from stridemap.cli.claims import claims
 from stridemap.cli.derive import derive
 from stridemap.cli.figures import figures
+from stridemap.cli.find import find
 from stridemap.cli.options import FOUND, INTERRUPTED, PARAMETERS, UNUSABLE, WithParameters
 from stridemap.cli.orbit import orbit
 from stridemap.cli.report import report
@@ -38,7 +39,7 @@ app = typer.Typer(
     rich_markup_mode=None,
 )
 
-_WITH_PARAMETERS: tuple[Callable[..., int], ...] = (orbit, branch, simulate, animate)
+_WITH_PARAMETERS: tuple[Callable[..., int], ...] = (orbit, find, branch, simulate, animate)
 _PLAIN: tuple[Callable[..., int], ...] = (sweep, report, claims, figures, derive, version)
 for command in _WITH_PARAMETERS:
     app.command(cls=WithParameters, context_settings=PARAMETERS)(command)

@@ -9,10 +9,13 @@ from stridemap.solver.cycles.orbits import Orbits
 from stridemap.solver.cycles.report import ENDS, SearchReport
 
 
-def print_orbits(orbits: Orbits) -> None:
-    """Print limit cycles as a table, one column each."""
+def print_orbits(orbits: Orbits, varied: str | None = None) -> None:
+    """Print limit cycles as a table, one column each, below the values of a parameter that differs."""
     shown = list(orbits)
-    rows: list[tuple[str, list[str]]] = [("status", [o.status.value for o in shown])]
+    rows: list[tuple[str, list[str]]] = []
+    if varied is not None:
+        rows.append((varied, [f"{o.params[varied]:.14g}" for o in shown]))
+    rows.append(("status", [o.status.value for o in shown]))
     rows += [(name, [f"{o.state[name]:.12f}" for o in shown]) for name in shown[0].state]
     rows.append(("period", [f"{o.period:.12f}" for o in shown]))
     for i in range(len(shown[0].multipliers)):

@@ -11,7 +11,7 @@ from stridemap.sweeps.config import load_config
 from stridemap.sweeps.run import sweep
 from tests.oracles.sweeping import SMALL, STRIDEMAP, Inline, content, ended, start
 
-KNOWN = "compass, goswami_compass, rimless_wheel, simplest_walker, wobbling"
+KNOWN = "compass, goswami_compass, rimless_wheel, round_feet, simplest_walker, wobbling"
 
 # -- parameters and options ----------------------------------------------------------------------------------
 

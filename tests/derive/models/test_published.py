@@ -82,7 +82,30 @@ def test_compass_gait_doubles_its_period():
     assert math.degrees(middle) == pytest.approx(4.4, abs=0.05)
 
 
-@pytest.mark.parametrize("name", ["simplest_walker", "goswami_compass", "rimless_wheel"])
+ROUND_LONG = {
+    "state": {"q1": 0.189438283253, "dq1": -0.239010987813, "dq2": -0.051397006345},
+    "period": 2.427955842629,
+    "multipliers": [0.4334448697, 0.3704653850 + 0.1837039158j, 0.3704653850 - 0.1837039158j],
+}
+ROUND_SHORT = {
+    "state": {"q1": 0.170377197548, "dq1": -0.232652285601, "dq2": -0.023678647519},
+    "period": 2.151258880007,
+    "multipliers": [2.0227272029],
+}
+
+
+@pytest.mark.parametrize(("which", "right"), [(0, ROUND_SHORT), (1, ROUND_LONG)], ids=["short", "long"])
+def test_round_feet(which, right):
+    """An independent program: floating base, event-driven integration, the corrected heel strike."""
+    found = cycles(load("round_feet"))
+    assert len(found) == 2
+    orbit, many = found[which], len(right["multipliers"])
+    assert dict(orbit.state) == pytest.approx(right["state"], abs=2e-12, rel=0)
+    assert orbit.period == pytest.approx(right["period"], abs=2e-12, rel=0)
+    assert orbit.multipliers[:many] == pytest.approx(right["multipliers"], abs=1e-10, rel=0)
+
+
+@pytest.mark.parametrize("name", ["simplest_walker", "goswami_compass", "rimless_wheel", "round_feet"])
 def test_what_the_slope_gives_is_lost_at_the_impact(name):
     model = load(name)
     found = cycles(model)
@@ -99,7 +122,7 @@ def test_what_the_slope_gives_is_lost_at_the_impact(name):
         assert orbit.work == orbit.work_net == 0.0
 
 
-@pytest.mark.parametrize("name", ["simplest_walker", "goswami_compass", "rimless_wheel"])
+@pytest.mark.parametrize("name", ["simplest_walker", "goswami_compass", "rimless_wheel", "round_feet"])
 def test_the_event_driven_simulator_walks_the_same(name):
     from stridemap.solver.walks.simulator import walk
 
