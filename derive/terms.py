@@ -1,9 +1,9 @@
 """Named intermediate terms: expressions that are kept as short lists of steps, and never multiplied out.
 
 A `Term` stands for an expression wherever a symbol could stand, and knows what it stands for. What is made of
-terms is a straight-line program from the start: each step is short, and a term that is used a hundred times is
-written, differentiated and simplified once. So the work grows with the number of steps, while the expression
-written out in full can grow exponentially.
+terms is a straight-line program from the start: each step is short, and a term that is used a hundred times
+is written, differentiated and simplified once. So the work grows with the number of steps, while the
+expression written out in full can grow exponentially.
 """
 
 import hashlib

@@ -1,7 +1,7 @@
 """The kernels' C with complex numbers: derivatives by an imaginary step, without any rule of differentiation.
 
-A step of ``i h`` in a direction makes the imaginary part ``h`` times the derivative, and with h = 1e-30 nothing
-is lost (W. Squire and G. Trapp 1998, doi:10.1137/S003614459631241X).
+A step of ``i h`` in a direction makes the imaginary part ``h`` times the derivative, and with h = 1e-30
+nothing is lost (W. Squire and G. Trapp 1998, doi:10.1137/S003614459631241X).
 """
 
 import ctypes
