@@ -170,8 +170,8 @@ def solve(matrix: sp.Matrix, right: sp.Matrix, name: str = "") -> sp.Matrix:
     rows, columns = matrix.shape
     if rows != columns or right.rows != rows:
         raise InputError(
-            f"solve was given matrices of shapes {matrix.shape} and {right.shape}; the first must be square, and "
-            "the second must have as many rows"
+            f"solve was given matrices of shapes {matrix.shape} and {right.shape}; the first must be square, "
+            "and the second must have as many rows"
         )
     a, b = sp.Matrix(matrix), sp.Matrix(right)
     for j in range(rows):

@@ -17,7 +17,7 @@ READABLE = 64
 """Terms that an expression may have, when it is multiplied out, to be given its most readable form."""
 
 TRIED = 300
-"""Terms, when it is multiplied out, times different symbols and functions, up to which it is given that form."""
+"""Terms, when it is multiplied out, times its symbols and functions, up to which it is given that form."""
 
 GENERATORS = 14
 """Different symbols and functions up to which it is given that form."""

@@ -38,6 +38,7 @@ class Term(sp.Symbol):
     _known: dict[Any, sp.Expr]
 
     def __new__(cls, name: str, definition: Any, **_: Any) -> Any:
+        """The term of that name and definition, which there is once; or what needs none."""
         definition = sp.sympify(definition)
         if definition.is_Number or definition.is_Symbol:
             return definition
@@ -79,7 +80,7 @@ class Term(sp.Symbol):
         return sp.Basic._eval_derivative_n_times(self, s, n)
 
     def _undone(self, key: Any) -> Iterator["Term"]:
-        """This term and earlier ones for which nothing is known under a key, the earliest first."""
+        """Terms, this and earlier ones, for which nothing is known under a key, the earliest first."""
         if key not in self._known:
             earlier = terms_in([self.definition]) if self._depth > DEEP else ()
             yield from (t for t in (*earlier, self) if key not in t._known)
@@ -181,7 +182,7 @@ def operations(expr: sp.Expr) -> int:
 def statements(
     exprs: Sequence[sp.Expr], name: Callable[[Term], sp.Symbol]
 ) -> tuple[dict[sp.Symbol, sp.Expr], list[sp.Expr]]:
-    """The terms of expressions as statements, each in terms of earlier ones, and the expressions in their terms.
+    """The terms of expressions as statements, each in earlier ones, and the expressions in those terms.
 
     Parameters
     ----------

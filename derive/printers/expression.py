@@ -8,13 +8,7 @@ from collections.abc import Callable, Mapping
 
 import sympy as sp
 
-CALLS = {
-    f: f.__name__
-    for f in (sp.sin, sp.cos, sp.tan, sp.asin, sp.acos, sp.atan, sp.sinh, sp.cosh, sp.tanh, sp.exp, sp.log)
-}
-"""Functions that C's math library, NumPy, CasADi and mpmath all have under the same name."""
-
-HIGHEST_POWER = 8
+from stridemap.derive.elementary import CALLS, HIGHEST_POWER
 
 
 class ExpressionPrinter:

@@ -65,7 +65,7 @@ class Printer(ABC):
 
     @abstractmethod
     def call(self, function: str, argument: str) -> str:
-        """A call of ``sin``, ``sqrt``, ... (the names in `expression.CALLS`) with a printed argument."""
+        """A call of ``sin``, ``sqrt``, ... (the names in `elementary.CALLS`) with a printed argument."""
 
     @abstractmethod
     def function(self, program: Program, model: str) -> list[str]:

@@ -356,7 +356,7 @@ def _search(walker: Declaration) -> None:
             refuse(
                 walker, f"search_box gives {name} {box}; a middle and a half-width of at least 0 are needed"
             )
-    low, high = walker.period_range if _two_numbers(walker.period_range) else (0, 0)
+    low, high = walker.period_range if walker.period_range and _two_numbers(walker.period_range) else (0, 0)
     if not 0 < low < high:
         refuse(
             walker,

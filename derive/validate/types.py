@@ -67,7 +67,7 @@ def _check(walker: Declaration, where: str, value: Any, annotation: Any) -> None
             refuse(walker, what.format(where=where, value=shown(value)))
     elif isinstance(origin, type) and issubclass(origin, Mapping):
         _check_mapping(walker, where, value, arguments)
-    elif is_dataclass(annotation):
+    elif isinstance(annotation, type) and is_dataclass(annotation):
         if not isinstance(value, annotation):
             refuse(walker, f"{where} is {shown(value)}, which is not a {annotation.__name__}")
         _check_record(walker, where, value)
@@ -87,12 +87,13 @@ def _check(walker: Declaration, where: str, value: Any, annotation: Any) -> None
 
 
 def _check_tuple(walker: Declaration, where: str, value: Any, kind: Any) -> None:
-    word = f"{kind.__name__}(...)" if is_dataclass(kind) else "expression" if kind is sp.Expr else "entry"
+    part = kind if isinstance(kind, type) and is_dataclass(kind) else None
+    word = f"{part.__name__}(...)" if part else "expression" if kind is sp.Expr else "entry"
     if not isinstance(value, tuple):
         refuse(walker, f"{where} is not a tuple; write ({word},) even for a single one")
     for i, entry in enumerate(value, 1):
-        if is_dataclass(kind) and not isinstance(entry, kind):
-            refuse(walker, f"{where} holds {shown(entry)}, which is not a {kind.__name__}")
+        if part and not isinstance(entry, part):
+            refuse(walker, f"{where} holds {shown(entry)}, which is not a {part.__name__}")
         _check(walker, f"entry {i} of {where}", entry, kind)
 
 
@@ -125,7 +126,8 @@ def _check_record(walker: Declaration, where: str, record: Any) -> None:
     kind = {"measured": "quantity", "unitnames": "units"}.get(kind, kind)
     name = getattr(record, "name", None)
     whole = f"the {kind} {name}" if isinstance(name, str) and len(name) <= SHOWN else f"the {kind}"
-    for field, annotation in _hints(type(record)).items():
+    kept: Any = type(record)
+    for field, annotation in _hints(kept).items():
         if field == "default" and not isinstance(getattr(record, field), int):
             continue  # `names` has a sentence for it
         _check(walker, f"the {field} of {whole}", getattr(record, field), annotation)

@@ -5,6 +5,7 @@ A backend is a value that is passed as an argument. It says what the last bits o
 """
 
 from abc import ABC, abstractmethod
+from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
 from typing import NamedTuple
@@ -100,9 +101,9 @@ class Kernels(ABC):
     """The compiled file that they are in, where there is one."""
 
     def __init__(self, model: Model, backend: "Backend") -> None:
-        self.model = model
+        self.model: Model = model
         self.backend = backend
-        self.functions = _functions(model)
+        self.functions: Mapping[Kernel, ca.Function] = _functions(model)
 
     @property
     @abstractmethod

@@ -5,17 +5,17 @@ finest one has, such as one with a steep torque, its pieces are called one after
 take their n-th piece at once. The arithmetic is that of the compiled kernels.
 """
 
-from typing import TYPE_CHECKING
+from collections.abc import Mapping
+from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
-from stridemap.solver.kernels.catalogue import ADVANCE, BEGIN, END, OBSERVED_SWING, SWING
+from stridemap.solver.kernels.catalogue import ADVANCE, BEGIN, END, OBSERVED_SWING, SWING, Kernel
 from stridemap.solver.kernels.step_map import BLOCK
+from stridemap.solver.linear import solved
+from stridemap.solver.model.model import Model
 from stridemap.solver.model.scales import Scales
-
-if TYPE_CHECKING:
-    from stridemap.solver.backends.base import Kernels
 
 Array = NDArray[np.float64]
 
@@ -26,12 +26,27 @@ LAST_STEP = 1e-11
 """Newton's method ends after a step of this size, in terms of the model's scales: its error is the square."""
 
 
-def jacobian(kernels: "Kernels", n_rk: int, u: Array, p: Array) -> tuple[Array, Array]:
+class Calls(Protocol):
+    """Kernels that can be called on arrays of points: see `backends.base.Kernels`."""
+
+    @property
+    def model(self) -> Model:
+        """The model whose kernels they are."""
+
+    @property
+    def functions(self) -> Mapping[Kernel, Any]:
+        """The kernels as CasADi has them."""
+
+    def call(self, kernel: Kernel, *inputs: Array) -> list[Array]:
+        """Call a kernel at n points."""
+
+
+def jacobian(kernels: Calls, n_rk: int, u: Array, p: Array) -> tuple[Array, Array]:
     """Derivatives of the residuals, as CasADi stores them, and the residuals.
 
     Parameters
     ----------
-    kernels : Kernels
+    kernels : Calls
     n_rk : int
         A multiple of `BLOCK`.
     u : ndarray, shape (n, nz + 1)
@@ -45,12 +60,12 @@ def jacobian(kernels: "Kernels", n_rk: int, u: Array, p: Array) -> tuple[Array, 
     return derivative, closing
 
 
-def limit_cycle(kernels: "Kernels", n_rk: int, u: Array, p: Array) -> tuple[Array, Array, Array]:
+def limit_cycle(kernels: Calls, n_rk: int, u: Array, p: Array) -> tuple[Array, Array, Array]:
     """Newton's method from good guesses: solutions, with derivatives and residuals there; see `jacobian`."""
     scale = Scales.of(kernels.model).unknowns
     u = u.copy()
     derivative, closing = jacobian(kernels, n_rk, u, p)
-    moving = np.isfinite(closing).all(axis=1) & np.isfinite(derivative).all(axis=(1, 2))
+    moving: Any = np.isfinite(closing).all(axis=1) & np.isfinite(derivative).all(axis=(1, 2))
     for _ in range(ITERATIONS):
         at = np.flatnonzero(moving)
         if not len(at):
@@ -66,17 +81,7 @@ def limit_cycle(kernels: "Kernels", n_rk: int, u: Array, p: Array) -> tuple[Arra
     return u, derivative, closing
 
 
-def solved(matrices: Array, right: Array) -> Array:
-    """Solutions of linear systems, shape (n, m); NaN where a matrix is singular."""
-    try:
-        return np.linalg.solve(matrices, right[:, :, None])[:, :, 0]
-    except np.linalg.LinAlgError:
-        if len(matrices) == 1:
-            return np.full(right.shape, np.nan)
-        return np.concatenate([solved(one[None], b[None]) for one, b in zip(matrices, right, strict=True)])
-
-
-def trace(kernels: "Kernels", n_rk: int, u: Array, p: Array) -> tuple[Array, Array, Array, Array]:
+def trace(kernels: Calls, n_rk: int, u: Array, p: Array) -> tuple[Array, Array, Array, Array]:
     """States with net works, observables with their derivatives, and residuals; see `jacobian`."""
     nq = len(kernels.model.coordinates)
     (y,) = kernels.call(BEGIN, u, p)

@@ -165,6 +165,7 @@ def _solved(matrix: Array, right: Array) -> Array | None:
     if not (np.isfinite(matrix).all() and np.isfinite(right).all()):
         return None
     try:
-        return np.linalg.solve(matrix, right)
+        solution: Array = np.asarray(np.linalg.solve(matrix, right), dtype=np.float64)
     except np.linalg.LinAlgError:
         return None
+    return solution

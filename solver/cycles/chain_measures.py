@@ -43,13 +43,18 @@ def chain_measures(
         steps = u[at].reshape(len(at) * n, -1)
         point = np.repeat(params[at], n, axis=0)
         traced = chain.kernels.trace(2 * each, steps, point)
-        numbers = _errors(chain, each, u[at], params[at], multipliers[at])
+        residual, integration, state, multiplier = (
+            np.repeat(one, n) for one in _errors(chain, each, u[at], params[at], multipliers[at])
+        )
         cycles = Cycles(
             model,
             point,
             steps,
             np.repeat(multipliers[at], n, axis=0),
-            *(np.repeat(one, n) for one in numbers),
+            residual,
+            integration,
+            state,
+            multiplier,
             Trace.of(chain.kernels, steps, point, traced),
         )
         values = measured(cycles)

@@ -153,7 +153,8 @@ def _rounding(derivative: Array, scale: Array) -> Array:
 def inverted_complex(matrices: Complex) -> Complex:
     """Inverses of matrices of eigenvectors; NaN for those of defective matrices."""
     try:
-        return np.linalg.inv(matrices)
+        inverse: Complex = np.linalg.inv(matrices).astype(np.complex128, copy=False)
+        return inverse
     except np.linalg.LinAlgError:
         out = np.full(matrices.shape, np.nan + 0j)
         for i, matrix in enumerate(matrices):

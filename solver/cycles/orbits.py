@@ -97,7 +97,7 @@ class Orbits(Sequence[Orbit]):
             return found[0]
         arrays = {name: np.concatenate([getattr(part, name) for part in found]) for name in _ARRAYS}
         measures = {name: np.concatenate([part.measures[name] for part in found]) for name in model.measured}
-        return cls(model=model, measures=measures, **arrays)
+        return cls(model=model, measures=measures, search=None, **arrays)
 
     @classmethod
     def from_columns(cls, model: Model, columns: Mapping[str, Any]) -> "Orbits":

@@ -2,13 +2,10 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-
-if TYPE_CHECKING:
-    from stridemap.solver.cycles.orbits import Orbits
 
 Index = NDArray[np.int64]
 
@@ -51,7 +48,7 @@ class SearchReport:
     ended: Mapping[str, int]
     reached: Index
     settled: bool
-    discarded: "Orbits" = field(repr=False)
+    discarded: Any = field(repr=False)
 
     @property
     def unresolved(self) -> int:

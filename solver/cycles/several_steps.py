@@ -11,7 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stridemap.solver.cycles.chain import Chain
-from stridemap.solver.cycles.search import DUPLICATE, find_all, starts
+from stridemap.solver.cycles.duplicates import DUPLICATE
+from stridemap.solver.cycles.search import find_all, starts
 from stridemap.solver.cycles.solver import Solver
 from stridemap.solver.options import SearchOptions
 

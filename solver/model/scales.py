@@ -68,7 +68,7 @@ class Scales:
 
 def rounded(scale: Array) -> Array:
     """The powers of two next to scales: what is divided by them keeps its digits."""
-    exact: Array = 2.0 ** np.round(np.log2(scale))
+    exact: Array = np.exp2(np.round(np.log2(scale)))
     return exact
 
 

@@ -207,7 +207,9 @@ def decided(radius: Array, error: Array) -> NDArray[np.object_]:
         An error that is not a number decides nothing.
     """
     known = np.abs(radius - 1.0) > error
-    return np.where(known, radius < 1.0, None)
+    out = np.full(radius.shape, None, dtype=object)
+    out[known] = (radius < 1.0)[known].tolist()
+    return out
 
 
 @_measure

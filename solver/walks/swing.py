@@ -153,7 +153,8 @@ def swing_from(
         atol=atol,
         first_step=min(FIRST_STEP * unit, time_limit),
     )
-    times, pieces, watch = [t], [], Watch(walker, t, y, first)
+    times, watch = [t], Watch(walker, t, y, first)
+    pieces: list[DenseOutput] = []
     outcome, end = Outcome.NO_TOUCHDOWN, solver.y
     while solver.status == "running":
         with np.errstate(over="ignore", invalid="ignore"):

@@ -2,7 +2,7 @@
 
 import json
 import sys
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 
@@ -47,8 +47,9 @@ def find(
     from stridemap.solver.options import SearchOptions
 
     params = parameters(context.args, set_)
+    ends: Any = range_  # whoever knows what is allowed refuses what is not a number
     options = SearchOptions.from_mapping({"starts": starts, **option_values("--search", search)})
-    found = find_(model, target, vary, range=range_, params=params, options=options, backend=backend)
+    found = find_(model, target, vary, range=ends, params=params, options=options, backend=backend)
     if json_:
         out = {
             "model": model,

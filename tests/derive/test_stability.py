@@ -16,8 +16,8 @@ import pytest
 import sympy as sp
 
 from stridemap import codegen
+from stridemap.derive.elementary import CALLS
 from stridemap.derive.printers.c import C
-from stridemap.derive.printers.expression import CALLS
 from stridemap.derive.printers.javascript import JavaScript
 from stridemap.derive.printers.python import Python
 from stridemap.derive.program import Argument, Builder, Entry, Output

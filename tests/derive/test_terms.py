@@ -1,4 +1,4 @@
-"""Long expressions in steps: values, derivatives and substitutions are those of the expression written out."""
+"""Long expressions in steps: values, derivatives and substitutions are those of what is written out."""
 
 import pickle
 import random

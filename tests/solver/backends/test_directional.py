@@ -57,8 +57,8 @@ def test_against_an_imaginary_step(name):
         x = np.concatenate([u[i], p[i]])
         assert_close(found.along_a[i], first.derivative(x, a[i])[0].ravel())
         assert_close(found.along_b[i], first.derivative(x, b[i])[0].ravel())
-        # The Jacobian's columns of the section point, differentiated in both u and the parameters. That of the
-        # period is the rate of the flow and not of the integrator; the second derivative is symmetric in it.
+        # The Jacobian's columns of the section point, differentiated in both u and the parameters. That of
+        # the period is the rate of the flow and not of the integrator; second derivatives are symmetric.
         in_u = a[i] * (np.arange(len(x)) < nu - 1)
         mixed = kernels.directional(N_RK, u[i : i + 1], p[i : i + 1], in_u[None], b[i : i + 1]).mixed[0]
         assert_close(mixed, second.derivative(x, b[i])[0] @ in_u[:nu])
