@@ -317,7 +317,8 @@ def swing(
         atol=atol,
         first_step=min(FIRST_STEP, time_limit),
     )
-    times, pieces, below = [0.0], [], False
+    times, below = [0.0], False
+    pieces: list[DenseOutput] = []
     outcome, end = Outcome.NO_TOUCHDOWN, solver.y
     while solver.status == "running":
         with np.errstate(over="ignore", invalid="ignore"):
