@@ -121,11 +121,12 @@ _ENTRIES = {
 
 def _check_record(walker: Declaration, where: str, record: Any) -> None:
     """The fields of a part, in the words of its name where it has one."""
-    kind = type(record).__name__.lower()
+    cls: Any = type(record)
+    kind = cls.__name__.lower()
     kind = {"measured": "quantity", "unitnames": "units"}.get(kind, kind)
     name = getattr(record, "name", None)
     whole = f"the {kind} {name}" if isinstance(name, str) and len(name) <= SHOWN else f"the {kind}"
-    for field, annotation in _hints(type(record)).items():
+    for field, annotation in _hints(cls).items():
         if field == "default" and not isinstance(getattr(record, field), int):
             continue  # `names` has a sentence for it
         _check(walker, f"the {field} of {whole}", getattr(record, field), annotation)
