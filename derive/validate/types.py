@@ -43,7 +43,7 @@ def validate_types(walker: Declaration) -> None:
 
 
 @cache
-def _hints(cls: type) -> dict[str, Any]:
+def _hints(cls: Any) -> dict[str, Any]:
     """The annotations of the fields of a record."""
     found = typing.get_type_hints(cls)
     return {one.name: found[one.name] for one in fields(cls)}
@@ -67,7 +67,7 @@ def _check(walker: Declaration, where: str, value: Any, annotation: Any) -> None
             refuse(walker, what.format(where=where, value=shown(value)))
     elif isinstance(origin, type) and issubclass(origin, Mapping):
         _check_mapping(walker, where, value, arguments)
-    elif isinstance(annotation, type) and is_dataclass(annotation):
+    elif _is_record(annotation):
         if not isinstance(value, annotation):
             refuse(walker, f"{where} is {shown(value)}, which is not a {annotation.__name__}")
         _check_record(walker, where, value)
@@ -87,13 +87,12 @@ def _check(walker: Declaration, where: str, value: Any, annotation: Any) -> None
 
 
 def _check_tuple(walker: Declaration, where: str, value: Any, kind: Any) -> None:
-    part = kind if isinstance(kind, type) and is_dataclass(kind) else None
-    word = f"{part.__name__}(...)" if part else "expression" if kind is sp.Expr else "entry"
+    word = f"{kind.__name__}(...)" if _is_record(kind) else "expression" if kind is sp.Expr else "entry"
     if not isinstance(value, tuple):
         refuse(walker, f"{where} is not a tuple; write ({word},) even for a single one")
     for i, entry in enumerate(value, 1):
-        if part and not isinstance(entry, part):
-            refuse(walker, f"{where} holds {shown(entry)}, which is not a {part.__name__}")
+        if _is_record(kind) and not isinstance(entry, kind):
+            refuse(walker, f"{where} holds {shown(entry)}, which is not a {kind.__name__}")
         _check(walker, f"entry {i} of {where}", entry, kind)
 
 
@@ -122,15 +121,19 @@ _ENTRIES = {
 
 def _check_record(walker: Declaration, where: str, record: Any) -> None:
     """The fields of a part, in the words of its name where it has one."""
-    kind = type(record).__name__.lower()
+    cls: Any = type(record)
+    kind = cls.__name__.lower()
     kind = {"measured": "quantity", "unitnames": "units"}.get(kind, kind)
     name = getattr(record, "name", None)
     whole = f"the {kind} {name}" if isinstance(name, str) and len(name) <= SHOWN else f"the {kind}"
-    kept: Any = type(record)
-    for field, annotation in _hints(kept).items():
+    for field, annotation in _hints(cls).items():
         if field == "default" and not isinstance(getattr(record, field), int):
             continue  # `names` has a sentence for it
         _check(walker, f"the {field} of {whole}", getattr(record, field), annotation)
+
+
+def _is_record(annotation: Any) -> bool:
+    return isinstance(annotation, type) and is_dataclass(annotation)
 
 
 def _is_number(value: Any) -> bool:

@@ -34,6 +34,9 @@ START_SECONDS = 120.0
 SAID_MAX = 1_000_000
 """Bytes that a model file may print: whoever prints more has a loop without an end."""
 
+SHOWN_MAX = 50_000
+"""Bytes of it that are passed on."""
+
 SILENCE = 30.0
 """Seconds without a word after which it is said that the derivation is still at work."""
 
@@ -154,8 +157,10 @@ class _Watch:
         """Pass on what is printed, as far as it goes."""
         output = self.process.stdout
         while output is not None and (chunk := output.read1(65536)):  # type: ignore[attr-defined]
-            if self.said <= SAID_MAX:
-                _say(chunk[: SAID_MAX - self.said].decode("utf-8", "replace"))
+            if self.said < SHOWN_MAX:
+                shown = chunk[: SHOWN_MAX - self.said].decode("utf-8", "replace")
+                cut = "" if shown.endswith("\n") or self.said + len(chunk) < SHOWN_MAX else "\n"
+                _say(f"{shown}{cut}")
             self.said += len(chunk)
             self.heard = time.monotonic()
 

@@ -366,10 +366,11 @@ def test_unreadable_files(tmp_path):
 
 
 def test_a_file_without_permission(tmp_path, monkeypatch):
-    def refuse(path):
+    def refuse(path, _most):
         raise PermissionError(13, "Permission denied", str(path))
 
-    monkeypatch.setattr(Path, "read_bytes", refuse)  # root may read everything, so chmod would not do
+    # Root may read everything, so chmod would not do.
+    monkeypatch.setattr("stridemap.sweeps.config.contents", refuse)
     with pytest.raises(InputError, match=r"cannot read .* \(Permission denied\)"):
         load_config(PAPER)
 
