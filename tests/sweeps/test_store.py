@@ -89,7 +89,7 @@ def test_columns_bear_the_agreed_names():
     assert names[10:16] == ["theta1", "dtheta1", "dtheta2", "x", "dx", "period"]
     assert names[16:26] == [f"multiplier_{i}_{part}" for i in range(5) for part in ("re", "im")]
     measures = "spectral_radius stable group step_length speed d_max work work_positive work_net peak_torque"
-    measures += " peak_power limit_use cot cot_per_speed min_vertical_force friction clearance peaks"
+    measures += " peak_power cot cot_per_speed min_vertical_force friction clearance peaks"
     measures += " x_zero_crossings wobble_amplitude touchdown_speed residual integration_error"
     assert names[26:] == measures.split() == list(MEASURED)
     assert cell_schema(MODEL).names == ["cell", *parameters, "orbits", "stable_orbits", "status", "reason"]
@@ -153,7 +153,8 @@ def test_tables_come_back_as_written(tmp_path):
     # Other readers see the same, and which columns can be empty.
     schema = pq.read_schema(tmp_path / "out" / "orbits.parquet")
     assert schema.remove_metadata() == orbit_schema(MODEL)
-    assert [f.name for f in schema if f.nullable] == ["group", "x_zero_crossings", "wobble_amplitude"]
+    nullable = ["group", "x_zero_crossings", "wobble_amplitude"]
+    assert [f.name for f in schema if f.nullable] == nullable
     assert len(pd.read_parquet(tmp_path / "out" / "cells.parquet")) == 6
 
 
