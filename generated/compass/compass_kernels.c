@@ -1,5 +1,5 @@
 /* Compass walker: kernels of the solver
- * Printed by CasADi 3.8.2 from equations 6cee94c77bf81c04.
+ * Printed by CasADi 3.8.2 from equations 36747b0f6d042f15.
  * Do not edit: run `make derive`.
  * SPDX-License-Identifier: BSD-3-Clause
  */
@@ -446,26 +446,26 @@ static const casadi_int casadi_s4[3] = {4, 1, 1};
 static const casadi_int casadi_s5[3] = {6, 1, 1};
 static const casadi_int casadi_s6[3] = {4, 4, 1};
 static const casadi_int casadi_s7[3] = {5, 49, 1};
-static const casadi_int casadi_s8[3] = {8, 49, 1};
+static const casadi_int casadi_s8[3] = {9, 49, 1};
 static const casadi_int casadi_s9[3] = {5, 73, 1};
-static const casadi_int casadi_s10[3] = {8, 73, 1};
+static const casadi_int casadi_s10[3] = {9, 73, 1};
 static const casadi_int casadi_s11[3] = {5, 97, 1};
-static const casadi_int casadi_s12[3] = {8, 97, 1};
+static const casadi_int casadi_s12[3] = {9, 97, 1};
 static const casadi_int casadi_s13[3] = {5, 145, 1};
-static const casadi_int casadi_s14[3] = {8, 145, 1};
+static const casadi_int casadi_s14[3] = {9, 145, 1};
 static const casadi_int casadi_s15[3] = {5, 193, 1};
-static const casadi_int casadi_s16[3] = {8, 193, 1};
+static const casadi_int casadi_s16[3] = {9, 193, 1};
 static const casadi_int casadi_s17[3] = {5, 289, 1};
-static const casadi_int casadi_s18[3] = {8, 289, 1};
+static const casadi_int casadi_s18[3] = {9, 289, 1};
 static const casadi_int casadi_s19[3] = {5, 385, 1};
-static const casadi_int casadi_s20[3] = {8, 385, 1};
+static const casadi_int casadi_s20[3] = {9, 385, 1};
 static const casadi_int casadi_s21[3] = {5, 577, 1};
-static const casadi_int casadi_s22[3] = {8, 577, 1};
+static const casadi_int casadi_s22[3] = {9, 577, 1};
 static const casadi_int casadi_s23[3] = {5, 769, 1};
-static const casadi_int casadi_s24[3] = {8, 769, 1};
+static const casadi_int casadi_s24[3] = {9, 769, 1};
 static const casadi_int casadi_s25[3] = {1, 1, 1};
 static const casadi_int casadi_s26[3] = {5, 1, 1};
-static const casadi_int casadi_s27[3] = {8, 1, 1};
+static const casadi_int casadi_s27[3] = {9, 1, 1};
 
 static const casadi_real casadi_zeros[24] = 
   {0.};
@@ -14505,7 +14505,7 @@ static int casadi_f64(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* observe:(t,y[4],p[6])->(g[8],dg[8]) */
+/* observe:(t,y[4],p[6])->(g[9],dg[9]) */
 static int casadi_f65(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
@@ -14647,6 +14647,8 @@ static int casadi_f65(const casadi_real** arg, casadi_real** res, casadi_int* iw
   a01=(a36*a14);
   a01=(-a01);
   if (res[0]!=0) res[0][7]=a01;
+  a01=(-a36);
+  if (res[0]!=0) res[0][8]=a01;
   a01=(a03*a46);
   a10=(a01-a55);
   a10=(a00*a10);
@@ -14823,14 +14825,16 @@ static int casadi_f65(const casadi_real** arg, casadi_real** res, casadi_int* iw
   a14=(a14+a36);
   a14=(-a14);
   if (res[1]!=0) res[1][7]=a14;
+  a30=(-a30);
+  if (res[1]!=0) res[1][8]=a30;
   return 0;
 }
 
-/* working_steps:(t,turns[2x12],w[5],h,p[6])->(w_end[5],nodes[5x12],g[8x12],dg[8x12]) */
+/* working_steps:(t,turns[2x12],w[5],h,p[6])->(w_end[5],nodes[5x12],g[9x12],dg[9x12]) */
 static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+4, *rr, *w00=w+81, w01, *w02=w+86, *w03=w+92, w05, *w06=w+94, w07, *w08=w+99, *w09=w+104, *w10=w+109;
-  casadi_real *w11=w+114, *w12=w+119, *w13=w+124, *w14=w+129, *w15=w+134, *w16=w+139, *w17=w+144, *w18=w+149, *w19=w+154, *w20=w+158, *w21=w+166, *w22=w+174;
-  casadi_real *w23=w+182, *w24=w+190, *w25=w+198, *w26=w+206, *w27=w+214, *w28=w+222, *w29=w+230, *w30=w+238, *w31=w+246, *w32=w+254;
+  casadi_real *w11=w+114, *w12=w+119, *w13=w+124, *w14=w+129, *w15=w+134, *w16=w+139, *w17=w+144, *w18=w+149, *w19=w+154, *w20=w+158, *w21=w+167, *w22=w+176;
+  casadi_real *w23=w+185, *w24=w+194, *w25=w+203, *w26=w+212, *w27=w+221, *w28=w+230, *w29=w+239, *w30=w+248, *w31=w+257, *w32=w+266;
   const casadi_real **arg1=arg+5, *cs, *wr04;
   /* #0: @0 = input[2][0] */
   casadi_copy(arg[2], 5, w00);
@@ -15094,7 +15098,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w21;
   if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #74: output[2][0] = @20 */
-  casadi_copy(w20, 8, res[2]);
+  casadi_copy(w20, 9, res[2]);
   /* #75: @7 = (@1+@5) */
   w07  = (w01+w05);
   /* #76: @19 = @6[:4] */
@@ -15107,7 +15111,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w22;
   if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #78: output[2][1] = @20 */
-  if (res[2]) casadi_copy(w20, 8, res[2]+8);
+  if (res[2]) casadi_copy(w20, 9, res[2]+9);
   /* #79: @7 = (2.*@5) */
   w07 = (2.* w05 );
   /* #80: @7 = (@1+@7) */
@@ -15122,7 +15126,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w23;
   if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #83: output[2][2] = @20 */
-  if (res[2]) casadi_copy(w20, 8, res[2]+16);
+  if (res[2]) casadi_copy(w20, 9, res[2]+18);
   /* #84: @7 = 3 */
   w07 = 3.;
   /* #85: @7 = (@7*@5) */
@@ -15139,7 +15143,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w24;
   if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #89: output[2][3] = @20 */
-  if (res[2]) casadi_copy(w20, 8, res[2]+24);
+  if (res[2]) casadi_copy(w20, 9, res[2]+27);
   /* #90: @7 = 4 */
   w07 = 4.;
   /* #91: @7 = (@7*@5) */
@@ -15156,7 +15160,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w25;
   if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #95: output[2][4] = @20 */
-  if (res[2]) casadi_copy(w20, 8, res[2]+32);
+  if (res[2]) casadi_copy(w20, 9, res[2]+36);
   /* #96: @7 = 5 */
   w07 = 5.;
   /* #97: @7 = (@7*@5) */
@@ -15173,7 +15177,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w26;
   if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #101: output[2][5] = @20 */
-  if (res[2]) casadi_copy(w20, 8, res[2]+40);
+  if (res[2]) casadi_copy(w20, 9, res[2]+45);
   /* #102: @7 = 6 */
   w07 = 6.;
   /* #103: @7 = (@7*@5) */
@@ -15190,7 +15194,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w27;
   if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #107: output[2][6] = @20 */
-  if (res[2]) casadi_copy(w20, 8, res[2]+48);
+  if (res[2]) casadi_copy(w20, 9, res[2]+54);
   /* #108: @7 = 7 */
   w07 = 7.;
   /* #109: @7 = (@7*@5) */
@@ -15207,7 +15211,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w28;
   if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #113: output[2][7] = @20 */
-  if (res[2]) casadi_copy(w20, 8, res[2]+56);
+  if (res[2]) casadi_copy(w20, 9, res[2]+63);
   /* #114: @7 = 8 */
   w07 = 8.;
   /* #115: @7 = (@7*@5) */
@@ -15224,7 +15228,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w29;
   if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #119: output[2][8] = @20 */
-  if (res[2]) casadi_copy(w20, 8, res[2]+64);
+  if (res[2]) casadi_copy(w20, 9, res[2]+72);
   /* #120: @7 = 9 */
   w07 = 9.;
   /* #121: @7 = (@7*@5) */
@@ -15241,7 +15245,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w30;
   if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #125: output[2][9] = @20 */
-  if (res[2]) casadi_copy(w20, 8, res[2]+72);
+  if (res[2]) casadi_copy(w20, 9, res[2]+81);
   /* #126: @7 = 10 */
   w07 = 10.;
   /* #127: @7 = (@7*@5) */
@@ -15258,7 +15262,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w31;
   if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #131: output[2][10] = @20 */
-  if (res[2]) casadi_copy(w20, 8, res[2]+80);
+  if (res[2]) casadi_copy(w20, 9, res[2]+90);
   /* #132: @7 = 11 */
   w07 = 11.;
   /* #133: @7 = (@7*@5) */
@@ -15275,39 +15279,39 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w32;
   if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #137: output[2][11] = @20 */
-  if (res[2]) casadi_copy(w20, 8, res[2]+88);
+  if (res[2]) casadi_copy(w20, 9, res[2]+99);
   /* #138: output[3][0] = @21 */
-  casadi_copy(w21, 8, res[3]);
+  casadi_copy(w21, 9, res[3]);
   /* #139: output[3][1] = @22 */
-  if (res[3]) casadi_copy(w22, 8, res[3]+8);
+  if (res[3]) casadi_copy(w22, 9, res[3]+9);
   /* #140: output[3][2] = @23 */
-  if (res[3]) casadi_copy(w23, 8, res[3]+16);
+  if (res[3]) casadi_copy(w23, 9, res[3]+18);
   /* #141: output[3][3] = @24 */
-  if (res[3]) casadi_copy(w24, 8, res[3]+24);
+  if (res[3]) casadi_copy(w24, 9, res[3]+27);
   /* #142: output[3][4] = @25 */
-  if (res[3]) casadi_copy(w25, 8, res[3]+32);
+  if (res[3]) casadi_copy(w25, 9, res[3]+36);
   /* #143: output[3][5] = @26 */
-  if (res[3]) casadi_copy(w26, 8, res[3]+40);
+  if (res[3]) casadi_copy(w26, 9, res[3]+45);
   /* #144: output[3][6] = @27 */
-  if (res[3]) casadi_copy(w27, 8, res[3]+48);
+  if (res[3]) casadi_copy(w27, 9, res[3]+54);
   /* #145: output[3][7] = @28 */
-  if (res[3]) casadi_copy(w28, 8, res[3]+56);
+  if (res[3]) casadi_copy(w28, 9, res[3]+63);
   /* #146: output[3][8] = @29 */
-  if (res[3]) casadi_copy(w29, 8, res[3]+64);
+  if (res[3]) casadi_copy(w29, 9, res[3]+72);
   /* #147: output[3][9] = @30 */
-  if (res[3]) casadi_copy(w30, 8, res[3]+72);
+  if (res[3]) casadi_copy(w30, 9, res[3]+81);
   /* #148: output[3][10] = @31 */
-  if (res[3]) casadi_copy(w31, 8, res[3]+80);
+  if (res[3]) casadi_copy(w31, 9, res[3]+90);
   /* #149: output[3][11] = @32 */
-  if (res[3]) casadi_copy(w32, 8, res[3]+88);
+  if (res[3]) casadi_copy(w32, 9, res[3]+99);
   return 0;
 }
 
-/* compass_trace_48:(u[4],p[6])->(w[5x49],g[8x49],dg[8x49],R[4]) */
+/* compass_trace_48:(u[4],p[6])->(w[5x49],g[9x49],dg[9x49],R[4]) */
 static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+4, *rr, w00, *w01=w+289, w02, w03, *w04=w+293, *w05=w+299, *w06=w+323, w07, *w08=w+326, *w09=w+331;
-  casadi_real *w10=w+336, *w11=w+396, *w12=w+492, *w13=w+588, *w14=w+684, *w15=w+780, *w16=w+876, *w17=w+972, *w18=w+1068, *w19=w+1164, *w20=w+1172, *w21=w+1180;
+  casadi_real **res1=res+4, *rr, w00, *w01=w+302, w02, w03, *w04=w+306, *w05=w+312, *w06=w+336, w07, *w08=w+339, *w09=w+344;
+  casadi_real *w10=w+349, *w11=w+409, *w12=w+517, *w13=w+625, *w14=w+733, *w15=w+841, *w16=w+949, *w17=w+1057, *w18=w+1165, *w19=w+1273, *w20=w+1282, *w21=w+1291;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = 0 */
   w00 = 0.;
@@ -15407,13 +15411,13 @@ static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw
   /* #25: output[0][4] = @8 */
   if (res[0]) casadi_copy(w08, 5, res[0]+240);
   /* #26: output[1][0] = @11 */
-  casadi_copy(w11, 96, res[1]);
+  casadi_copy(w11, 108, res[1]);
   /* #27: output[1][1] = @13 */
-  if (res[1]) casadi_copy(w13, 96, res[1]+96);
+  if (res[1]) casadi_copy(w13, 108, res[1]+108);
   /* #28: output[1][2] = @15 */
-  if (res[1]) casadi_copy(w15, 96, res[1]+192);
+  if (res[1]) casadi_copy(w15, 108, res[1]+216);
   /* #29: output[1][3] = @17 */
-  if (res[1]) casadi_copy(w17, 96, res[1]+288);
+  if (res[1]) casadi_copy(w17, 108, res[1]+324);
   /* #30: @1 = @8[:4] */
   for (rr=w01, cs=w08+0; cs!=w08+4; cs+=1) *rr++ = *cs;
   /* #31: {@19, @20} = observe(@2, @1, @4) */
@@ -15424,17 +15428,17 @@ static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w20;
   if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[1][4] = @19 */
-  if (res[1]) casadi_copy(w19, 8, res[1]+384);
+  if (res[1]) casadi_copy(w19, 9, res[1]+432);
   /* #33: output[2][0] = @12 */
-  casadi_copy(w12, 96, res[2]);
+  casadi_copy(w12, 108, res[2]);
   /* #34: output[2][1] = @14 */
-  if (res[2]) casadi_copy(w14, 96, res[2]+96);
+  if (res[2]) casadi_copy(w14, 108, res[2]+108);
   /* #35: output[2][2] = @16 */
-  if (res[2]) casadi_copy(w16, 96, res[2]+192);
+  if (res[2]) casadi_copy(w16, 108, res[2]+216);
   /* #36: output[2][3] = @18 */
-  if (res[2]) casadi_copy(w18, 96, res[2]+288);
+  if (res[2]) casadi_copy(w18, 108, res[2]+324);
   /* #37: output[2][4] = @20 */
-  if (res[2]) casadi_copy(w20, 8, res[2]+384);
+  if (res[2]) casadi_copy(w20, 9, res[2]+432);
   /* #38: @1 = @8[:4] */
   for (rr=w01, cs=w08+0; cs!=w08+4; cs+=1) *rr++ = *cs;
   /* #39: @21 = landing(@1, @6, @4) */
@@ -15515,7 +15519,7 @@ CASADI_SYMBOL_EXPORT int compass_trace_48_work(casadi_int *sz_arg, casadi_int* s
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 1184;
+  if (sz_w) *sz_w = 1295;
   return 0;
 }
 
@@ -15523,16 +15527,16 @@ CASADI_SYMBOL_EXPORT int compass_trace_48_work_bytes(casadi_int *sz_arg, casadi_
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 1184*sizeof(casadi_real);
+  if (sz_w) *sz_w = 1295*sizeof(casadi_real);
   return 0;
 }
 
-/* compass_trace_72:(u[4],p[6])->(w[5x73],g[8x73],dg[8x73],R[4]) */
+/* compass_trace_72:(u[4],p[6])->(w[5x73],g[9x73],dg[9x73],R[4]) */
 static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+4, *rr, w00, *w01=w+289, w02, w03, *w04=w+293, *w05=w+299, *w06=w+323, w07, *w08=w+326, *w09=w+331;
-  casadi_real *w10=w+336, *w11=w+396, *w12=w+492, *w13=w+588, *w14=w+684, *w15=w+780, *w16=w+876, *w17=w+972, *w18=w+1068, *w19=w+1164, *w20=w+1260, *w21=w+1356;
-  casadi_real *w22=w+1452, *w23=w+1548, *w24=w+1556, *w25=w+1564;
+  casadi_real **res1=res+4, *rr, w00, *w01=w+302, w02, w03, *w04=w+306, *w05=w+312, *w06=w+336, w07, *w08=w+339, *w09=w+344;
+  casadi_real *w10=w+349, *w11=w+409, *w12=w+517, *w13=w+625, *w14=w+733, *w15=w+841, *w16=w+949, *w17=w+1057, *w18=w+1165, *w19=w+1273, *w20=w+1381, *w21=w+1489;
+  casadi_real *w22=w+1597, *w23=w+1705, *w24=w+1714, *w25=w+1723;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = 0 */
   w00 = 0.;
@@ -15666,17 +15670,17 @@ static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw
   /* #33: output[0][6] = @8 */
   if (res[0]) casadi_copy(w08, 5, res[0]+360);
   /* #34: output[1][0] = @11 */
-  casadi_copy(w11, 96, res[1]);
+  casadi_copy(w11, 108, res[1]);
   /* #35: output[1][1] = @13 */
-  if (res[1]) casadi_copy(w13, 96, res[1]+96);
+  if (res[1]) casadi_copy(w13, 108, res[1]+108);
   /* #36: output[1][2] = @15 */
-  if (res[1]) casadi_copy(w15, 96, res[1]+192);
+  if (res[1]) casadi_copy(w15, 108, res[1]+216);
   /* #37: output[1][3] = @17 */
-  if (res[1]) casadi_copy(w17, 96, res[1]+288);
+  if (res[1]) casadi_copy(w17, 108, res[1]+324);
   /* #38: output[1][4] = @19 */
-  if (res[1]) casadi_copy(w19, 96, res[1]+384);
+  if (res[1]) casadi_copy(w19, 108, res[1]+432);
   /* #39: output[1][5] = @21 */
-  if (res[1]) casadi_copy(w21, 96, res[1]+480);
+  if (res[1]) casadi_copy(w21, 108, res[1]+540);
   /* #40: @1 = @8[:4] */
   for (rr=w01, cs=w08+0; cs!=w08+4; cs+=1) *rr++ = *cs;
   /* #41: {@23, @24} = observe(@2, @1, @4) */
@@ -15687,21 +15691,21 @@ static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w24;
   if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #42: output[1][6] = @23 */
-  if (res[1]) casadi_copy(w23, 8, res[1]+576);
+  if (res[1]) casadi_copy(w23, 9, res[1]+648);
   /* #43: output[2][0] = @12 */
-  casadi_copy(w12, 96, res[2]);
+  casadi_copy(w12, 108, res[2]);
   /* #44: output[2][1] = @14 */
-  if (res[2]) casadi_copy(w14, 96, res[2]+96);
+  if (res[2]) casadi_copy(w14, 108, res[2]+108);
   /* #45: output[2][2] = @16 */
-  if (res[2]) casadi_copy(w16, 96, res[2]+192);
+  if (res[2]) casadi_copy(w16, 108, res[2]+216);
   /* #46: output[2][3] = @18 */
-  if (res[2]) casadi_copy(w18, 96, res[2]+288);
+  if (res[2]) casadi_copy(w18, 108, res[2]+324);
   /* #47: output[2][4] = @20 */
-  if (res[2]) casadi_copy(w20, 96, res[2]+384);
+  if (res[2]) casadi_copy(w20, 108, res[2]+432);
   /* #48: output[2][5] = @22 */
-  if (res[2]) casadi_copy(w22, 96, res[2]+480);
+  if (res[2]) casadi_copy(w22, 108, res[2]+540);
   /* #49: output[2][6] = @24 */
-  if (res[2]) casadi_copy(w24, 8, res[2]+576);
+  if (res[2]) casadi_copy(w24, 9, res[2]+648);
   /* #50: @1 = @8[:4] */
   for (rr=w01, cs=w08+0; cs!=w08+4; cs+=1) *rr++ = *cs;
   /* #51: @25 = landing(@1, @6, @4) */
@@ -15782,7 +15786,7 @@ CASADI_SYMBOL_EXPORT int compass_trace_72_work(casadi_int *sz_arg, casadi_int* s
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 1568;
+  if (sz_w) *sz_w = 1727;
   return 0;
 }
 
@@ -15790,16 +15794,16 @@ CASADI_SYMBOL_EXPORT int compass_trace_72_work_bytes(casadi_int *sz_arg, casadi_
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 1568*sizeof(casadi_real);
+  if (sz_w) *sz_w = 1727*sizeof(casadi_real);
   return 0;
 }
 
-/* compass_trace_96:(u[4],p[6])->(w[5x97],g[8x97],dg[8x97],R[4]) */
+/* compass_trace_96:(u[4],p[6])->(w[5x97],g[9x97],dg[9x97],R[4]) */
 static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+4, *rr, w00, *w01=w+289, w02, w03, *w04=w+293, *w05=w+299, *w06=w+323, w07, *w08=w+326, *w09=w+331;
-  casadi_real *w10=w+336, *w11=w+396, *w12=w+492, *w13=w+588, *w14=w+684, *w15=w+780, *w16=w+876, *w17=w+972, *w18=w+1068, *w19=w+1164, *w20=w+1260, *w21=w+1356;
-  casadi_real *w22=w+1452, *w23=w+1548, *w24=w+1644, *w25=w+1740, *w26=w+1836, *w27=w+1932, *w28=w+1940, *w29=w+1948;
+  casadi_real **res1=res+4, *rr, w00, *w01=w+302, w02, w03, *w04=w+306, *w05=w+312, *w06=w+336, w07, *w08=w+339, *w09=w+344;
+  casadi_real *w10=w+349, *w11=w+409, *w12=w+517, *w13=w+625, *w14=w+733, *w15=w+841, *w16=w+949, *w17=w+1057, *w18=w+1165, *w19=w+1273, *w20=w+1381, *w21=w+1489;
+  casadi_real *w22=w+1597, *w23=w+1705, *w24=w+1813, *w25=w+1921, *w26=w+2029, *w27=w+2137, *w28=w+2146, *w29=w+2155;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = 0 */
   w00 = 0.;
@@ -15967,21 +15971,21 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
   /* #41: output[0][8] = @8 */
   if (res[0]) casadi_copy(w08, 5, res[0]+480);
   /* #42: output[1][0] = @11 */
-  casadi_copy(w11, 96, res[1]);
+  casadi_copy(w11, 108, res[1]);
   /* #43: output[1][1] = @13 */
-  if (res[1]) casadi_copy(w13, 96, res[1]+96);
+  if (res[1]) casadi_copy(w13, 108, res[1]+108);
   /* #44: output[1][2] = @15 */
-  if (res[1]) casadi_copy(w15, 96, res[1]+192);
+  if (res[1]) casadi_copy(w15, 108, res[1]+216);
   /* #45: output[1][3] = @17 */
-  if (res[1]) casadi_copy(w17, 96, res[1]+288);
+  if (res[1]) casadi_copy(w17, 108, res[1]+324);
   /* #46: output[1][4] = @19 */
-  if (res[1]) casadi_copy(w19, 96, res[1]+384);
+  if (res[1]) casadi_copy(w19, 108, res[1]+432);
   /* #47: output[1][5] = @21 */
-  if (res[1]) casadi_copy(w21, 96, res[1]+480);
+  if (res[1]) casadi_copy(w21, 108, res[1]+540);
   /* #48: output[1][6] = @23 */
-  if (res[1]) casadi_copy(w23, 96, res[1]+576);
+  if (res[1]) casadi_copy(w23, 108, res[1]+648);
   /* #49: output[1][7] = @25 */
-  if (res[1]) casadi_copy(w25, 96, res[1]+672);
+  if (res[1]) casadi_copy(w25, 108, res[1]+756);
   /* #50: @1 = @8[:4] */
   for (rr=w01, cs=w08+0; cs!=w08+4; cs+=1) *rr++ = *cs;
   /* #51: {@27, @28} = observe(@2, @1, @4) */
@@ -15992,25 +15996,25 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w28;
   if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[1][8] = @27 */
-  if (res[1]) casadi_copy(w27, 8, res[1]+768);
+  if (res[1]) casadi_copy(w27, 9, res[1]+864);
   /* #53: output[2][0] = @12 */
-  casadi_copy(w12, 96, res[2]);
+  casadi_copy(w12, 108, res[2]);
   /* #54: output[2][1] = @14 */
-  if (res[2]) casadi_copy(w14, 96, res[2]+96);
+  if (res[2]) casadi_copy(w14, 108, res[2]+108);
   /* #55: output[2][2] = @16 */
-  if (res[2]) casadi_copy(w16, 96, res[2]+192);
+  if (res[2]) casadi_copy(w16, 108, res[2]+216);
   /* #56: output[2][3] = @18 */
-  if (res[2]) casadi_copy(w18, 96, res[2]+288);
+  if (res[2]) casadi_copy(w18, 108, res[2]+324);
   /* #57: output[2][4] = @20 */
-  if (res[2]) casadi_copy(w20, 96, res[2]+384);
+  if (res[2]) casadi_copy(w20, 108, res[2]+432);
   /* #58: output[2][5] = @22 */
-  if (res[2]) casadi_copy(w22, 96, res[2]+480);
+  if (res[2]) casadi_copy(w22, 108, res[2]+540);
   /* #59: output[2][6] = @24 */
-  if (res[2]) casadi_copy(w24, 96, res[2]+576);
+  if (res[2]) casadi_copy(w24, 108, res[2]+648);
   /* #60: output[2][7] = @26 */
-  if (res[2]) casadi_copy(w26, 96, res[2]+672);
+  if (res[2]) casadi_copy(w26, 108, res[2]+756);
   /* #61: output[2][8] = @28 */
-  if (res[2]) casadi_copy(w28, 8, res[2]+768);
+  if (res[2]) casadi_copy(w28, 9, res[2]+864);
   /* #62: @1 = @8[:4] */
   for (rr=w01, cs=w08+0; cs!=w08+4; cs+=1) *rr++ = *cs;
   /* #63: @29 = landing(@1, @6, @4) */
@@ -16091,7 +16095,7 @@ CASADI_SYMBOL_EXPORT int compass_trace_96_work(casadi_int *sz_arg, casadi_int* s
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 1952;
+  if (sz_w) *sz_w = 2159;
   return 0;
 }
 
@@ -16099,17 +16103,17 @@ CASADI_SYMBOL_EXPORT int compass_trace_96_work_bytes(casadi_int *sz_arg, casadi_
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 1952*sizeof(casadi_real);
+  if (sz_w) *sz_w = 2159*sizeof(casadi_real);
   return 0;
 }
 
-/* compass_trace_144:(u[4],p[6])->(w[5x145],g[8x145],dg[8x145],R[4]) */
+/* compass_trace_144:(u[4],p[6])->(w[5x145],g[9x145],dg[9x145],R[4]) */
 static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+4, *rr, w00, *w01=w+289, w02, w03, *w04=w+293, *w05=w+299, *w06=w+323, w07, *w08=w+326, *w09=w+331;
-  casadi_real *w10=w+336, *w11=w+396, *w12=w+492, *w13=w+588, *w14=w+684, *w15=w+780, *w16=w+876, *w17=w+972, *w18=w+1068, *w19=w+1164, *w20=w+1260, *w21=w+1356;
-  casadi_real *w22=w+1452, *w23=w+1548, *w24=w+1644, *w25=w+1740, *w26=w+1836, *w27=w+1932, *w28=w+2028, *w29=w+2124, *w30=w+2220, *w31=w+2316, *w32=w+2412, *w33=w+2508;
-  casadi_real *w34=w+2604, *w35=w+2700, *w36=w+2708, *w37=w+2716;
+  casadi_real **res1=res+4, *rr, w00, *w01=w+302, w02, w03, *w04=w+306, *w05=w+312, *w06=w+336, w07, *w08=w+339, *w09=w+344;
+  casadi_real *w10=w+349, *w11=w+409, *w12=w+517, *w13=w+625, *w14=w+733, *w15=w+841, *w16=w+949, *w17=w+1057, *w18=w+1165, *w19=w+1273, *w20=w+1381, *w21=w+1489;
+  casadi_real *w22=w+1597, *w23=w+1705, *w24=w+1813, *w25=w+1921, *w26=w+2029, *w27=w+2137, *w28=w+2245, *w29=w+2353, *w30=w+2461, *w31=w+2569, *w32=w+2677, *w33=w+2785;
+  casadi_real *w34=w+2893, *w35=w+3001, *w36=w+3010, *w37=w+3019;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = 0 */
   w00 = 0.;
@@ -16345,29 +16349,29 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   /* #57: output[0][12] = @8 */
   if (res[0]) casadi_copy(w08, 5, res[0]+720);
   /* #58: output[1][0] = @11 */
-  casadi_copy(w11, 96, res[1]);
+  casadi_copy(w11, 108, res[1]);
   /* #59: output[1][1] = @13 */
-  if (res[1]) casadi_copy(w13, 96, res[1]+96);
+  if (res[1]) casadi_copy(w13, 108, res[1]+108);
   /* #60: output[1][2] = @15 */
-  if (res[1]) casadi_copy(w15, 96, res[1]+192);
+  if (res[1]) casadi_copy(w15, 108, res[1]+216);
   /* #61: output[1][3] = @17 */
-  if (res[1]) casadi_copy(w17, 96, res[1]+288);
+  if (res[1]) casadi_copy(w17, 108, res[1]+324);
   /* #62: output[1][4] = @19 */
-  if (res[1]) casadi_copy(w19, 96, res[1]+384);
+  if (res[1]) casadi_copy(w19, 108, res[1]+432);
   /* #63: output[1][5] = @21 */
-  if (res[1]) casadi_copy(w21, 96, res[1]+480);
+  if (res[1]) casadi_copy(w21, 108, res[1]+540);
   /* #64: output[1][6] = @23 */
-  if (res[1]) casadi_copy(w23, 96, res[1]+576);
+  if (res[1]) casadi_copy(w23, 108, res[1]+648);
   /* #65: output[1][7] = @25 */
-  if (res[1]) casadi_copy(w25, 96, res[1]+672);
+  if (res[1]) casadi_copy(w25, 108, res[1]+756);
   /* #66: output[1][8] = @27 */
-  if (res[1]) casadi_copy(w27, 96, res[1]+768);
+  if (res[1]) casadi_copy(w27, 108, res[1]+864);
   /* #67: output[1][9] = @29 */
-  if (res[1]) casadi_copy(w29, 96, res[1]+864);
+  if (res[1]) casadi_copy(w29, 108, res[1]+972);
   /* #68: output[1][10] = @31 */
-  if (res[1]) casadi_copy(w31, 96, res[1]+960);
+  if (res[1]) casadi_copy(w31, 108, res[1]+1080);
   /* #69: output[1][11] = @33 */
-  if (res[1]) casadi_copy(w33, 96, res[1]+1056);
+  if (res[1]) casadi_copy(w33, 108, res[1]+1188);
   /* #70: @1 = @8[:4] */
   for (rr=w01, cs=w08+0; cs!=w08+4; cs+=1) *rr++ = *cs;
   /* #71: {@35, @36} = observe(@2, @1, @4) */
@@ -16378,33 +16382,33 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w36;
   if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #72: output[1][12] = @35 */
-  if (res[1]) casadi_copy(w35, 8, res[1]+1152);
+  if (res[1]) casadi_copy(w35, 9, res[1]+1296);
   /* #73: output[2][0] = @12 */
-  casadi_copy(w12, 96, res[2]);
+  casadi_copy(w12, 108, res[2]);
   /* #74: output[2][1] = @14 */
-  if (res[2]) casadi_copy(w14, 96, res[2]+96);
+  if (res[2]) casadi_copy(w14, 108, res[2]+108);
   /* #75: output[2][2] = @16 */
-  if (res[2]) casadi_copy(w16, 96, res[2]+192);
+  if (res[2]) casadi_copy(w16, 108, res[2]+216);
   /* #76: output[2][3] = @18 */
-  if (res[2]) casadi_copy(w18, 96, res[2]+288);
+  if (res[2]) casadi_copy(w18, 108, res[2]+324);
   /* #77: output[2][4] = @20 */
-  if (res[2]) casadi_copy(w20, 96, res[2]+384);
+  if (res[2]) casadi_copy(w20, 108, res[2]+432);
   /* #78: output[2][5] = @22 */
-  if (res[2]) casadi_copy(w22, 96, res[2]+480);
+  if (res[2]) casadi_copy(w22, 108, res[2]+540);
   /* #79: output[2][6] = @24 */
-  if (res[2]) casadi_copy(w24, 96, res[2]+576);
+  if (res[2]) casadi_copy(w24, 108, res[2]+648);
   /* #80: output[2][7] = @26 */
-  if (res[2]) casadi_copy(w26, 96, res[2]+672);
+  if (res[2]) casadi_copy(w26, 108, res[2]+756);
   /* #81: output[2][8] = @28 */
-  if (res[2]) casadi_copy(w28, 96, res[2]+768);
+  if (res[2]) casadi_copy(w28, 108, res[2]+864);
   /* #82: output[2][9] = @30 */
-  if (res[2]) casadi_copy(w30, 96, res[2]+864);
+  if (res[2]) casadi_copy(w30, 108, res[2]+972);
   /* #83: output[2][10] = @32 */
-  if (res[2]) casadi_copy(w32, 96, res[2]+960);
+  if (res[2]) casadi_copy(w32, 108, res[2]+1080);
   /* #84: output[2][11] = @34 */
-  if (res[2]) casadi_copy(w34, 96, res[2]+1056);
+  if (res[2]) casadi_copy(w34, 108, res[2]+1188);
   /* #85: output[2][12] = @36 */
-  if (res[2]) casadi_copy(w36, 8, res[2]+1152);
+  if (res[2]) casadi_copy(w36, 9, res[2]+1296);
   /* #86: @1 = @8[:4] */
   for (rr=w01, cs=w08+0; cs!=w08+4; cs+=1) *rr++ = *cs;
   /* #87: @37 = landing(@1, @6, @4) */
@@ -16485,7 +16489,7 @@ CASADI_SYMBOL_EXPORT int compass_trace_144_work(casadi_int *sz_arg, casadi_int* 
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 2720;
+  if (sz_w) *sz_w = 3023;
   return 0;
 }
 
@@ -16493,17 +16497,17 @@ CASADI_SYMBOL_EXPORT int compass_trace_144_work_bytes(casadi_int *sz_arg, casadi
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 2720*sizeof(casadi_real);
+  if (sz_w) *sz_w = 3023*sizeof(casadi_real);
   return 0;
 }
 
-/* compass_trace_192:(u[4],p[6])->(w[5x193],g[8x193],dg[8x193],R[4]) */
+/* compass_trace_192:(u[4],p[6])->(w[5x193],g[9x193],dg[9x193],R[4]) */
 static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+4, *rr, w00, *w01=w+289, w02, w03, *w04=w+293, *w05=w+299, *w06=w+323, w07, *w08=w+326, *w09=w+331;
-  casadi_real *w10=w+336, *w11=w+396, *w12=w+492, *w13=w+588, *w14=w+684, *w15=w+780, *w16=w+876, *w17=w+972, *w18=w+1068, *w19=w+1164, *w20=w+1260, *w21=w+1356;
-  casadi_real *w22=w+1452, *w23=w+1548, *w24=w+1644, *w25=w+1740, *w26=w+1836, *w27=w+1932, *w28=w+2028, *w29=w+2124, *w30=w+2220, *w31=w+2316, *w32=w+2412, *w33=w+2508;
-  casadi_real *w34=w+2604, *w35=w+2700, *w36=w+2796, *w37=w+2892, *w38=w+2988, *w39=w+3084, *w40=w+3180, *w41=w+3276, *w42=w+3372, *w43=w+3468, *w44=w+3476, *w45=w+3484;
+  casadi_real **res1=res+4, *rr, w00, *w01=w+302, w02, w03, *w04=w+306, *w05=w+312, *w06=w+336, w07, *w08=w+339, *w09=w+344;
+  casadi_real *w10=w+349, *w11=w+409, *w12=w+517, *w13=w+625, *w14=w+733, *w15=w+841, *w16=w+949, *w17=w+1057, *w18=w+1165, *w19=w+1273, *w20=w+1381, *w21=w+1489;
+  casadi_real *w22=w+1597, *w23=w+1705, *w24=w+1813, *w25=w+1921, *w26=w+2029, *w27=w+2137, *w28=w+2245, *w29=w+2353, *w30=w+2461, *w31=w+2569, *w32=w+2677, *w33=w+2785;
+  casadi_real *w34=w+2893, *w35=w+3001, *w36=w+3109, *w37=w+3217, *w38=w+3325, *w39=w+3433, *w40=w+3541, *w41=w+3649, *w42=w+3757, *w43=w+3865, *w44=w+3874, *w45=w+3883;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = 0 */
   w00 = 0.;
@@ -16807,37 +16811,37 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   /* #73: output[0][16] = @8 */
   if (res[0]) casadi_copy(w08, 5, res[0]+960);
   /* #74: output[1][0] = @11 */
-  casadi_copy(w11, 96, res[1]);
+  casadi_copy(w11, 108, res[1]);
   /* #75: output[1][1] = @13 */
-  if (res[1]) casadi_copy(w13, 96, res[1]+96);
+  if (res[1]) casadi_copy(w13, 108, res[1]+108);
   /* #76: output[1][2] = @15 */
-  if (res[1]) casadi_copy(w15, 96, res[1]+192);
+  if (res[1]) casadi_copy(w15, 108, res[1]+216);
   /* #77: output[1][3] = @17 */
-  if (res[1]) casadi_copy(w17, 96, res[1]+288);
+  if (res[1]) casadi_copy(w17, 108, res[1]+324);
   /* #78: output[1][4] = @19 */
-  if (res[1]) casadi_copy(w19, 96, res[1]+384);
+  if (res[1]) casadi_copy(w19, 108, res[1]+432);
   /* #79: output[1][5] = @21 */
-  if (res[1]) casadi_copy(w21, 96, res[1]+480);
+  if (res[1]) casadi_copy(w21, 108, res[1]+540);
   /* #80: output[1][6] = @23 */
-  if (res[1]) casadi_copy(w23, 96, res[1]+576);
+  if (res[1]) casadi_copy(w23, 108, res[1]+648);
   /* #81: output[1][7] = @25 */
-  if (res[1]) casadi_copy(w25, 96, res[1]+672);
+  if (res[1]) casadi_copy(w25, 108, res[1]+756);
   /* #82: output[1][8] = @27 */
-  if (res[1]) casadi_copy(w27, 96, res[1]+768);
+  if (res[1]) casadi_copy(w27, 108, res[1]+864);
   /* #83: output[1][9] = @29 */
-  if (res[1]) casadi_copy(w29, 96, res[1]+864);
+  if (res[1]) casadi_copy(w29, 108, res[1]+972);
   /* #84: output[1][10] = @31 */
-  if (res[1]) casadi_copy(w31, 96, res[1]+960);
+  if (res[1]) casadi_copy(w31, 108, res[1]+1080);
   /* #85: output[1][11] = @33 */
-  if (res[1]) casadi_copy(w33, 96, res[1]+1056);
+  if (res[1]) casadi_copy(w33, 108, res[1]+1188);
   /* #86: output[1][12] = @35 */
-  if (res[1]) casadi_copy(w35, 96, res[1]+1152);
+  if (res[1]) casadi_copy(w35, 108, res[1]+1296);
   /* #87: output[1][13] = @37 */
-  if (res[1]) casadi_copy(w37, 96, res[1]+1248);
+  if (res[1]) casadi_copy(w37, 108, res[1]+1404);
   /* #88: output[1][14] = @39 */
-  if (res[1]) casadi_copy(w39, 96, res[1]+1344);
+  if (res[1]) casadi_copy(w39, 108, res[1]+1512);
   /* #89: output[1][15] = @41 */
-  if (res[1]) casadi_copy(w41, 96, res[1]+1440);
+  if (res[1]) casadi_copy(w41, 108, res[1]+1620);
   /* #90: @1 = @8[:4] */
   for (rr=w01, cs=w08+0; cs!=w08+4; cs+=1) *rr++ = *cs;
   /* #91: {@43, @44} = observe(@2, @1, @4) */
@@ -16848,41 +16852,41 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w44;
   if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #92: output[1][16] = @43 */
-  if (res[1]) casadi_copy(w43, 8, res[1]+1536);
+  if (res[1]) casadi_copy(w43, 9, res[1]+1728);
   /* #93: output[2][0] = @12 */
-  casadi_copy(w12, 96, res[2]);
+  casadi_copy(w12, 108, res[2]);
   /* #94: output[2][1] = @14 */
-  if (res[2]) casadi_copy(w14, 96, res[2]+96);
+  if (res[2]) casadi_copy(w14, 108, res[2]+108);
   /* #95: output[2][2] = @16 */
-  if (res[2]) casadi_copy(w16, 96, res[2]+192);
+  if (res[2]) casadi_copy(w16, 108, res[2]+216);
   /* #96: output[2][3] = @18 */
-  if (res[2]) casadi_copy(w18, 96, res[2]+288);
+  if (res[2]) casadi_copy(w18, 108, res[2]+324);
   /* #97: output[2][4] = @20 */
-  if (res[2]) casadi_copy(w20, 96, res[2]+384);
+  if (res[2]) casadi_copy(w20, 108, res[2]+432);
   /* #98: output[2][5] = @22 */
-  if (res[2]) casadi_copy(w22, 96, res[2]+480);
+  if (res[2]) casadi_copy(w22, 108, res[2]+540);
   /* #99: output[2][6] = @24 */
-  if (res[2]) casadi_copy(w24, 96, res[2]+576);
+  if (res[2]) casadi_copy(w24, 108, res[2]+648);
   /* #100: output[2][7] = @26 */
-  if (res[2]) casadi_copy(w26, 96, res[2]+672);
+  if (res[2]) casadi_copy(w26, 108, res[2]+756);
   /* #101: output[2][8] = @28 */
-  if (res[2]) casadi_copy(w28, 96, res[2]+768);
+  if (res[2]) casadi_copy(w28, 108, res[2]+864);
   /* #102: output[2][9] = @30 */
-  if (res[2]) casadi_copy(w30, 96, res[2]+864);
+  if (res[2]) casadi_copy(w30, 108, res[2]+972);
   /* #103: output[2][10] = @32 */
-  if (res[2]) casadi_copy(w32, 96, res[2]+960);
+  if (res[2]) casadi_copy(w32, 108, res[2]+1080);
   /* #104: output[2][11] = @34 */
-  if (res[2]) casadi_copy(w34, 96, res[2]+1056);
+  if (res[2]) casadi_copy(w34, 108, res[2]+1188);
   /* #105: output[2][12] = @36 */
-  if (res[2]) casadi_copy(w36, 96, res[2]+1152);
+  if (res[2]) casadi_copy(w36, 108, res[2]+1296);
   /* #106: output[2][13] = @38 */
-  if (res[2]) casadi_copy(w38, 96, res[2]+1248);
+  if (res[2]) casadi_copy(w38, 108, res[2]+1404);
   /* #107: output[2][14] = @40 */
-  if (res[2]) casadi_copy(w40, 96, res[2]+1344);
+  if (res[2]) casadi_copy(w40, 108, res[2]+1512);
   /* #108: output[2][15] = @42 */
-  if (res[2]) casadi_copy(w42, 96, res[2]+1440);
+  if (res[2]) casadi_copy(w42, 108, res[2]+1620);
   /* #109: output[2][16] = @44 */
-  if (res[2]) casadi_copy(w44, 8, res[2]+1536);
+  if (res[2]) casadi_copy(w44, 9, res[2]+1728);
   /* #110: @1 = @8[:4] */
   for (rr=w01, cs=w08+0; cs!=w08+4; cs+=1) *rr++ = *cs;
   /* #111: @45 = landing(@1, @6, @4) */
@@ -16963,7 +16967,7 @@ CASADI_SYMBOL_EXPORT int compass_trace_192_work(casadi_int *sz_arg, casadi_int* 
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 3488;
+  if (sz_w) *sz_w = 3887;
   return 0;
 }
 
@@ -16971,19 +16975,19 @@ CASADI_SYMBOL_EXPORT int compass_trace_192_work_bytes(casadi_int *sz_arg, casadi
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 3488*sizeof(casadi_real);
+  if (sz_w) *sz_w = 3887*sizeof(casadi_real);
   return 0;
 }
 
-/* compass_trace_288:(u[4],p[6])->(w[5x289],g[8x289],dg[8x289],R[4]) */
+/* compass_trace_288:(u[4],p[6])->(w[5x289],g[9x289],dg[9x289],R[4]) */
 static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+4, *rr, w00, *w01=w+289, w02, w03, *w04=w+293, *w05=w+299, *w06=w+323, w07, *w08=w+326, *w09=w+331;
-  casadi_real *w10=w+336, *w11=w+396, *w12=w+492, *w13=w+588, *w14=w+684, *w15=w+780, *w16=w+876, *w17=w+972, *w18=w+1068, *w19=w+1164, *w20=w+1260, *w21=w+1356;
-  casadi_real *w22=w+1452, *w23=w+1548, *w24=w+1644, *w25=w+1740, *w26=w+1836, *w27=w+1932, *w28=w+2028, *w29=w+2124, *w30=w+2220, *w31=w+2316, *w32=w+2412, *w33=w+2508;
-  casadi_real *w34=w+2604, *w35=w+2700, *w36=w+2796, *w37=w+2892, *w38=w+2988, *w39=w+3084, *w40=w+3180, *w41=w+3276, *w42=w+3372, *w43=w+3468, *w44=w+3564, *w45=w+3660;
-  casadi_real *w46=w+3756, *w47=w+3852, *w48=w+3948, *w49=w+4044, *w50=w+4140, *w51=w+4236, *w52=w+4332, *w53=w+4428, *w54=w+4524, *w55=w+4620, *w56=w+4716, *w57=w+4812;
-  casadi_real *w58=w+4908, *w59=w+5004, *w60=w+5012, *w61=w+5020;
+  casadi_real **res1=res+4, *rr, w00, *w01=w+302, w02, w03, *w04=w+306, *w05=w+312, *w06=w+336, w07, *w08=w+339, *w09=w+344;
+  casadi_real *w10=w+349, *w11=w+409, *w12=w+517, *w13=w+625, *w14=w+733, *w15=w+841, *w16=w+949, *w17=w+1057, *w18=w+1165, *w19=w+1273, *w20=w+1381, *w21=w+1489;
+  casadi_real *w22=w+1597, *w23=w+1705, *w24=w+1813, *w25=w+1921, *w26=w+2029, *w27=w+2137, *w28=w+2245, *w29=w+2353, *w30=w+2461, *w31=w+2569, *w32=w+2677, *w33=w+2785;
+  casadi_real *w34=w+2893, *w35=w+3001, *w36=w+3109, *w37=w+3217, *w38=w+3325, *w39=w+3433, *w40=w+3541, *w41=w+3649, *w42=w+3757, *w43=w+3865, *w44=w+3973, *w45=w+4081;
+  casadi_real *w46=w+4189, *w47=w+4297, *w48=w+4405, *w49=w+4513, *w50=w+4621, *w51=w+4729, *w52=w+4837, *w53=w+4945, *w54=w+5053, *w55=w+5161, *w56=w+5269, *w57=w+5377;
+  casadi_real *w58=w+5485, *w59=w+5593, *w60=w+5602, *w61=w+5611;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = 0 */
   w00 = 0.;
@@ -17423,53 +17427,53 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   /* #105: output[0][24] = @8 */
   if (res[0]) casadi_copy(w08, 5, res[0]+1440);
   /* #106: output[1][0] = @11 */
-  casadi_copy(w11, 96, res[1]);
+  casadi_copy(w11, 108, res[1]);
   /* #107: output[1][1] = @13 */
-  if (res[1]) casadi_copy(w13, 96, res[1]+96);
+  if (res[1]) casadi_copy(w13, 108, res[1]+108);
   /* #108: output[1][2] = @15 */
-  if (res[1]) casadi_copy(w15, 96, res[1]+192);
+  if (res[1]) casadi_copy(w15, 108, res[1]+216);
   /* #109: output[1][3] = @17 */
-  if (res[1]) casadi_copy(w17, 96, res[1]+288);
+  if (res[1]) casadi_copy(w17, 108, res[1]+324);
   /* #110: output[1][4] = @19 */
-  if (res[1]) casadi_copy(w19, 96, res[1]+384);
+  if (res[1]) casadi_copy(w19, 108, res[1]+432);
   /* #111: output[1][5] = @21 */
-  if (res[1]) casadi_copy(w21, 96, res[1]+480);
+  if (res[1]) casadi_copy(w21, 108, res[1]+540);
   /* #112: output[1][6] = @23 */
-  if (res[1]) casadi_copy(w23, 96, res[1]+576);
+  if (res[1]) casadi_copy(w23, 108, res[1]+648);
   /* #113: output[1][7] = @25 */
-  if (res[1]) casadi_copy(w25, 96, res[1]+672);
+  if (res[1]) casadi_copy(w25, 108, res[1]+756);
   /* #114: output[1][8] = @27 */
-  if (res[1]) casadi_copy(w27, 96, res[1]+768);
+  if (res[1]) casadi_copy(w27, 108, res[1]+864);
   /* #115: output[1][9] = @29 */
-  if (res[1]) casadi_copy(w29, 96, res[1]+864);
+  if (res[1]) casadi_copy(w29, 108, res[1]+972);
   /* #116: output[1][10] = @31 */
-  if (res[1]) casadi_copy(w31, 96, res[1]+960);
+  if (res[1]) casadi_copy(w31, 108, res[1]+1080);
   /* #117: output[1][11] = @33 */
-  if (res[1]) casadi_copy(w33, 96, res[1]+1056);
+  if (res[1]) casadi_copy(w33, 108, res[1]+1188);
   /* #118: output[1][12] = @35 */
-  if (res[1]) casadi_copy(w35, 96, res[1]+1152);
+  if (res[1]) casadi_copy(w35, 108, res[1]+1296);
   /* #119: output[1][13] = @37 */
-  if (res[1]) casadi_copy(w37, 96, res[1]+1248);
+  if (res[1]) casadi_copy(w37, 108, res[1]+1404);
   /* #120: output[1][14] = @39 */
-  if (res[1]) casadi_copy(w39, 96, res[1]+1344);
+  if (res[1]) casadi_copy(w39, 108, res[1]+1512);
   /* #121: output[1][15] = @41 */
-  if (res[1]) casadi_copy(w41, 96, res[1]+1440);
+  if (res[1]) casadi_copy(w41, 108, res[1]+1620);
   /* #122: output[1][16] = @43 */
-  if (res[1]) casadi_copy(w43, 96, res[1]+1536);
+  if (res[1]) casadi_copy(w43, 108, res[1]+1728);
   /* #123: output[1][17] = @45 */
-  if (res[1]) casadi_copy(w45, 96, res[1]+1632);
+  if (res[1]) casadi_copy(w45, 108, res[1]+1836);
   /* #124: output[1][18] = @47 */
-  if (res[1]) casadi_copy(w47, 96, res[1]+1728);
+  if (res[1]) casadi_copy(w47, 108, res[1]+1944);
   /* #125: output[1][19] = @49 */
-  if (res[1]) casadi_copy(w49, 96, res[1]+1824);
+  if (res[1]) casadi_copy(w49, 108, res[1]+2052);
   /* #126: output[1][20] = @51 */
-  if (res[1]) casadi_copy(w51, 96, res[1]+1920);
+  if (res[1]) casadi_copy(w51, 108, res[1]+2160);
   /* #127: output[1][21] = @53 */
-  if (res[1]) casadi_copy(w53, 96, res[1]+2016);
+  if (res[1]) casadi_copy(w53, 108, res[1]+2268);
   /* #128: output[1][22] = @55 */
-  if (res[1]) casadi_copy(w55, 96, res[1]+2112);
+  if (res[1]) casadi_copy(w55, 108, res[1]+2376);
   /* #129: output[1][23] = @57 */
-  if (res[1]) casadi_copy(w57, 96, res[1]+2208);
+  if (res[1]) casadi_copy(w57, 108, res[1]+2484);
   /* #130: @1 = @8[:4] */
   for (rr=w01, cs=w08+0; cs!=w08+4; cs+=1) *rr++ = *cs;
   /* #131: {@59, @60} = observe(@2, @1, @4) */
@@ -17480,57 +17484,57 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w60;
   if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #132: output[1][24] = @59 */
-  if (res[1]) casadi_copy(w59, 8, res[1]+2304);
+  if (res[1]) casadi_copy(w59, 9, res[1]+2592);
   /* #133: output[2][0] = @12 */
-  casadi_copy(w12, 96, res[2]);
+  casadi_copy(w12, 108, res[2]);
   /* #134: output[2][1] = @14 */
-  if (res[2]) casadi_copy(w14, 96, res[2]+96);
+  if (res[2]) casadi_copy(w14, 108, res[2]+108);
   /* #135: output[2][2] = @16 */
-  if (res[2]) casadi_copy(w16, 96, res[2]+192);
+  if (res[2]) casadi_copy(w16, 108, res[2]+216);
   /* #136: output[2][3] = @18 */
-  if (res[2]) casadi_copy(w18, 96, res[2]+288);
+  if (res[2]) casadi_copy(w18, 108, res[2]+324);
   /* #137: output[2][4] = @20 */
-  if (res[2]) casadi_copy(w20, 96, res[2]+384);
+  if (res[2]) casadi_copy(w20, 108, res[2]+432);
   /* #138: output[2][5] = @22 */
-  if (res[2]) casadi_copy(w22, 96, res[2]+480);
+  if (res[2]) casadi_copy(w22, 108, res[2]+540);
   /* #139: output[2][6] = @24 */
-  if (res[2]) casadi_copy(w24, 96, res[2]+576);
+  if (res[2]) casadi_copy(w24, 108, res[2]+648);
   /* #140: output[2][7] = @26 */
-  if (res[2]) casadi_copy(w26, 96, res[2]+672);
+  if (res[2]) casadi_copy(w26, 108, res[2]+756);
   /* #141: output[2][8] = @28 */
-  if (res[2]) casadi_copy(w28, 96, res[2]+768);
+  if (res[2]) casadi_copy(w28, 108, res[2]+864);
   /* #142: output[2][9] = @30 */
-  if (res[2]) casadi_copy(w30, 96, res[2]+864);
+  if (res[2]) casadi_copy(w30, 108, res[2]+972);
   /* #143: output[2][10] = @32 */
-  if (res[2]) casadi_copy(w32, 96, res[2]+960);
+  if (res[2]) casadi_copy(w32, 108, res[2]+1080);
   /* #144: output[2][11] = @34 */
-  if (res[2]) casadi_copy(w34, 96, res[2]+1056);
+  if (res[2]) casadi_copy(w34, 108, res[2]+1188);
   /* #145: output[2][12] = @36 */
-  if (res[2]) casadi_copy(w36, 96, res[2]+1152);
+  if (res[2]) casadi_copy(w36, 108, res[2]+1296);
   /* #146: output[2][13] = @38 */
-  if (res[2]) casadi_copy(w38, 96, res[2]+1248);
+  if (res[2]) casadi_copy(w38, 108, res[2]+1404);
   /* #147: output[2][14] = @40 */
-  if (res[2]) casadi_copy(w40, 96, res[2]+1344);
+  if (res[2]) casadi_copy(w40, 108, res[2]+1512);
   /* #148: output[2][15] = @42 */
-  if (res[2]) casadi_copy(w42, 96, res[2]+1440);
+  if (res[2]) casadi_copy(w42, 108, res[2]+1620);
   /* #149: output[2][16] = @44 */
-  if (res[2]) casadi_copy(w44, 96, res[2]+1536);
+  if (res[2]) casadi_copy(w44, 108, res[2]+1728);
   /* #150: output[2][17] = @46 */
-  if (res[2]) casadi_copy(w46, 96, res[2]+1632);
+  if (res[2]) casadi_copy(w46, 108, res[2]+1836);
   /* #151: output[2][18] = @48 */
-  if (res[2]) casadi_copy(w48, 96, res[2]+1728);
+  if (res[2]) casadi_copy(w48, 108, res[2]+1944);
   /* #152: output[2][19] = @50 */
-  if (res[2]) casadi_copy(w50, 96, res[2]+1824);
+  if (res[2]) casadi_copy(w50, 108, res[2]+2052);
   /* #153: output[2][20] = @52 */
-  if (res[2]) casadi_copy(w52, 96, res[2]+1920);
+  if (res[2]) casadi_copy(w52, 108, res[2]+2160);
   /* #154: output[2][21] = @54 */
-  if (res[2]) casadi_copy(w54, 96, res[2]+2016);
+  if (res[2]) casadi_copy(w54, 108, res[2]+2268);
   /* #155: output[2][22] = @56 */
-  if (res[2]) casadi_copy(w56, 96, res[2]+2112);
+  if (res[2]) casadi_copy(w56, 108, res[2]+2376);
   /* #156: output[2][23] = @58 */
-  if (res[2]) casadi_copy(w58, 96, res[2]+2208);
+  if (res[2]) casadi_copy(w58, 108, res[2]+2484);
   /* #157: output[2][24] = @60 */
-  if (res[2]) casadi_copy(w60, 8, res[2]+2304);
+  if (res[2]) casadi_copy(w60, 9, res[2]+2592);
   /* #158: @1 = @8[:4] */
   for (rr=w01, cs=w08+0; cs!=w08+4; cs+=1) *rr++ = *cs;
   /* #159: @61 = landing(@1, @6, @4) */
@@ -17611,7 +17615,7 @@ CASADI_SYMBOL_EXPORT int compass_trace_288_work(casadi_int *sz_arg, casadi_int* 
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 5024;
+  if (sz_w) *sz_w = 5615;
   return 0;
 }
 
@@ -17619,20 +17623,20 @@ CASADI_SYMBOL_EXPORT int compass_trace_288_work_bytes(casadi_int *sz_arg, casadi
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 5024*sizeof(casadi_real);
+  if (sz_w) *sz_w = 5615*sizeof(casadi_real);
   return 0;
 }
 
-/* compass_trace_384:(u[4],p[6])->(w[5x385],g[8x385],dg[8x385],R[4]) */
+/* compass_trace_384:(u[4],p[6])->(w[5x385],g[9x385],dg[9x385],R[4]) */
 static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+4, *rr, w00, *w01=w+289, w02, w03, *w04=w+293, *w05=w+299, *w06=w+323, w07, *w08=w+326, *w09=w+331;
-  casadi_real *w10=w+336, *w11=w+396, *w12=w+492, *w13=w+588, *w14=w+684, *w15=w+780, *w16=w+876, *w17=w+972, *w18=w+1068, *w19=w+1164, *w20=w+1260, *w21=w+1356;
-  casadi_real *w22=w+1452, *w23=w+1548, *w24=w+1644, *w25=w+1740, *w26=w+1836, *w27=w+1932, *w28=w+2028, *w29=w+2124, *w30=w+2220, *w31=w+2316, *w32=w+2412, *w33=w+2508;
-  casadi_real *w34=w+2604, *w35=w+2700, *w36=w+2796, *w37=w+2892, *w38=w+2988, *w39=w+3084, *w40=w+3180, *w41=w+3276, *w42=w+3372, *w43=w+3468, *w44=w+3564, *w45=w+3660;
-  casadi_real *w46=w+3756, *w47=w+3852, *w48=w+3948, *w49=w+4044, *w50=w+4140, *w51=w+4236, *w52=w+4332, *w53=w+4428, *w54=w+4524, *w55=w+4620, *w56=w+4716, *w57=w+4812;
-  casadi_real *w58=w+4908, *w59=w+5004, *w60=w+5100, *w61=w+5196, *w62=w+5292, *w63=w+5388, *w64=w+5484, *w65=w+5580, *w66=w+5676, *w67=w+5772, *w68=w+5868, *w69=w+5964;
-  casadi_real *w70=w+6060, *w71=w+6156, *w72=w+6252, *w73=w+6348, *w74=w+6444, *w75=w+6540, *w76=w+6548, *w77=w+6556;
+  casadi_real **res1=res+4, *rr, w00, *w01=w+302, w02, w03, *w04=w+306, *w05=w+312, *w06=w+336, w07, *w08=w+339, *w09=w+344;
+  casadi_real *w10=w+349, *w11=w+409, *w12=w+517, *w13=w+625, *w14=w+733, *w15=w+841, *w16=w+949, *w17=w+1057, *w18=w+1165, *w19=w+1273, *w20=w+1381, *w21=w+1489;
+  casadi_real *w22=w+1597, *w23=w+1705, *w24=w+1813, *w25=w+1921, *w26=w+2029, *w27=w+2137, *w28=w+2245, *w29=w+2353, *w30=w+2461, *w31=w+2569, *w32=w+2677, *w33=w+2785;
+  casadi_real *w34=w+2893, *w35=w+3001, *w36=w+3109, *w37=w+3217, *w38=w+3325, *w39=w+3433, *w40=w+3541, *w41=w+3649, *w42=w+3757, *w43=w+3865, *w44=w+3973, *w45=w+4081;
+  casadi_real *w46=w+4189, *w47=w+4297, *w48=w+4405, *w49=w+4513, *w50=w+4621, *w51=w+4729, *w52=w+4837, *w53=w+4945, *w54=w+5053, *w55=w+5161, *w56=w+5269, *w57=w+5377;
+  casadi_real *w58=w+5485, *w59=w+5593, *w60=w+5701, *w61=w+5809, *w62=w+5917, *w63=w+6025, *w64=w+6133, *w65=w+6241, *w66=w+6349, *w67=w+6457, *w68=w+6565, *w69=w+6673;
+  casadi_real *w70=w+6781, *w71=w+6889, *w72=w+6997, *w73=w+7105, *w74=w+7213, *w75=w+7321, *w76=w+7330, *w77=w+7339;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = 0 */
   w00 = 0.;
@@ -18208,69 +18212,69 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   /* #137: output[0][32] = @8 */
   if (res[0]) casadi_copy(w08, 5, res[0]+1920);
   /* #138: output[1][0] = @11 */
-  casadi_copy(w11, 96, res[1]);
+  casadi_copy(w11, 108, res[1]);
   /* #139: output[1][1] = @13 */
-  if (res[1]) casadi_copy(w13, 96, res[1]+96);
+  if (res[1]) casadi_copy(w13, 108, res[1]+108);
   /* #140: output[1][2] = @15 */
-  if (res[1]) casadi_copy(w15, 96, res[1]+192);
+  if (res[1]) casadi_copy(w15, 108, res[1]+216);
   /* #141: output[1][3] = @17 */
-  if (res[1]) casadi_copy(w17, 96, res[1]+288);
+  if (res[1]) casadi_copy(w17, 108, res[1]+324);
   /* #142: output[1][4] = @19 */
-  if (res[1]) casadi_copy(w19, 96, res[1]+384);
+  if (res[1]) casadi_copy(w19, 108, res[1]+432);
   /* #143: output[1][5] = @21 */
-  if (res[1]) casadi_copy(w21, 96, res[1]+480);
+  if (res[1]) casadi_copy(w21, 108, res[1]+540);
   /* #144: output[1][6] = @23 */
-  if (res[1]) casadi_copy(w23, 96, res[1]+576);
+  if (res[1]) casadi_copy(w23, 108, res[1]+648);
   /* #145: output[1][7] = @25 */
-  if (res[1]) casadi_copy(w25, 96, res[1]+672);
+  if (res[1]) casadi_copy(w25, 108, res[1]+756);
   /* #146: output[1][8] = @27 */
-  if (res[1]) casadi_copy(w27, 96, res[1]+768);
+  if (res[1]) casadi_copy(w27, 108, res[1]+864);
   /* #147: output[1][9] = @29 */
-  if (res[1]) casadi_copy(w29, 96, res[1]+864);
+  if (res[1]) casadi_copy(w29, 108, res[1]+972);
   /* #148: output[1][10] = @31 */
-  if (res[1]) casadi_copy(w31, 96, res[1]+960);
+  if (res[1]) casadi_copy(w31, 108, res[1]+1080);
   /* #149: output[1][11] = @33 */
-  if (res[1]) casadi_copy(w33, 96, res[1]+1056);
+  if (res[1]) casadi_copy(w33, 108, res[1]+1188);
   /* #150: output[1][12] = @35 */
-  if (res[1]) casadi_copy(w35, 96, res[1]+1152);
+  if (res[1]) casadi_copy(w35, 108, res[1]+1296);
   /* #151: output[1][13] = @37 */
-  if (res[1]) casadi_copy(w37, 96, res[1]+1248);
+  if (res[1]) casadi_copy(w37, 108, res[1]+1404);
   /* #152: output[1][14] = @39 */
-  if (res[1]) casadi_copy(w39, 96, res[1]+1344);
+  if (res[1]) casadi_copy(w39, 108, res[1]+1512);
   /* #153: output[1][15] = @41 */
-  if (res[1]) casadi_copy(w41, 96, res[1]+1440);
+  if (res[1]) casadi_copy(w41, 108, res[1]+1620);
   /* #154: output[1][16] = @43 */
-  if (res[1]) casadi_copy(w43, 96, res[1]+1536);
+  if (res[1]) casadi_copy(w43, 108, res[1]+1728);
   /* #155: output[1][17] = @45 */
-  if (res[1]) casadi_copy(w45, 96, res[1]+1632);
+  if (res[1]) casadi_copy(w45, 108, res[1]+1836);
   /* #156: output[1][18] = @47 */
-  if (res[1]) casadi_copy(w47, 96, res[1]+1728);
+  if (res[1]) casadi_copy(w47, 108, res[1]+1944);
   /* #157: output[1][19] = @49 */
-  if (res[1]) casadi_copy(w49, 96, res[1]+1824);
+  if (res[1]) casadi_copy(w49, 108, res[1]+2052);
   /* #158: output[1][20] = @51 */
-  if (res[1]) casadi_copy(w51, 96, res[1]+1920);
+  if (res[1]) casadi_copy(w51, 108, res[1]+2160);
   /* #159: output[1][21] = @53 */
-  if (res[1]) casadi_copy(w53, 96, res[1]+2016);
+  if (res[1]) casadi_copy(w53, 108, res[1]+2268);
   /* #160: output[1][22] = @55 */
-  if (res[1]) casadi_copy(w55, 96, res[1]+2112);
+  if (res[1]) casadi_copy(w55, 108, res[1]+2376);
   /* #161: output[1][23] = @57 */
-  if (res[1]) casadi_copy(w57, 96, res[1]+2208);
+  if (res[1]) casadi_copy(w57, 108, res[1]+2484);
   /* #162: output[1][24] = @59 */
-  if (res[1]) casadi_copy(w59, 96, res[1]+2304);
+  if (res[1]) casadi_copy(w59, 108, res[1]+2592);
   /* #163: output[1][25] = @61 */
-  if (res[1]) casadi_copy(w61, 96, res[1]+2400);
+  if (res[1]) casadi_copy(w61, 108, res[1]+2700);
   /* #164: output[1][26] = @63 */
-  if (res[1]) casadi_copy(w63, 96, res[1]+2496);
+  if (res[1]) casadi_copy(w63, 108, res[1]+2808);
   /* #165: output[1][27] = @65 */
-  if (res[1]) casadi_copy(w65, 96, res[1]+2592);
+  if (res[1]) casadi_copy(w65, 108, res[1]+2916);
   /* #166: output[1][28] = @67 */
-  if (res[1]) casadi_copy(w67, 96, res[1]+2688);
+  if (res[1]) casadi_copy(w67, 108, res[1]+3024);
   /* #167: output[1][29] = @69 */
-  if (res[1]) casadi_copy(w69, 96, res[1]+2784);
+  if (res[1]) casadi_copy(w69, 108, res[1]+3132);
   /* #168: output[1][30] = @71 */
-  if (res[1]) casadi_copy(w71, 96, res[1]+2880);
+  if (res[1]) casadi_copy(w71, 108, res[1]+3240);
   /* #169: output[1][31] = @73 */
-  if (res[1]) casadi_copy(w73, 96, res[1]+2976);
+  if (res[1]) casadi_copy(w73, 108, res[1]+3348);
   /* #170: @1 = @8[:4] */
   for (rr=w01, cs=w08+0; cs!=w08+4; cs+=1) *rr++ = *cs;
   /* #171: {@75, @76} = observe(@2, @1, @4) */
@@ -18281,73 +18285,73 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w76;
   if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #172: output[1][32] = @75 */
-  if (res[1]) casadi_copy(w75, 8, res[1]+3072);
+  if (res[1]) casadi_copy(w75, 9, res[1]+3456);
   /* #173: output[2][0] = @12 */
-  casadi_copy(w12, 96, res[2]);
+  casadi_copy(w12, 108, res[2]);
   /* #174: output[2][1] = @14 */
-  if (res[2]) casadi_copy(w14, 96, res[2]+96);
+  if (res[2]) casadi_copy(w14, 108, res[2]+108);
   /* #175: output[2][2] = @16 */
-  if (res[2]) casadi_copy(w16, 96, res[2]+192);
+  if (res[2]) casadi_copy(w16, 108, res[2]+216);
   /* #176: output[2][3] = @18 */
-  if (res[2]) casadi_copy(w18, 96, res[2]+288);
+  if (res[2]) casadi_copy(w18, 108, res[2]+324);
   /* #177: output[2][4] = @20 */
-  if (res[2]) casadi_copy(w20, 96, res[2]+384);
+  if (res[2]) casadi_copy(w20, 108, res[2]+432);
   /* #178: output[2][5] = @22 */
-  if (res[2]) casadi_copy(w22, 96, res[2]+480);
+  if (res[2]) casadi_copy(w22, 108, res[2]+540);
   /* #179: output[2][6] = @24 */
-  if (res[2]) casadi_copy(w24, 96, res[2]+576);
+  if (res[2]) casadi_copy(w24, 108, res[2]+648);
   /* #180: output[2][7] = @26 */
-  if (res[2]) casadi_copy(w26, 96, res[2]+672);
+  if (res[2]) casadi_copy(w26, 108, res[2]+756);
   /* #181: output[2][8] = @28 */
-  if (res[2]) casadi_copy(w28, 96, res[2]+768);
+  if (res[2]) casadi_copy(w28, 108, res[2]+864);
   /* #182: output[2][9] = @30 */
-  if (res[2]) casadi_copy(w30, 96, res[2]+864);
+  if (res[2]) casadi_copy(w30, 108, res[2]+972);
   /* #183: output[2][10] = @32 */
-  if (res[2]) casadi_copy(w32, 96, res[2]+960);
+  if (res[2]) casadi_copy(w32, 108, res[2]+1080);
   /* #184: output[2][11] = @34 */
-  if (res[2]) casadi_copy(w34, 96, res[2]+1056);
+  if (res[2]) casadi_copy(w34, 108, res[2]+1188);
   /* #185: output[2][12] = @36 */
-  if (res[2]) casadi_copy(w36, 96, res[2]+1152);
+  if (res[2]) casadi_copy(w36, 108, res[2]+1296);
   /* #186: output[2][13] = @38 */
-  if (res[2]) casadi_copy(w38, 96, res[2]+1248);
+  if (res[2]) casadi_copy(w38, 108, res[2]+1404);
   /* #187: output[2][14] = @40 */
-  if (res[2]) casadi_copy(w40, 96, res[2]+1344);
+  if (res[2]) casadi_copy(w40, 108, res[2]+1512);
   /* #188: output[2][15] = @42 */
-  if (res[2]) casadi_copy(w42, 96, res[2]+1440);
+  if (res[2]) casadi_copy(w42, 108, res[2]+1620);
   /* #189: output[2][16] = @44 */
-  if (res[2]) casadi_copy(w44, 96, res[2]+1536);
+  if (res[2]) casadi_copy(w44, 108, res[2]+1728);
   /* #190: output[2][17] = @46 */
-  if (res[2]) casadi_copy(w46, 96, res[2]+1632);
+  if (res[2]) casadi_copy(w46, 108, res[2]+1836);
   /* #191: output[2][18] = @48 */
-  if (res[2]) casadi_copy(w48, 96, res[2]+1728);
+  if (res[2]) casadi_copy(w48, 108, res[2]+1944);
   /* #192: output[2][19] = @50 */
-  if (res[2]) casadi_copy(w50, 96, res[2]+1824);
+  if (res[2]) casadi_copy(w50, 108, res[2]+2052);
   /* #193: output[2][20] = @52 */
-  if (res[2]) casadi_copy(w52, 96, res[2]+1920);
+  if (res[2]) casadi_copy(w52, 108, res[2]+2160);
   /* #194: output[2][21] = @54 */
-  if (res[2]) casadi_copy(w54, 96, res[2]+2016);
+  if (res[2]) casadi_copy(w54, 108, res[2]+2268);
   /* #195: output[2][22] = @56 */
-  if (res[2]) casadi_copy(w56, 96, res[2]+2112);
+  if (res[2]) casadi_copy(w56, 108, res[2]+2376);
   /* #196: output[2][23] = @58 */
-  if (res[2]) casadi_copy(w58, 96, res[2]+2208);
+  if (res[2]) casadi_copy(w58, 108, res[2]+2484);
   /* #197: output[2][24] = @60 */
-  if (res[2]) casadi_copy(w60, 96, res[2]+2304);
+  if (res[2]) casadi_copy(w60, 108, res[2]+2592);
   /* #198: output[2][25] = @62 */
-  if (res[2]) casadi_copy(w62, 96, res[2]+2400);
+  if (res[2]) casadi_copy(w62, 108, res[2]+2700);
   /* #199: output[2][26] = @64 */
-  if (res[2]) casadi_copy(w64, 96, res[2]+2496);
+  if (res[2]) casadi_copy(w64, 108, res[2]+2808);
   /* #200: output[2][27] = @66 */
-  if (res[2]) casadi_copy(w66, 96, res[2]+2592);
+  if (res[2]) casadi_copy(w66, 108, res[2]+2916);
   /* #201: output[2][28] = @68 */
-  if (res[2]) casadi_copy(w68, 96, res[2]+2688);
+  if (res[2]) casadi_copy(w68, 108, res[2]+3024);
   /* #202: output[2][29] = @70 */
-  if (res[2]) casadi_copy(w70, 96, res[2]+2784);
+  if (res[2]) casadi_copy(w70, 108, res[2]+3132);
   /* #203: output[2][30] = @72 */
-  if (res[2]) casadi_copy(w72, 96, res[2]+2880);
+  if (res[2]) casadi_copy(w72, 108, res[2]+3240);
   /* #204: output[2][31] = @74 */
-  if (res[2]) casadi_copy(w74, 96, res[2]+2976);
+  if (res[2]) casadi_copy(w74, 108, res[2]+3348);
   /* #205: output[2][32] = @76 */
-  if (res[2]) casadi_copy(w76, 8, res[2]+3072);
+  if (res[2]) casadi_copy(w76, 9, res[2]+3456);
   /* #206: @1 = @8[:4] */
   for (rr=w01, cs=w08+0; cs!=w08+4; cs+=1) *rr++ = *cs;
   /* #207: @77 = landing(@1, @6, @4) */
@@ -18428,7 +18432,7 @@ CASADI_SYMBOL_EXPORT int compass_trace_384_work(casadi_int *sz_arg, casadi_int* 
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 6560;
+  if (sz_w) *sz_w = 7343;
   return 0;
 }
 
@@ -18436,23 +18440,23 @@ CASADI_SYMBOL_EXPORT int compass_trace_384_work_bytes(casadi_int *sz_arg, casadi
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 6560*sizeof(casadi_real);
+  if (sz_w) *sz_w = 7343*sizeof(casadi_real);
   return 0;
 }
 
-/* compass_trace_576:(u[4],p[6])->(w[5x577],g[8x577],dg[8x577],R[4]) */
+/* compass_trace_576:(u[4],p[6])->(w[5x577],g[9x577],dg[9x577],R[4]) */
 static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+4, *rr, w000, *w001=w+289, w002, w003, *w004=w+293, *w005=w+299, *w006=w+323, w007, *w008=w+326, *w009=w+331;
-  casadi_real *w010=w+336, *w011=w+396, *w012=w+492, *w013=w+588, *w014=w+684, *w015=w+780, *w016=w+876, *w017=w+972, *w018=w+1068, *w019=w+1164, *w020=w+1260, *w021=w+1356;
-  casadi_real *w022=w+1452, *w023=w+1548, *w024=w+1644, *w025=w+1740, *w026=w+1836, *w027=w+1932, *w028=w+2028, *w029=w+2124, *w030=w+2220, *w031=w+2316, *w032=w+2412, *w033=w+2508;
-  casadi_real *w034=w+2604, *w035=w+2700, *w036=w+2796, *w037=w+2892, *w038=w+2988, *w039=w+3084, *w040=w+3180, *w041=w+3276, *w042=w+3372, *w043=w+3468, *w044=w+3564, *w045=w+3660;
-  casadi_real *w046=w+3756, *w047=w+3852, *w048=w+3948, *w049=w+4044, *w050=w+4140, *w051=w+4236, *w052=w+4332, *w053=w+4428, *w054=w+4524, *w055=w+4620, *w056=w+4716, *w057=w+4812;
-  casadi_real *w058=w+4908, *w059=w+5004, *w060=w+5100, *w061=w+5196, *w062=w+5292, *w063=w+5388, *w064=w+5484, *w065=w+5580, *w066=w+5676, *w067=w+5772, *w068=w+5868, *w069=w+5964;
-  casadi_real *w070=w+6060, *w071=w+6156, *w072=w+6252, *w073=w+6348, *w074=w+6444, *w075=w+6540, *w076=w+6636, *w077=w+6732, *w078=w+6828, *w079=w+6924, *w080=w+7020, *w081=w+7116;
-  casadi_real *w082=w+7212, *w083=w+7308, *w084=w+7404, *w085=w+7500, *w086=w+7596, *w087=w+7692, *w088=w+7788, *w089=w+7884, *w090=w+7980, *w091=w+8076, *w092=w+8172, *w093=w+8268;
-  casadi_real *w094=w+8364, *w095=w+8460, *w096=w+8556, *w097=w+8652, *w098=w+8748, *w099=w+8844, *w100=w+8940, *w101=w+9036, *w102=w+9132, *w103=w+9228, *w104=w+9324, *w105=w+9420;
-  casadi_real *w106=w+9516, *w107=w+9612, *w108=w+9620, *w109=w+9628;
+  casadi_real **res1=res+4, *rr, w000, *w001=w+302, w002, w003, *w004=w+306, *w005=w+312, *w006=w+336, w007, *w008=w+339, *w009=w+344;
+  casadi_real *w010=w+349, *w011=w+409, *w012=w+517, *w013=w+625, *w014=w+733, *w015=w+841, *w016=w+949, *w017=w+1057, *w018=w+1165, *w019=w+1273, *w020=w+1381, *w021=w+1489;
+  casadi_real *w022=w+1597, *w023=w+1705, *w024=w+1813, *w025=w+1921, *w026=w+2029, *w027=w+2137, *w028=w+2245, *w029=w+2353, *w030=w+2461, *w031=w+2569, *w032=w+2677, *w033=w+2785;
+  casadi_real *w034=w+2893, *w035=w+3001, *w036=w+3109, *w037=w+3217, *w038=w+3325, *w039=w+3433, *w040=w+3541, *w041=w+3649, *w042=w+3757, *w043=w+3865, *w044=w+3973, *w045=w+4081;
+  casadi_real *w046=w+4189, *w047=w+4297, *w048=w+4405, *w049=w+4513, *w050=w+4621, *w051=w+4729, *w052=w+4837, *w053=w+4945, *w054=w+5053, *w055=w+5161, *w056=w+5269, *w057=w+5377;
+  casadi_real *w058=w+5485, *w059=w+5593, *w060=w+5701, *w061=w+5809, *w062=w+5917, *w063=w+6025, *w064=w+6133, *w065=w+6241, *w066=w+6349, *w067=w+6457, *w068=w+6565, *w069=w+6673;
+  casadi_real *w070=w+6781, *w071=w+6889, *w072=w+6997, *w073=w+7105, *w074=w+7213, *w075=w+7321, *w076=w+7429, *w077=w+7537, *w078=w+7645, *w079=w+7753, *w080=w+7861, *w081=w+7969;
+  casadi_real *w082=w+8077, *w083=w+8185, *w084=w+8293, *w085=w+8401, *w086=w+8509, *w087=w+8617, *w088=w+8725, *w089=w+8833, *w090=w+8941, *w091=w+9049, *w092=w+9157, *w093=w+9265;
+  casadi_real *w094=w+9373, *w095=w+9481, *w096=w+9589, *w097=w+9697, *w098=w+9805, *w099=w+9913, *w100=w+10021, *w101=w+10129, *w102=w+10237, *w103=w+10345, *w104=w+10453, *w105=w+10561;
+  casadi_real *w106=w+10669, *w107=w+10777, *w108=w+10786, *w109=w+10795;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = 0 */
   w000 = 0.;
@@ -19300,101 +19304,101 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   /* #201: output[0][48] = @8 */
   if (res[0]) casadi_copy(w008, 5, res[0]+2880);
   /* #202: output[1][0] = @11 */
-  casadi_copy(w011, 96, res[1]);
+  casadi_copy(w011, 108, res[1]);
   /* #203: output[1][1] = @13 */
-  if (res[1]) casadi_copy(w013, 96, res[1]+96);
+  if (res[1]) casadi_copy(w013, 108, res[1]+108);
   /* #204: output[1][2] = @15 */
-  if (res[1]) casadi_copy(w015, 96, res[1]+192);
+  if (res[1]) casadi_copy(w015, 108, res[1]+216);
   /* #205: output[1][3] = @17 */
-  if (res[1]) casadi_copy(w017, 96, res[1]+288);
+  if (res[1]) casadi_copy(w017, 108, res[1]+324);
   /* #206: output[1][4] = @19 */
-  if (res[1]) casadi_copy(w019, 96, res[1]+384);
+  if (res[1]) casadi_copy(w019, 108, res[1]+432);
   /* #207: output[1][5] = @21 */
-  if (res[1]) casadi_copy(w021, 96, res[1]+480);
+  if (res[1]) casadi_copy(w021, 108, res[1]+540);
   /* #208: output[1][6] = @23 */
-  if (res[1]) casadi_copy(w023, 96, res[1]+576);
+  if (res[1]) casadi_copy(w023, 108, res[1]+648);
   /* #209: output[1][7] = @25 */
-  if (res[1]) casadi_copy(w025, 96, res[1]+672);
+  if (res[1]) casadi_copy(w025, 108, res[1]+756);
   /* #210: output[1][8] = @27 */
-  if (res[1]) casadi_copy(w027, 96, res[1]+768);
+  if (res[1]) casadi_copy(w027, 108, res[1]+864);
   /* #211: output[1][9] = @29 */
-  if (res[1]) casadi_copy(w029, 96, res[1]+864);
+  if (res[1]) casadi_copy(w029, 108, res[1]+972);
   /* #212: output[1][10] = @31 */
-  if (res[1]) casadi_copy(w031, 96, res[1]+960);
+  if (res[1]) casadi_copy(w031, 108, res[1]+1080);
   /* #213: output[1][11] = @33 */
-  if (res[1]) casadi_copy(w033, 96, res[1]+1056);
+  if (res[1]) casadi_copy(w033, 108, res[1]+1188);
   /* #214: output[1][12] = @35 */
-  if (res[1]) casadi_copy(w035, 96, res[1]+1152);
+  if (res[1]) casadi_copy(w035, 108, res[1]+1296);
   /* #215: output[1][13] = @37 */
-  if (res[1]) casadi_copy(w037, 96, res[1]+1248);
+  if (res[1]) casadi_copy(w037, 108, res[1]+1404);
   /* #216: output[1][14] = @39 */
-  if (res[1]) casadi_copy(w039, 96, res[1]+1344);
+  if (res[1]) casadi_copy(w039, 108, res[1]+1512);
   /* #217: output[1][15] = @41 */
-  if (res[1]) casadi_copy(w041, 96, res[1]+1440);
+  if (res[1]) casadi_copy(w041, 108, res[1]+1620);
   /* #218: output[1][16] = @43 */
-  if (res[1]) casadi_copy(w043, 96, res[1]+1536);
+  if (res[1]) casadi_copy(w043, 108, res[1]+1728);
   /* #219: output[1][17] = @45 */
-  if (res[1]) casadi_copy(w045, 96, res[1]+1632);
+  if (res[1]) casadi_copy(w045, 108, res[1]+1836);
   /* #220: output[1][18] = @47 */
-  if (res[1]) casadi_copy(w047, 96, res[1]+1728);
+  if (res[1]) casadi_copy(w047, 108, res[1]+1944);
   /* #221: output[1][19] = @49 */
-  if (res[1]) casadi_copy(w049, 96, res[1]+1824);
+  if (res[1]) casadi_copy(w049, 108, res[1]+2052);
   /* #222: output[1][20] = @51 */
-  if (res[1]) casadi_copy(w051, 96, res[1]+1920);
+  if (res[1]) casadi_copy(w051, 108, res[1]+2160);
   /* #223: output[1][21] = @53 */
-  if (res[1]) casadi_copy(w053, 96, res[1]+2016);
+  if (res[1]) casadi_copy(w053, 108, res[1]+2268);
   /* #224: output[1][22] = @55 */
-  if (res[1]) casadi_copy(w055, 96, res[1]+2112);
+  if (res[1]) casadi_copy(w055, 108, res[1]+2376);
   /* #225: output[1][23] = @57 */
-  if (res[1]) casadi_copy(w057, 96, res[1]+2208);
+  if (res[1]) casadi_copy(w057, 108, res[1]+2484);
   /* #226: output[1][24] = @59 */
-  if (res[1]) casadi_copy(w059, 96, res[1]+2304);
+  if (res[1]) casadi_copy(w059, 108, res[1]+2592);
   /* #227: output[1][25] = @61 */
-  if (res[1]) casadi_copy(w061, 96, res[1]+2400);
+  if (res[1]) casadi_copy(w061, 108, res[1]+2700);
   /* #228: output[1][26] = @63 */
-  if (res[1]) casadi_copy(w063, 96, res[1]+2496);
+  if (res[1]) casadi_copy(w063, 108, res[1]+2808);
   /* #229: output[1][27] = @65 */
-  if (res[1]) casadi_copy(w065, 96, res[1]+2592);
+  if (res[1]) casadi_copy(w065, 108, res[1]+2916);
   /* #230: output[1][28] = @67 */
-  if (res[1]) casadi_copy(w067, 96, res[1]+2688);
+  if (res[1]) casadi_copy(w067, 108, res[1]+3024);
   /* #231: output[1][29] = @69 */
-  if (res[1]) casadi_copy(w069, 96, res[1]+2784);
+  if (res[1]) casadi_copy(w069, 108, res[1]+3132);
   /* #232: output[1][30] = @71 */
-  if (res[1]) casadi_copy(w071, 96, res[1]+2880);
+  if (res[1]) casadi_copy(w071, 108, res[1]+3240);
   /* #233: output[1][31] = @73 */
-  if (res[1]) casadi_copy(w073, 96, res[1]+2976);
+  if (res[1]) casadi_copy(w073, 108, res[1]+3348);
   /* #234: output[1][32] = @75 */
-  if (res[1]) casadi_copy(w075, 96, res[1]+3072);
+  if (res[1]) casadi_copy(w075, 108, res[1]+3456);
   /* #235: output[1][33] = @77 */
-  if (res[1]) casadi_copy(w077, 96, res[1]+3168);
+  if (res[1]) casadi_copy(w077, 108, res[1]+3564);
   /* #236: output[1][34] = @79 */
-  if (res[1]) casadi_copy(w079, 96, res[1]+3264);
+  if (res[1]) casadi_copy(w079, 108, res[1]+3672);
   /* #237: output[1][35] = @81 */
-  if (res[1]) casadi_copy(w081, 96, res[1]+3360);
+  if (res[1]) casadi_copy(w081, 108, res[1]+3780);
   /* #238: output[1][36] = @83 */
-  if (res[1]) casadi_copy(w083, 96, res[1]+3456);
+  if (res[1]) casadi_copy(w083, 108, res[1]+3888);
   /* #239: output[1][37] = @85 */
-  if (res[1]) casadi_copy(w085, 96, res[1]+3552);
+  if (res[1]) casadi_copy(w085, 108, res[1]+3996);
   /* #240: output[1][38] = @87 */
-  if (res[1]) casadi_copy(w087, 96, res[1]+3648);
+  if (res[1]) casadi_copy(w087, 108, res[1]+4104);
   /* #241: output[1][39] = @89 */
-  if (res[1]) casadi_copy(w089, 96, res[1]+3744);
+  if (res[1]) casadi_copy(w089, 108, res[1]+4212);
   /* #242: output[1][40] = @91 */
-  if (res[1]) casadi_copy(w091, 96, res[1]+3840);
+  if (res[1]) casadi_copy(w091, 108, res[1]+4320);
   /* #243: output[1][41] = @93 */
-  if (res[1]) casadi_copy(w093, 96, res[1]+3936);
+  if (res[1]) casadi_copy(w093, 108, res[1]+4428);
   /* #244: output[1][42] = @95 */
-  if (res[1]) casadi_copy(w095, 96, res[1]+4032);
+  if (res[1]) casadi_copy(w095, 108, res[1]+4536);
   /* #245: output[1][43] = @97 */
-  if (res[1]) casadi_copy(w097, 96, res[1]+4128);
+  if (res[1]) casadi_copy(w097, 108, res[1]+4644);
   /* #246: output[1][44] = @99 */
-  if (res[1]) casadi_copy(w099, 96, res[1]+4224);
+  if (res[1]) casadi_copy(w099, 108, res[1]+4752);
   /* #247: output[1][45] = @101 */
-  if (res[1]) casadi_copy(w101, 96, res[1]+4320);
+  if (res[1]) casadi_copy(w101, 108, res[1]+4860);
   /* #248: output[1][46] = @103 */
-  if (res[1]) casadi_copy(w103, 96, res[1]+4416);
+  if (res[1]) casadi_copy(w103, 108, res[1]+4968);
   /* #249: output[1][47] = @105 */
-  if (res[1]) casadi_copy(w105, 96, res[1]+4512);
+  if (res[1]) casadi_copy(w105, 108, res[1]+5076);
   /* #250: @1 = @8[:4] */
   for (rr=w001, cs=w008+0; cs!=w008+4; cs+=1) *rr++ = *cs;
   /* #251: {@107, @108} = observe(@2, @1, @4) */
@@ -19405,105 +19409,105 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w108;
   if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #252: output[1][48] = @107 */
-  if (res[1]) casadi_copy(w107, 8, res[1]+4608);
+  if (res[1]) casadi_copy(w107, 9, res[1]+5184);
   /* #253: output[2][0] = @12 */
-  casadi_copy(w012, 96, res[2]);
+  casadi_copy(w012, 108, res[2]);
   /* #254: output[2][1] = @14 */
-  if (res[2]) casadi_copy(w014, 96, res[2]+96);
+  if (res[2]) casadi_copy(w014, 108, res[2]+108);
   /* #255: output[2][2] = @16 */
-  if (res[2]) casadi_copy(w016, 96, res[2]+192);
+  if (res[2]) casadi_copy(w016, 108, res[2]+216);
   /* #256: output[2][3] = @18 */
-  if (res[2]) casadi_copy(w018, 96, res[2]+288);
+  if (res[2]) casadi_copy(w018, 108, res[2]+324);
   /* #257: output[2][4] = @20 */
-  if (res[2]) casadi_copy(w020, 96, res[2]+384);
+  if (res[2]) casadi_copy(w020, 108, res[2]+432);
   /* #258: output[2][5] = @22 */
-  if (res[2]) casadi_copy(w022, 96, res[2]+480);
+  if (res[2]) casadi_copy(w022, 108, res[2]+540);
   /* #259: output[2][6] = @24 */
-  if (res[2]) casadi_copy(w024, 96, res[2]+576);
+  if (res[2]) casadi_copy(w024, 108, res[2]+648);
   /* #260: output[2][7] = @26 */
-  if (res[2]) casadi_copy(w026, 96, res[2]+672);
+  if (res[2]) casadi_copy(w026, 108, res[2]+756);
   /* #261: output[2][8] = @28 */
-  if (res[2]) casadi_copy(w028, 96, res[2]+768);
+  if (res[2]) casadi_copy(w028, 108, res[2]+864);
   /* #262: output[2][9] = @30 */
-  if (res[2]) casadi_copy(w030, 96, res[2]+864);
+  if (res[2]) casadi_copy(w030, 108, res[2]+972);
   /* #263: output[2][10] = @32 */
-  if (res[2]) casadi_copy(w032, 96, res[2]+960);
+  if (res[2]) casadi_copy(w032, 108, res[2]+1080);
   /* #264: output[2][11] = @34 */
-  if (res[2]) casadi_copy(w034, 96, res[2]+1056);
+  if (res[2]) casadi_copy(w034, 108, res[2]+1188);
   /* #265: output[2][12] = @36 */
-  if (res[2]) casadi_copy(w036, 96, res[2]+1152);
+  if (res[2]) casadi_copy(w036, 108, res[2]+1296);
   /* #266: output[2][13] = @38 */
-  if (res[2]) casadi_copy(w038, 96, res[2]+1248);
+  if (res[2]) casadi_copy(w038, 108, res[2]+1404);
   /* #267: output[2][14] = @40 */
-  if (res[2]) casadi_copy(w040, 96, res[2]+1344);
+  if (res[2]) casadi_copy(w040, 108, res[2]+1512);
   /* #268: output[2][15] = @42 */
-  if (res[2]) casadi_copy(w042, 96, res[2]+1440);
+  if (res[2]) casadi_copy(w042, 108, res[2]+1620);
   /* #269: output[2][16] = @44 */
-  if (res[2]) casadi_copy(w044, 96, res[2]+1536);
+  if (res[2]) casadi_copy(w044, 108, res[2]+1728);
   /* #270: output[2][17] = @46 */
-  if (res[2]) casadi_copy(w046, 96, res[2]+1632);
+  if (res[2]) casadi_copy(w046, 108, res[2]+1836);
   /* #271: output[2][18] = @48 */
-  if (res[2]) casadi_copy(w048, 96, res[2]+1728);
+  if (res[2]) casadi_copy(w048, 108, res[2]+1944);
   /* #272: output[2][19] = @50 */
-  if (res[2]) casadi_copy(w050, 96, res[2]+1824);
+  if (res[2]) casadi_copy(w050, 108, res[2]+2052);
   /* #273: output[2][20] = @52 */
-  if (res[2]) casadi_copy(w052, 96, res[2]+1920);
+  if (res[2]) casadi_copy(w052, 108, res[2]+2160);
   /* #274: output[2][21] = @54 */
-  if (res[2]) casadi_copy(w054, 96, res[2]+2016);
+  if (res[2]) casadi_copy(w054, 108, res[2]+2268);
   /* #275: output[2][22] = @56 */
-  if (res[2]) casadi_copy(w056, 96, res[2]+2112);
+  if (res[2]) casadi_copy(w056, 108, res[2]+2376);
   /* #276: output[2][23] = @58 */
-  if (res[2]) casadi_copy(w058, 96, res[2]+2208);
+  if (res[2]) casadi_copy(w058, 108, res[2]+2484);
   /* #277: output[2][24] = @60 */
-  if (res[2]) casadi_copy(w060, 96, res[2]+2304);
+  if (res[2]) casadi_copy(w060, 108, res[2]+2592);
   /* #278: output[2][25] = @62 */
-  if (res[2]) casadi_copy(w062, 96, res[2]+2400);
+  if (res[2]) casadi_copy(w062, 108, res[2]+2700);
   /* #279: output[2][26] = @64 */
-  if (res[2]) casadi_copy(w064, 96, res[2]+2496);
+  if (res[2]) casadi_copy(w064, 108, res[2]+2808);
   /* #280: output[2][27] = @66 */
-  if (res[2]) casadi_copy(w066, 96, res[2]+2592);
+  if (res[2]) casadi_copy(w066, 108, res[2]+2916);
   /* #281: output[2][28] = @68 */
-  if (res[2]) casadi_copy(w068, 96, res[2]+2688);
+  if (res[2]) casadi_copy(w068, 108, res[2]+3024);
   /* #282: output[2][29] = @70 */
-  if (res[2]) casadi_copy(w070, 96, res[2]+2784);
+  if (res[2]) casadi_copy(w070, 108, res[2]+3132);
   /* #283: output[2][30] = @72 */
-  if (res[2]) casadi_copy(w072, 96, res[2]+2880);
+  if (res[2]) casadi_copy(w072, 108, res[2]+3240);
   /* #284: output[2][31] = @74 */
-  if (res[2]) casadi_copy(w074, 96, res[2]+2976);
+  if (res[2]) casadi_copy(w074, 108, res[2]+3348);
   /* #285: output[2][32] = @76 */
-  if (res[2]) casadi_copy(w076, 96, res[2]+3072);
+  if (res[2]) casadi_copy(w076, 108, res[2]+3456);
   /* #286: output[2][33] = @78 */
-  if (res[2]) casadi_copy(w078, 96, res[2]+3168);
+  if (res[2]) casadi_copy(w078, 108, res[2]+3564);
   /* #287: output[2][34] = @80 */
-  if (res[2]) casadi_copy(w080, 96, res[2]+3264);
+  if (res[2]) casadi_copy(w080, 108, res[2]+3672);
   /* #288: output[2][35] = @82 */
-  if (res[2]) casadi_copy(w082, 96, res[2]+3360);
+  if (res[2]) casadi_copy(w082, 108, res[2]+3780);
   /* #289: output[2][36] = @84 */
-  if (res[2]) casadi_copy(w084, 96, res[2]+3456);
+  if (res[2]) casadi_copy(w084, 108, res[2]+3888);
   /* #290: output[2][37] = @86 */
-  if (res[2]) casadi_copy(w086, 96, res[2]+3552);
+  if (res[2]) casadi_copy(w086, 108, res[2]+3996);
   /* #291: output[2][38] = @88 */
-  if (res[2]) casadi_copy(w088, 96, res[2]+3648);
+  if (res[2]) casadi_copy(w088, 108, res[2]+4104);
   /* #292: output[2][39] = @90 */
-  if (res[2]) casadi_copy(w090, 96, res[2]+3744);
+  if (res[2]) casadi_copy(w090, 108, res[2]+4212);
   /* #293: output[2][40] = @92 */
-  if (res[2]) casadi_copy(w092, 96, res[2]+3840);
+  if (res[2]) casadi_copy(w092, 108, res[2]+4320);
   /* #294: output[2][41] = @94 */
-  if (res[2]) casadi_copy(w094, 96, res[2]+3936);
+  if (res[2]) casadi_copy(w094, 108, res[2]+4428);
   /* #295: output[2][42] = @96 */
-  if (res[2]) casadi_copy(w096, 96, res[2]+4032);
+  if (res[2]) casadi_copy(w096, 108, res[2]+4536);
   /* #296: output[2][43] = @98 */
-  if (res[2]) casadi_copy(w098, 96, res[2]+4128);
+  if (res[2]) casadi_copy(w098, 108, res[2]+4644);
   /* #297: output[2][44] = @100 */
-  if (res[2]) casadi_copy(w100, 96, res[2]+4224);
+  if (res[2]) casadi_copy(w100, 108, res[2]+4752);
   /* #298: output[2][45] = @102 */
-  if (res[2]) casadi_copy(w102, 96, res[2]+4320);
+  if (res[2]) casadi_copy(w102, 108, res[2]+4860);
   /* #299: output[2][46] = @104 */
-  if (res[2]) casadi_copy(w104, 96, res[2]+4416);
+  if (res[2]) casadi_copy(w104, 108, res[2]+4968);
   /* #300: output[2][47] = @106 */
-  if (res[2]) casadi_copy(w106, 96, res[2]+4512);
+  if (res[2]) casadi_copy(w106, 108, res[2]+5076);
   /* #301: output[2][48] = @108 */
-  if (res[2]) casadi_copy(w108, 8, res[2]+4608);
+  if (res[2]) casadi_copy(w108, 9, res[2]+5184);
   /* #302: @1 = @8[:4] */
   for (rr=w001, cs=w008+0; cs!=w008+4; cs+=1) *rr++ = *cs;
   /* #303: @109 = landing(@1, @6, @4) */
@@ -19584,7 +19588,7 @@ CASADI_SYMBOL_EXPORT int compass_trace_576_work(casadi_int *sz_arg, casadi_int* 
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 9632;
+  if (sz_w) *sz_w = 10799;
   return 0;
 }
 
@@ -19592,25 +19596,25 @@ CASADI_SYMBOL_EXPORT int compass_trace_576_work_bytes(casadi_int *sz_arg, casadi
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 9632*sizeof(casadi_real);
+  if (sz_w) *sz_w = 10799*sizeof(casadi_real);
   return 0;
 }
 
-/* compass_trace_768:(u[4],p[6])->(w[5x769],g[8x769],dg[8x769],R[4]) */
+/* compass_trace_768:(u[4],p[6])->(w[5x769],g[9x769],dg[9x769],R[4]) */
 static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+4, *rr, w000, *w001=w+289, w002, w003, *w004=w+293, *w005=w+299, *w006=w+323, w007, *w008=w+326, *w009=w+331;
-  casadi_real *w010=w+336, *w011=w+396, *w012=w+492, *w013=w+588, *w014=w+684, *w015=w+780, *w016=w+876, *w017=w+972, *w018=w+1068, *w019=w+1164, *w020=w+1260, *w021=w+1356;
-  casadi_real *w022=w+1452, *w023=w+1548, *w024=w+1644, *w025=w+1740, *w026=w+1836, *w027=w+1932, *w028=w+2028, *w029=w+2124, *w030=w+2220, *w031=w+2316, *w032=w+2412, *w033=w+2508;
-  casadi_real *w034=w+2604, *w035=w+2700, *w036=w+2796, *w037=w+2892, *w038=w+2988, *w039=w+3084, *w040=w+3180, *w041=w+3276, *w042=w+3372, *w043=w+3468, *w044=w+3564, *w045=w+3660;
-  casadi_real *w046=w+3756, *w047=w+3852, *w048=w+3948, *w049=w+4044, *w050=w+4140, *w051=w+4236, *w052=w+4332, *w053=w+4428, *w054=w+4524, *w055=w+4620, *w056=w+4716, *w057=w+4812;
-  casadi_real *w058=w+4908, *w059=w+5004, *w060=w+5100, *w061=w+5196, *w062=w+5292, *w063=w+5388, *w064=w+5484, *w065=w+5580, *w066=w+5676, *w067=w+5772, *w068=w+5868, *w069=w+5964;
-  casadi_real *w070=w+6060, *w071=w+6156, *w072=w+6252, *w073=w+6348, *w074=w+6444, *w075=w+6540, *w076=w+6636, *w077=w+6732, *w078=w+6828, *w079=w+6924, *w080=w+7020, *w081=w+7116;
-  casadi_real *w082=w+7212, *w083=w+7308, *w084=w+7404, *w085=w+7500, *w086=w+7596, *w087=w+7692, *w088=w+7788, *w089=w+7884, *w090=w+7980, *w091=w+8076, *w092=w+8172, *w093=w+8268;
-  casadi_real *w094=w+8364, *w095=w+8460, *w096=w+8556, *w097=w+8652, *w098=w+8748, *w099=w+8844, *w100=w+8940, *w101=w+9036, *w102=w+9132, *w103=w+9228, *w104=w+9324, *w105=w+9420;
-  casadi_real *w106=w+9516, *w107=w+9612, *w108=w+9708, *w109=w+9804, *w110=w+9900, *w111=w+9996, *w112=w+10092, *w113=w+10188, *w114=w+10284, *w115=w+10380, *w116=w+10476, *w117=w+10572;
-  casadi_real *w118=w+10668, *w119=w+10764, *w120=w+10860, *w121=w+10956, *w122=w+11052, *w123=w+11148, *w124=w+11244, *w125=w+11340, *w126=w+11436, *w127=w+11532, *w128=w+11628, *w129=w+11724;
-  casadi_real *w130=w+11820, *w131=w+11916, *w132=w+12012, *w133=w+12108, *w134=w+12204, *w135=w+12300, *w136=w+12396, *w137=w+12492, *w138=w+12588, *w139=w+12684, *w140=w+12692, *w141=w+12700;
+  casadi_real **res1=res+4, *rr, w000, *w001=w+302, w002, w003, *w004=w+306, *w005=w+312, *w006=w+336, w007, *w008=w+339, *w009=w+344;
+  casadi_real *w010=w+349, *w011=w+409, *w012=w+517, *w013=w+625, *w014=w+733, *w015=w+841, *w016=w+949, *w017=w+1057, *w018=w+1165, *w019=w+1273, *w020=w+1381, *w021=w+1489;
+  casadi_real *w022=w+1597, *w023=w+1705, *w024=w+1813, *w025=w+1921, *w026=w+2029, *w027=w+2137, *w028=w+2245, *w029=w+2353, *w030=w+2461, *w031=w+2569, *w032=w+2677, *w033=w+2785;
+  casadi_real *w034=w+2893, *w035=w+3001, *w036=w+3109, *w037=w+3217, *w038=w+3325, *w039=w+3433, *w040=w+3541, *w041=w+3649, *w042=w+3757, *w043=w+3865, *w044=w+3973, *w045=w+4081;
+  casadi_real *w046=w+4189, *w047=w+4297, *w048=w+4405, *w049=w+4513, *w050=w+4621, *w051=w+4729, *w052=w+4837, *w053=w+4945, *w054=w+5053, *w055=w+5161, *w056=w+5269, *w057=w+5377;
+  casadi_real *w058=w+5485, *w059=w+5593, *w060=w+5701, *w061=w+5809, *w062=w+5917, *w063=w+6025, *w064=w+6133, *w065=w+6241, *w066=w+6349, *w067=w+6457, *w068=w+6565, *w069=w+6673;
+  casadi_real *w070=w+6781, *w071=w+6889, *w072=w+6997, *w073=w+7105, *w074=w+7213, *w075=w+7321, *w076=w+7429, *w077=w+7537, *w078=w+7645, *w079=w+7753, *w080=w+7861, *w081=w+7969;
+  casadi_real *w082=w+8077, *w083=w+8185, *w084=w+8293, *w085=w+8401, *w086=w+8509, *w087=w+8617, *w088=w+8725, *w089=w+8833, *w090=w+8941, *w091=w+9049, *w092=w+9157, *w093=w+9265;
+  casadi_real *w094=w+9373, *w095=w+9481, *w096=w+9589, *w097=w+9697, *w098=w+9805, *w099=w+9913, *w100=w+10021, *w101=w+10129, *w102=w+10237, *w103=w+10345, *w104=w+10453, *w105=w+10561;
+  casadi_real *w106=w+10669, *w107=w+10777, *w108=w+10885, *w109=w+10993, *w110=w+11101, *w111=w+11209, *w112=w+11317, *w113=w+11425, *w114=w+11533, *w115=w+11641, *w116=w+11749, *w117=w+11857;
+  casadi_real *w118=w+11965, *w119=w+12073, *w120=w+12181, *w121=w+12289, *w122=w+12397, *w123=w+12505, *w124=w+12613, *w125=w+12721, *w126=w+12829, *w127=w+12937, *w128=w+13045, *w129=w+13153;
+  casadi_real *w130=w+13261, *w131=w+13369, *w132=w+13477, *w133=w+13585, *w134=w+13693, *w135=w+13801, *w136=w+13909, *w137=w+14017, *w138=w+14125, *w139=w+14233, *w140=w+14242, *w141=w+14251;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = 0 */
   w000 = 0.;
@@ -20730,133 +20734,133 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   /* #265: output[0][64] = @8 */
   if (res[0]) casadi_copy(w008, 5, res[0]+3840);
   /* #266: output[1][0] = @11 */
-  casadi_copy(w011, 96, res[1]);
+  casadi_copy(w011, 108, res[1]);
   /* #267: output[1][1] = @13 */
-  if (res[1]) casadi_copy(w013, 96, res[1]+96);
+  if (res[1]) casadi_copy(w013, 108, res[1]+108);
   /* #268: output[1][2] = @15 */
-  if (res[1]) casadi_copy(w015, 96, res[1]+192);
+  if (res[1]) casadi_copy(w015, 108, res[1]+216);
   /* #269: output[1][3] = @17 */
-  if (res[1]) casadi_copy(w017, 96, res[1]+288);
+  if (res[1]) casadi_copy(w017, 108, res[1]+324);
   /* #270: output[1][4] = @19 */
-  if (res[1]) casadi_copy(w019, 96, res[1]+384);
+  if (res[1]) casadi_copy(w019, 108, res[1]+432);
   /* #271: output[1][5] = @21 */
-  if (res[1]) casadi_copy(w021, 96, res[1]+480);
+  if (res[1]) casadi_copy(w021, 108, res[1]+540);
   /* #272: output[1][6] = @23 */
-  if (res[1]) casadi_copy(w023, 96, res[1]+576);
+  if (res[1]) casadi_copy(w023, 108, res[1]+648);
   /* #273: output[1][7] = @25 */
-  if (res[1]) casadi_copy(w025, 96, res[1]+672);
+  if (res[1]) casadi_copy(w025, 108, res[1]+756);
   /* #274: output[1][8] = @27 */
-  if (res[1]) casadi_copy(w027, 96, res[1]+768);
+  if (res[1]) casadi_copy(w027, 108, res[1]+864);
   /* #275: output[1][9] = @29 */
-  if (res[1]) casadi_copy(w029, 96, res[1]+864);
+  if (res[1]) casadi_copy(w029, 108, res[1]+972);
   /* #276: output[1][10] = @31 */
-  if (res[1]) casadi_copy(w031, 96, res[1]+960);
+  if (res[1]) casadi_copy(w031, 108, res[1]+1080);
   /* #277: output[1][11] = @33 */
-  if (res[1]) casadi_copy(w033, 96, res[1]+1056);
+  if (res[1]) casadi_copy(w033, 108, res[1]+1188);
   /* #278: output[1][12] = @35 */
-  if (res[1]) casadi_copy(w035, 96, res[1]+1152);
+  if (res[1]) casadi_copy(w035, 108, res[1]+1296);
   /* #279: output[1][13] = @37 */
-  if (res[1]) casadi_copy(w037, 96, res[1]+1248);
+  if (res[1]) casadi_copy(w037, 108, res[1]+1404);
   /* #280: output[1][14] = @39 */
-  if (res[1]) casadi_copy(w039, 96, res[1]+1344);
+  if (res[1]) casadi_copy(w039, 108, res[1]+1512);
   /* #281: output[1][15] = @41 */
-  if (res[1]) casadi_copy(w041, 96, res[1]+1440);
+  if (res[1]) casadi_copy(w041, 108, res[1]+1620);
   /* #282: output[1][16] = @43 */
-  if (res[1]) casadi_copy(w043, 96, res[1]+1536);
+  if (res[1]) casadi_copy(w043, 108, res[1]+1728);
   /* #283: output[1][17] = @45 */
-  if (res[1]) casadi_copy(w045, 96, res[1]+1632);
+  if (res[1]) casadi_copy(w045, 108, res[1]+1836);
   /* #284: output[1][18] = @47 */
-  if (res[1]) casadi_copy(w047, 96, res[1]+1728);
+  if (res[1]) casadi_copy(w047, 108, res[1]+1944);
   /* #285: output[1][19] = @49 */
-  if (res[1]) casadi_copy(w049, 96, res[1]+1824);
+  if (res[1]) casadi_copy(w049, 108, res[1]+2052);
   /* #286: output[1][20] = @51 */
-  if (res[1]) casadi_copy(w051, 96, res[1]+1920);
+  if (res[1]) casadi_copy(w051, 108, res[1]+2160);
   /* #287: output[1][21] = @53 */
-  if (res[1]) casadi_copy(w053, 96, res[1]+2016);
+  if (res[1]) casadi_copy(w053, 108, res[1]+2268);
   /* #288: output[1][22] = @55 */
-  if (res[1]) casadi_copy(w055, 96, res[1]+2112);
+  if (res[1]) casadi_copy(w055, 108, res[1]+2376);
   /* #289: output[1][23] = @57 */
-  if (res[1]) casadi_copy(w057, 96, res[1]+2208);
+  if (res[1]) casadi_copy(w057, 108, res[1]+2484);
   /* #290: output[1][24] = @59 */
-  if (res[1]) casadi_copy(w059, 96, res[1]+2304);
+  if (res[1]) casadi_copy(w059, 108, res[1]+2592);
   /* #291: output[1][25] = @61 */
-  if (res[1]) casadi_copy(w061, 96, res[1]+2400);
+  if (res[1]) casadi_copy(w061, 108, res[1]+2700);
   /* #292: output[1][26] = @63 */
-  if (res[1]) casadi_copy(w063, 96, res[1]+2496);
+  if (res[1]) casadi_copy(w063, 108, res[1]+2808);
   /* #293: output[1][27] = @65 */
-  if (res[1]) casadi_copy(w065, 96, res[1]+2592);
+  if (res[1]) casadi_copy(w065, 108, res[1]+2916);
   /* #294: output[1][28] = @67 */
-  if (res[1]) casadi_copy(w067, 96, res[1]+2688);
+  if (res[1]) casadi_copy(w067, 108, res[1]+3024);
   /* #295: output[1][29] = @69 */
-  if (res[1]) casadi_copy(w069, 96, res[1]+2784);
+  if (res[1]) casadi_copy(w069, 108, res[1]+3132);
   /* #296: output[1][30] = @71 */
-  if (res[1]) casadi_copy(w071, 96, res[1]+2880);
+  if (res[1]) casadi_copy(w071, 108, res[1]+3240);
   /* #297: output[1][31] = @73 */
-  if (res[1]) casadi_copy(w073, 96, res[1]+2976);
+  if (res[1]) casadi_copy(w073, 108, res[1]+3348);
   /* #298: output[1][32] = @75 */
-  if (res[1]) casadi_copy(w075, 96, res[1]+3072);
+  if (res[1]) casadi_copy(w075, 108, res[1]+3456);
   /* #299: output[1][33] = @77 */
-  if (res[1]) casadi_copy(w077, 96, res[1]+3168);
+  if (res[1]) casadi_copy(w077, 108, res[1]+3564);
   /* #300: output[1][34] = @79 */
-  if (res[1]) casadi_copy(w079, 96, res[1]+3264);
+  if (res[1]) casadi_copy(w079, 108, res[1]+3672);
   /* #301: output[1][35] = @81 */
-  if (res[1]) casadi_copy(w081, 96, res[1]+3360);
+  if (res[1]) casadi_copy(w081, 108, res[1]+3780);
   /* #302: output[1][36] = @83 */
-  if (res[1]) casadi_copy(w083, 96, res[1]+3456);
+  if (res[1]) casadi_copy(w083, 108, res[1]+3888);
   /* #303: output[1][37] = @85 */
-  if (res[1]) casadi_copy(w085, 96, res[1]+3552);
+  if (res[1]) casadi_copy(w085, 108, res[1]+3996);
   /* #304: output[1][38] = @87 */
-  if (res[1]) casadi_copy(w087, 96, res[1]+3648);
+  if (res[1]) casadi_copy(w087, 108, res[1]+4104);
   /* #305: output[1][39] = @89 */
-  if (res[1]) casadi_copy(w089, 96, res[1]+3744);
+  if (res[1]) casadi_copy(w089, 108, res[1]+4212);
   /* #306: output[1][40] = @91 */
-  if (res[1]) casadi_copy(w091, 96, res[1]+3840);
+  if (res[1]) casadi_copy(w091, 108, res[1]+4320);
   /* #307: output[1][41] = @93 */
-  if (res[1]) casadi_copy(w093, 96, res[1]+3936);
+  if (res[1]) casadi_copy(w093, 108, res[1]+4428);
   /* #308: output[1][42] = @95 */
-  if (res[1]) casadi_copy(w095, 96, res[1]+4032);
+  if (res[1]) casadi_copy(w095, 108, res[1]+4536);
   /* #309: output[1][43] = @97 */
-  if (res[1]) casadi_copy(w097, 96, res[1]+4128);
+  if (res[1]) casadi_copy(w097, 108, res[1]+4644);
   /* #310: output[1][44] = @99 */
-  if (res[1]) casadi_copy(w099, 96, res[1]+4224);
+  if (res[1]) casadi_copy(w099, 108, res[1]+4752);
   /* #311: output[1][45] = @101 */
-  if (res[1]) casadi_copy(w101, 96, res[1]+4320);
+  if (res[1]) casadi_copy(w101, 108, res[1]+4860);
   /* #312: output[1][46] = @103 */
-  if (res[1]) casadi_copy(w103, 96, res[1]+4416);
+  if (res[1]) casadi_copy(w103, 108, res[1]+4968);
   /* #313: output[1][47] = @105 */
-  if (res[1]) casadi_copy(w105, 96, res[1]+4512);
+  if (res[1]) casadi_copy(w105, 108, res[1]+5076);
   /* #314: output[1][48] = @107 */
-  if (res[1]) casadi_copy(w107, 96, res[1]+4608);
+  if (res[1]) casadi_copy(w107, 108, res[1]+5184);
   /* #315: output[1][49] = @109 */
-  if (res[1]) casadi_copy(w109, 96, res[1]+4704);
+  if (res[1]) casadi_copy(w109, 108, res[1]+5292);
   /* #316: output[1][50] = @111 */
-  if (res[1]) casadi_copy(w111, 96, res[1]+4800);
+  if (res[1]) casadi_copy(w111, 108, res[1]+5400);
   /* #317: output[1][51] = @113 */
-  if (res[1]) casadi_copy(w113, 96, res[1]+4896);
+  if (res[1]) casadi_copy(w113, 108, res[1]+5508);
   /* #318: output[1][52] = @115 */
-  if (res[1]) casadi_copy(w115, 96, res[1]+4992);
+  if (res[1]) casadi_copy(w115, 108, res[1]+5616);
   /* #319: output[1][53] = @117 */
-  if (res[1]) casadi_copy(w117, 96, res[1]+5088);
+  if (res[1]) casadi_copy(w117, 108, res[1]+5724);
   /* #320: output[1][54] = @119 */
-  if (res[1]) casadi_copy(w119, 96, res[1]+5184);
+  if (res[1]) casadi_copy(w119, 108, res[1]+5832);
   /* #321: output[1][55] = @121 */
-  if (res[1]) casadi_copy(w121, 96, res[1]+5280);
+  if (res[1]) casadi_copy(w121, 108, res[1]+5940);
   /* #322: output[1][56] = @123 */
-  if (res[1]) casadi_copy(w123, 96, res[1]+5376);
+  if (res[1]) casadi_copy(w123, 108, res[1]+6048);
   /* #323: output[1][57] = @125 */
-  if (res[1]) casadi_copy(w125, 96, res[1]+5472);
+  if (res[1]) casadi_copy(w125, 108, res[1]+6156);
   /* #324: output[1][58] = @127 */
-  if (res[1]) casadi_copy(w127, 96, res[1]+5568);
+  if (res[1]) casadi_copy(w127, 108, res[1]+6264);
   /* #325: output[1][59] = @129 */
-  if (res[1]) casadi_copy(w129, 96, res[1]+5664);
+  if (res[1]) casadi_copy(w129, 108, res[1]+6372);
   /* #326: output[1][60] = @131 */
-  if (res[1]) casadi_copy(w131, 96, res[1]+5760);
+  if (res[1]) casadi_copy(w131, 108, res[1]+6480);
   /* #327: output[1][61] = @133 */
-  if (res[1]) casadi_copy(w133, 96, res[1]+5856);
+  if (res[1]) casadi_copy(w133, 108, res[1]+6588);
   /* #328: output[1][62] = @135 */
-  if (res[1]) casadi_copy(w135, 96, res[1]+5952);
+  if (res[1]) casadi_copy(w135, 108, res[1]+6696);
   /* #329: output[1][63] = @137 */
-  if (res[1]) casadi_copy(w137, 96, res[1]+6048);
+  if (res[1]) casadi_copy(w137, 108, res[1]+6804);
   /* #330: @1 = @8[:4] */
   for (rr=w001, cs=w008+0; cs!=w008+4; cs+=1) *rr++ = *cs;
   /* #331: {@139, @140} = observe(@2, @1, @4) */
@@ -20867,137 +20871,137 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w140;
   if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #332: output[1][64] = @139 */
-  if (res[1]) casadi_copy(w139, 8, res[1]+6144);
+  if (res[1]) casadi_copy(w139, 9, res[1]+6912);
   /* #333: output[2][0] = @12 */
-  casadi_copy(w012, 96, res[2]);
+  casadi_copy(w012, 108, res[2]);
   /* #334: output[2][1] = @14 */
-  if (res[2]) casadi_copy(w014, 96, res[2]+96);
+  if (res[2]) casadi_copy(w014, 108, res[2]+108);
   /* #335: output[2][2] = @16 */
-  if (res[2]) casadi_copy(w016, 96, res[2]+192);
+  if (res[2]) casadi_copy(w016, 108, res[2]+216);
   /* #336: output[2][3] = @18 */
-  if (res[2]) casadi_copy(w018, 96, res[2]+288);
+  if (res[2]) casadi_copy(w018, 108, res[2]+324);
   /* #337: output[2][4] = @20 */
-  if (res[2]) casadi_copy(w020, 96, res[2]+384);
+  if (res[2]) casadi_copy(w020, 108, res[2]+432);
   /* #338: output[2][5] = @22 */
-  if (res[2]) casadi_copy(w022, 96, res[2]+480);
+  if (res[2]) casadi_copy(w022, 108, res[2]+540);
   /* #339: output[2][6] = @24 */
-  if (res[2]) casadi_copy(w024, 96, res[2]+576);
+  if (res[2]) casadi_copy(w024, 108, res[2]+648);
   /* #340: output[2][7] = @26 */
-  if (res[2]) casadi_copy(w026, 96, res[2]+672);
+  if (res[2]) casadi_copy(w026, 108, res[2]+756);
   /* #341: output[2][8] = @28 */
-  if (res[2]) casadi_copy(w028, 96, res[2]+768);
+  if (res[2]) casadi_copy(w028, 108, res[2]+864);
   /* #342: output[2][9] = @30 */
-  if (res[2]) casadi_copy(w030, 96, res[2]+864);
+  if (res[2]) casadi_copy(w030, 108, res[2]+972);
   /* #343: output[2][10] = @32 */
-  if (res[2]) casadi_copy(w032, 96, res[2]+960);
+  if (res[2]) casadi_copy(w032, 108, res[2]+1080);
   /* #344: output[2][11] = @34 */
-  if (res[2]) casadi_copy(w034, 96, res[2]+1056);
+  if (res[2]) casadi_copy(w034, 108, res[2]+1188);
   /* #345: output[2][12] = @36 */
-  if (res[2]) casadi_copy(w036, 96, res[2]+1152);
+  if (res[2]) casadi_copy(w036, 108, res[2]+1296);
   /* #346: output[2][13] = @38 */
-  if (res[2]) casadi_copy(w038, 96, res[2]+1248);
+  if (res[2]) casadi_copy(w038, 108, res[2]+1404);
   /* #347: output[2][14] = @40 */
-  if (res[2]) casadi_copy(w040, 96, res[2]+1344);
+  if (res[2]) casadi_copy(w040, 108, res[2]+1512);
   /* #348: output[2][15] = @42 */
-  if (res[2]) casadi_copy(w042, 96, res[2]+1440);
+  if (res[2]) casadi_copy(w042, 108, res[2]+1620);
   /* #349: output[2][16] = @44 */
-  if (res[2]) casadi_copy(w044, 96, res[2]+1536);
+  if (res[2]) casadi_copy(w044, 108, res[2]+1728);
   /* #350: output[2][17] = @46 */
-  if (res[2]) casadi_copy(w046, 96, res[2]+1632);
+  if (res[2]) casadi_copy(w046, 108, res[2]+1836);
   /* #351: output[2][18] = @48 */
-  if (res[2]) casadi_copy(w048, 96, res[2]+1728);
+  if (res[2]) casadi_copy(w048, 108, res[2]+1944);
   /* #352: output[2][19] = @50 */
-  if (res[2]) casadi_copy(w050, 96, res[2]+1824);
+  if (res[2]) casadi_copy(w050, 108, res[2]+2052);
   /* #353: output[2][20] = @52 */
-  if (res[2]) casadi_copy(w052, 96, res[2]+1920);
+  if (res[2]) casadi_copy(w052, 108, res[2]+2160);
   /* #354: output[2][21] = @54 */
-  if (res[2]) casadi_copy(w054, 96, res[2]+2016);
+  if (res[2]) casadi_copy(w054, 108, res[2]+2268);
   /* #355: output[2][22] = @56 */
-  if (res[2]) casadi_copy(w056, 96, res[2]+2112);
+  if (res[2]) casadi_copy(w056, 108, res[2]+2376);
   /* #356: output[2][23] = @58 */
-  if (res[2]) casadi_copy(w058, 96, res[2]+2208);
+  if (res[2]) casadi_copy(w058, 108, res[2]+2484);
   /* #357: output[2][24] = @60 */
-  if (res[2]) casadi_copy(w060, 96, res[2]+2304);
+  if (res[2]) casadi_copy(w060, 108, res[2]+2592);
   /* #358: output[2][25] = @62 */
-  if (res[2]) casadi_copy(w062, 96, res[2]+2400);
+  if (res[2]) casadi_copy(w062, 108, res[2]+2700);
   /* #359: output[2][26] = @64 */
-  if (res[2]) casadi_copy(w064, 96, res[2]+2496);
+  if (res[2]) casadi_copy(w064, 108, res[2]+2808);
   /* #360: output[2][27] = @66 */
-  if (res[2]) casadi_copy(w066, 96, res[2]+2592);
+  if (res[2]) casadi_copy(w066, 108, res[2]+2916);
   /* #361: output[2][28] = @68 */
-  if (res[2]) casadi_copy(w068, 96, res[2]+2688);
+  if (res[2]) casadi_copy(w068, 108, res[2]+3024);
   /* #362: output[2][29] = @70 */
-  if (res[2]) casadi_copy(w070, 96, res[2]+2784);
+  if (res[2]) casadi_copy(w070, 108, res[2]+3132);
   /* #363: output[2][30] = @72 */
-  if (res[2]) casadi_copy(w072, 96, res[2]+2880);
+  if (res[2]) casadi_copy(w072, 108, res[2]+3240);
   /* #364: output[2][31] = @74 */
-  if (res[2]) casadi_copy(w074, 96, res[2]+2976);
+  if (res[2]) casadi_copy(w074, 108, res[2]+3348);
   /* #365: output[2][32] = @76 */
-  if (res[2]) casadi_copy(w076, 96, res[2]+3072);
+  if (res[2]) casadi_copy(w076, 108, res[2]+3456);
   /* #366: output[2][33] = @78 */
-  if (res[2]) casadi_copy(w078, 96, res[2]+3168);
+  if (res[2]) casadi_copy(w078, 108, res[2]+3564);
   /* #367: output[2][34] = @80 */
-  if (res[2]) casadi_copy(w080, 96, res[2]+3264);
+  if (res[2]) casadi_copy(w080, 108, res[2]+3672);
   /* #368: output[2][35] = @82 */
-  if (res[2]) casadi_copy(w082, 96, res[2]+3360);
+  if (res[2]) casadi_copy(w082, 108, res[2]+3780);
   /* #369: output[2][36] = @84 */
-  if (res[2]) casadi_copy(w084, 96, res[2]+3456);
+  if (res[2]) casadi_copy(w084, 108, res[2]+3888);
   /* #370: output[2][37] = @86 */
-  if (res[2]) casadi_copy(w086, 96, res[2]+3552);
+  if (res[2]) casadi_copy(w086, 108, res[2]+3996);
   /* #371: output[2][38] = @88 */
-  if (res[2]) casadi_copy(w088, 96, res[2]+3648);
+  if (res[2]) casadi_copy(w088, 108, res[2]+4104);
   /* #372: output[2][39] = @90 */
-  if (res[2]) casadi_copy(w090, 96, res[2]+3744);
+  if (res[2]) casadi_copy(w090, 108, res[2]+4212);
   /* #373: output[2][40] = @92 */
-  if (res[2]) casadi_copy(w092, 96, res[2]+3840);
+  if (res[2]) casadi_copy(w092, 108, res[2]+4320);
   /* #374: output[2][41] = @94 */
-  if (res[2]) casadi_copy(w094, 96, res[2]+3936);
+  if (res[2]) casadi_copy(w094, 108, res[2]+4428);
   /* #375: output[2][42] = @96 */
-  if (res[2]) casadi_copy(w096, 96, res[2]+4032);
+  if (res[2]) casadi_copy(w096, 108, res[2]+4536);
   /* #376: output[2][43] = @98 */
-  if (res[2]) casadi_copy(w098, 96, res[2]+4128);
+  if (res[2]) casadi_copy(w098, 108, res[2]+4644);
   /* #377: output[2][44] = @100 */
-  if (res[2]) casadi_copy(w100, 96, res[2]+4224);
+  if (res[2]) casadi_copy(w100, 108, res[2]+4752);
   /* #378: output[2][45] = @102 */
-  if (res[2]) casadi_copy(w102, 96, res[2]+4320);
+  if (res[2]) casadi_copy(w102, 108, res[2]+4860);
   /* #379: output[2][46] = @104 */
-  if (res[2]) casadi_copy(w104, 96, res[2]+4416);
+  if (res[2]) casadi_copy(w104, 108, res[2]+4968);
   /* #380: output[2][47] = @106 */
-  if (res[2]) casadi_copy(w106, 96, res[2]+4512);
+  if (res[2]) casadi_copy(w106, 108, res[2]+5076);
   /* #381: output[2][48] = @108 */
-  if (res[2]) casadi_copy(w108, 96, res[2]+4608);
+  if (res[2]) casadi_copy(w108, 108, res[2]+5184);
   /* #382: output[2][49] = @110 */
-  if (res[2]) casadi_copy(w110, 96, res[2]+4704);
+  if (res[2]) casadi_copy(w110, 108, res[2]+5292);
   /* #383: output[2][50] = @112 */
-  if (res[2]) casadi_copy(w112, 96, res[2]+4800);
+  if (res[2]) casadi_copy(w112, 108, res[2]+5400);
   /* #384: output[2][51] = @114 */
-  if (res[2]) casadi_copy(w114, 96, res[2]+4896);
+  if (res[2]) casadi_copy(w114, 108, res[2]+5508);
   /* #385: output[2][52] = @116 */
-  if (res[2]) casadi_copy(w116, 96, res[2]+4992);
+  if (res[2]) casadi_copy(w116, 108, res[2]+5616);
   /* #386: output[2][53] = @118 */
-  if (res[2]) casadi_copy(w118, 96, res[2]+5088);
+  if (res[2]) casadi_copy(w118, 108, res[2]+5724);
   /* #387: output[2][54] = @120 */
-  if (res[2]) casadi_copy(w120, 96, res[2]+5184);
+  if (res[2]) casadi_copy(w120, 108, res[2]+5832);
   /* #388: output[2][55] = @122 */
-  if (res[2]) casadi_copy(w122, 96, res[2]+5280);
+  if (res[2]) casadi_copy(w122, 108, res[2]+5940);
   /* #389: output[2][56] = @124 */
-  if (res[2]) casadi_copy(w124, 96, res[2]+5376);
+  if (res[2]) casadi_copy(w124, 108, res[2]+6048);
   /* #390: output[2][57] = @126 */
-  if (res[2]) casadi_copy(w126, 96, res[2]+5472);
+  if (res[2]) casadi_copy(w126, 108, res[2]+6156);
   /* #391: output[2][58] = @128 */
-  if (res[2]) casadi_copy(w128, 96, res[2]+5568);
+  if (res[2]) casadi_copy(w128, 108, res[2]+6264);
   /* #392: output[2][59] = @130 */
-  if (res[2]) casadi_copy(w130, 96, res[2]+5664);
+  if (res[2]) casadi_copy(w130, 108, res[2]+6372);
   /* #393: output[2][60] = @132 */
-  if (res[2]) casadi_copy(w132, 96, res[2]+5760);
+  if (res[2]) casadi_copy(w132, 108, res[2]+6480);
   /* #394: output[2][61] = @134 */
-  if (res[2]) casadi_copy(w134, 96, res[2]+5856);
+  if (res[2]) casadi_copy(w134, 108, res[2]+6588);
   /* #395: output[2][62] = @136 */
-  if (res[2]) casadi_copy(w136, 96, res[2]+5952);
+  if (res[2]) casadi_copy(w136, 108, res[2]+6696);
   /* #396: output[2][63] = @138 */
-  if (res[2]) casadi_copy(w138, 96, res[2]+6048);
+  if (res[2]) casadi_copy(w138, 108, res[2]+6804);
   /* #397: output[2][64] = @140 */
-  if (res[2]) casadi_copy(w140, 8, res[2]+6144);
+  if (res[2]) casadi_copy(w140, 9, res[2]+6912);
   /* #398: @1 = @8[:4] */
   for (rr=w001, cs=w008+0; cs!=w008+4; cs+=1) *rr++ = *cs;
   /* #399: @141 = landing(@1, @6, @4) */
@@ -21078,7 +21082,7 @@ CASADI_SYMBOL_EXPORT int compass_trace_768_work(casadi_int *sz_arg, casadi_int* 
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 12704;
+  if (sz_w) *sz_w = 14255;
   return 0;
 }
 
@@ -21086,13 +21090,13 @@ CASADI_SYMBOL_EXPORT int compass_trace_768_work_bytes(casadi_int *sz_arg, casadi
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 12704*sizeof(casadi_real);
+  if (sz_w) *sz_w = 14255*sizeof(casadi_real);
   return 0;
 }
 
-/* compass_advance:(t,w[5],h,p[6])->(w_end[5],g[8],dg[8]) */
+/* compass_advance:(t,w[5],h,p[6])->(w_end[5],g[9],dg[9]) */
 static int casadi_f74(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+3, *rr, *w0=w+81, w1, *w2=w+86, *w3=w+92, w4, *w5=w+94, *w6=w+118, *w7=w+123, *w8=w+127, *w9=w+135;
+  casadi_real **res1=res+3, *rr, *w0=w+81, w1, *w2=w+86, *w3=w+92, w4, *w5=w+94, *w6=w+118, *w7=w+123, *w8=w+127, *w9=w+136;
   const casadi_real **arg1=arg+4, *cs;
   /* #0: @0 = input[1][0] */
   casadi_copy(arg[1], 5, w0);
@@ -21134,9 +21138,9 @@ static int casadi_f74(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w9;
   if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #11: output[1][0] = @8 */
-  casadi_copy(w8, 8, res[1]);
+  casadi_copy(w8, 9, res[1]);
   /* #12: output[2][0] = @9 */
-  casadi_copy(w9, 8, res[2]);
+  casadi_copy(w9, 9, res[2]);
   return 0;
 }
 
@@ -21209,7 +21213,7 @@ CASADI_SYMBOL_EXPORT int compass_advance_work(casadi_int *sz_arg, casadi_int* sz
   if (sz_arg) *sz_arg = 9;
   if (sz_res) *sz_res = 5;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 143;
+  if (sz_w) *sz_w = 145;
   return 0;
 }
 
@@ -21217,7 +21221,7 @@ CASADI_SYMBOL_EXPORT int compass_advance_work_bytes(casadi_int *sz_arg, casadi_i
   if (sz_arg) *sz_arg = 9*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 5*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 143*sizeof(casadi_real);
+  if (sz_w) *sz_w = 145*sizeof(casadi_real);
   return 0;
 }
 

@@ -384,15 +384,17 @@ def total_mass(xp, p):
     """Mass and weight of the whole walker.
 
     Source: sum over the bodies.
-    5 operations.
+    8 operations.
     """
     mu = p[0]
     slope = p[2]
     s_slope = xp.sin(slope)
+    c_slope = xp.cos(slope)
     return {
         "mass": mu + 2,
         "weight": mu + 2,
         "pull": s_slope*(mu + 2),
+        "press": c_slope*(mu + 2),
     }
 
 
@@ -590,12 +592,15 @@ def step_length(xp, q):
     """Length of the step from the coordinates just after touchdown.
 
     Source: geometry of the legs.
-    4 operations.
+    8 operations.
     """
     theta1 = q[0]
     theta2 = q[1]
     s_theta1 = xp.sin(theta1)
     s_theta1_minus_theta2 = xp.sin(theta1 - theta2)
+    c_theta1 = xp.cos(theta1)
+    c_theta1_minus_theta2 = xp.cos(theta1 - theta2)
     return {
         "length": s_theta1 - s_theta1_minus_theta2,
+        "rise": c_theta1_minus_theta2 - c_theta1,
     }

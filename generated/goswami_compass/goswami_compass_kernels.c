@@ -1,5 +1,5 @@
 /* Compass gait on a slope: kernels of the solver
- * Printed by CasADi 3.8.2 from equations e0c3d7fdbcaa43e2.
+ * Printed by CasADi 3.8.2 from equations c754c1ab80832a6a.
  * Do not edit: run `make derive`.
  * SPDX-License-Identifier: BSD-3-Clause
  */

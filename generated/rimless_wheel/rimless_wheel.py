@@ -222,14 +222,16 @@ def total_mass(xp, p):
     """Mass and weight of the whole walker.
 
     Source: sum over the bodies.
-    1 operations.
+    2 operations.
     """
     slope = p[0]
     s_slope = xp.sin(slope)
+    c_slope = xp.cos(slope)
     return {
         "mass": 1,
         "weight": 1,
         "pull": s_slope,
+        "press": c_slope,
     }
 
 
@@ -373,12 +375,15 @@ def step_length(xp, q, p):
     """Length of the step from the coordinates just after touchdown.
 
     Source: geometry of the legs.
-    6 operations.
+    12 operations.
     """
     theta = q[0]
     spokes = p[1]
     s_theta = xp.sin(theta)
     s_theta_plus_2_pi_spokes = xp.sin(theta + 2*xp.pi/spokes)
+    c_theta = xp.cos(theta)
+    c_theta_plus_2_pi_spokes = xp.cos(theta + 2*xp.pi/spokes)
     return {
         "length": s_theta_plus_2_pi_spokes - s_theta,
+        "rise": c_theta_plus_2_pi_spokes - c_theta,
     }

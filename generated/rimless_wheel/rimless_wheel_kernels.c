@@ -1,5 +1,5 @@
 /* Rimless wheel: kernels of the solver
- * Printed by CasADi 3.8.2 from equations 63cf28eebae590f9.
+ * Printed by CasADi 3.8.2 from equations 0d25f4d034d0c7ba.
  * Do not edit: run `make derive`.
  * SPDX-License-Identifier: BSD-3-Clause
  */

@@ -241,14 +241,16 @@ def total_mass(xp, p):
     """Mass and weight of the whole walker.
 
     Source: sum over the bodies.
-    1 operations.
+    2 operations.
     """
     slope = p[0]
     s_slope = xp.sin(slope)
+    c_slope = xp.cos(slope)
     return {
         "mass": 1,
         "weight": 1,
         "pull": s_slope,
+        "press": c_slope,
     }
 
 
@@ -386,12 +388,15 @@ def step_length(xp, q):
     """Length of the step from the coordinates just after touchdown.
 
     Source: geometry of the legs.
-    4 operations.
+    8 operations.
     """
     theta = q[0]
     phi = q[1]
     s_theta = xp.sin(theta)
     s_phi_minus_theta = xp.sin(phi - theta)
+    c_theta = xp.cos(theta)
+    c_phi_minus_theta = xp.cos(phi - theta)
     return {
         "length": s_phi_minus_theta + s_theta,
+        "rise": c_phi_minus_theta - c_theta,
     }

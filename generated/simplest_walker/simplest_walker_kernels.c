@@ -1,5 +1,5 @@
 /* Simplest walker: kernels of the solver
- * Printed by CasADi 3.8.2 from equations 72d591b6f9360aa7.
+ * Printed by CasADi 3.8.2 from equations 5ef6595e3328df8d.
  * Do not edit: run `make derive`.
  * SPDX-License-Identifier: BSD-3-Clause
  */

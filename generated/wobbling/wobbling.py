@@ -71,6 +71,20 @@ def controller_torque(xp, t, q, v, p):
     }
 
 
+def motor_rates(xp, q, v):
+    """What each motor drives, with its rate.
+
+    Source: the model's declaration.
+    0 operations.
+    """
+    theta2 = q[1]
+    dtheta2 = v[1]
+    return {
+        "driven": [theta2],
+        "rate": [dtheta2],
+    }
+
+
 def state_derivative(xp, t, q, v, p):
     """Time derivative of the state in the swing phase.
 
@@ -501,6 +515,7 @@ def total_mass(xp, p):
         "mass": t1,
         "weight": t1,
         "pull": 0,
+        "press": t1,
     }
 
 
@@ -735,12 +750,15 @@ def step_length(xp, q):
     """Length of the step from the coordinates just after touchdown.
 
     Source: geometry of the legs.
-    4 operations.
+    8 operations.
     """
     theta1 = q[0]
     theta2 = q[1]
     s_theta1 = xp.sin(theta1)
     s_theta1_minus_theta2 = xp.sin(theta1 - theta2)
+    c_theta1 = xp.cos(theta1)
+    c_theta1_minus_theta2 = xp.cos(theta1 - theta2)
     return {
         "length": s_theta1 - s_theta1_minus_theta2,
+        "rise": c_theta1_minus_theta2 - c_theta1,
     }
