@@ -202,8 +202,8 @@ MEASURED: tuple[str, ...] = tuple(name for name in QUANTITIES if name not in SOL
 def motor_quantities(motors: Sequence[Motor]) -> tuple[Quantity, ...]:
     """What is measured of a model's motors beside the registry's quantities.
 
-    That is the use of limits, where there are any, and what is measured on each of several motors; of a single
-    one the registry says it.
+    That is the use of limits, where there are any, and what is measured on each of several motors; of one
+    alone the registry says it.
 
     Parameters
     ----------
