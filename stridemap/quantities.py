@@ -147,16 +147,6 @@ _ENTRIES = (
         over_steps="maximum",
     ),
     Quantity(
-        "limit_use",
-        "number",
-        "use of the limits",
-        "Largest ratio of a motor's absolute torque or force to its declared limit during the step; above 1 "
-        "the gait asks a motor for more than it can give.",
-        r"\max_{j, t} |u_j(t)| / u_{j,\max}",
-        optional=True,
-        over_steps="maximum",
-    ),
-    Quantity(
         "cot",
         "number",
         "cost of transport",
@@ -278,6 +268,17 @@ _ENTRIES = (
     ),
 )
 
+LIMIT_USE = Quantity(
+    "limit_use",
+    "number",
+    "use of the limits",
+    "Largest ratio of a motor's absolute torque or force to its declared limit during the step; above 1 "
+    "the gait asks a motor for more than it can give.",
+    r"\max_{j, t} |u_j(t)| / u_{j,\max}",
+    over_steps="maximum",
+)
+"""Measured where a motor has a limit."""
+
 QUANTITIES: Mapping[str, Quantity] = {one.name: one for one in _ENTRIES}
 """Every quantity by name, in the order of columns and keys."""
 
@@ -289,16 +290,28 @@ MEASURED: tuple[str, ...] = tuple(name for name in QUANTITIES if name not in SOL
 
 
 def motor_quantities(motors: Sequence[Motor]) -> tuple[Quantity, ...]:
-    """What is measured on each motor of a model; of the only one the quantities of all motors say it.
+    """What is measured of a model's motors beside the registry's quantities.
+
+    That is the use of limits, where there are any, and what is measured on each of several motors; of one
+    alone the registry says it.
 
     Parameters
     ----------
     motors : sequence of Motor
     """
-    return tuple(quantity for motor in motors for quantity in _of_motor(motor, len(motors) > 1))
+    limits = (LIMIT_USE,) if any(motor.limit is not None for motor in motors) else ()
+    return limits + tuple(quantity for motor in motors for quantity in of_motor(motor, len(motors) > 1))
 
 
-def _of_motor(motor: Motor, several: bool) -> Iterator[Quantity]:
+def of_motor(motor: Motor, several: bool) -> Iterator[Quantity]:
+    """What is measured on one motor of a model.
+
+    Parameters
+    ----------
+    motor : Motor
+    several : bool
+        Whether the model has others.
+    """
     name = motor.name
     if several:
         power = f"the power of the motor {name}"

@@ -15,7 +15,7 @@ from stridemap.derive.validate.mechanics import TOLERANCE, trial_points
 from stridemap.derive.validate.refusal import refuse
 from stridemap.derive.validate.reserved import meaning
 from stridemap.derive.validate.shared_torques import validate_torques
-from stridemap.quantities import motor_quantities
+from stridemap.quantities import LIMIT_USE, of_motor
 from stridemap.words import ATTRIBUTES
 
 
@@ -106,16 +106,18 @@ def _columns(walker: Declaration) -> None:
     taken = {s.name: "coordinate" for s in walker.q} | {s.name: "rate of a coordinate" for s in walker.v}
     taken |= {a.name: "parameter" for a in walker.parameters}
     taken |= {one.name: "quantity" for one in walker.quantities}
-    for motor in walker.actuators:
-        several = len(walker.actuators) > 1
-        mine = motor_quantities((record(walker, motor),) * (1 + several))
-        for name in dict.fromkeys(one.name for one in mine):
-            what = meaning(name) or ("the name of an attribute" if name in ATTRIBUTES else None)
-            what = what or (f"the name of a {taken[name]}" if name in taken else None)
-            if what is not None:
-                remedy = f"rename the motor, such as {motor.name}_motor"
-                refuse(walker, f"the motor {motor.name} has a column {name}, which is {what}; {remedy}")
-        taken |= {one.name: f"column of the motor {motor.name}" for one in mine}
+    several = len(walker.actuators) > 1
+    motors = [(motor, record(walker, motor)) for motor in walker.actuators]
+    columns = [(motor, one.name) for motor, written in motors for one in of_motor(written, several)]
+    columns += [(motor, LIMIT_USE.name) for motor in walker.actuators if motor.limit is not None][:1]
+    for motor, name in columns:
+        what = meaning(name) or ("the name of an attribute" if name in ATTRIBUTES else None)
+        what = what or (f"the name of a {taken[name]}" if name in taken else None)
+        if what is not None:
+            mine = name.endswith(f"_{motor.name}")
+            remedy = f"rename the motor, such as {motor.name}_motor" if mine else f"rename {name}"
+            refuse(walker, f"the motor {motor.name} has a column {name}, which is {what}; {remedy}")
+        taken[name] = f"column of the motor {motor.name}"
 
 
 def _bodies(walker: Declaration, motor: Motor) -> None:

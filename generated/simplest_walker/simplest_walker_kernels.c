@@ -1,5 +1,5 @@
 /* Simplest walker: kernels of the solver
- * Printed by CasADi 3.8.2 from equations e3c62ed55941fad4.
+ * Printed by CasADi 3.8.2 from equations 5ef6595e3328df8d.
  * Do not edit: run `make derive`.
  * SPDX-License-Identifier: BSD-3-Clause
  */
@@ -24,17 +24,12 @@
 
 /* Add prefix to internal symbols */
 #define casadi_axpy CASADI_PREFIX(axpy)
-#define casadi_c0 CASADI_PREFIX(c0)
-#define casadi_c1 CASADI_PREFIX(c1)
 #define casadi_clear CASADI_PREFIX(clear)
 #define casadi_copy CASADI_PREFIX(copy)
 #define casadi_dot CASADI_PREFIX(dot)
 #define casadi_f0 CASADI_PREFIX(f0)
 #define casadi_f1 CASADI_PREFIX(f1)
 #define casadi_f10 CASADI_PREFIX(f10)
-#define casadi_f100 CASADI_PREFIX(f100)
-#define casadi_f101 CASADI_PREFIX(f101)
-#define casadi_f102 CASADI_PREFIX(f102)
 #define casadi_f11 CASADI_PREFIX(f11)
 #define casadi_f12 CASADI_PREFIX(f12)
 #define casadi_f13 CASADI_PREFIX(f13)
@@ -105,33 +100,8 @@
 #define casadi_f72 CASADI_PREFIX(f72)
 #define casadi_f73 CASADI_PREFIX(f73)
 #define casadi_f74 CASADI_PREFIX(f74)
-#define casadi_f75 CASADI_PREFIX(f75)
-#define casadi_f76 CASADI_PREFIX(f76)
-#define casadi_f77 CASADI_PREFIX(f77)
-#define casadi_f78 CASADI_PREFIX(f78)
-#define casadi_f79 CASADI_PREFIX(f79)
 #define casadi_f8 CASADI_PREFIX(f8)
-#define casadi_f80 CASADI_PREFIX(f80)
-#define casadi_f81 CASADI_PREFIX(f81)
-#define casadi_f82 CASADI_PREFIX(f82)
-#define casadi_f83 CASADI_PREFIX(f83)
-#define casadi_f84 CASADI_PREFIX(f84)
-#define casadi_f85 CASADI_PREFIX(f85)
-#define casadi_f86 CASADI_PREFIX(f86)
-#define casadi_f87 CASADI_PREFIX(f87)
-#define casadi_f88 CASADI_PREFIX(f88)
-#define casadi_f89 CASADI_PREFIX(f89)
 #define casadi_f9 CASADI_PREFIX(f9)
-#define casadi_f90 CASADI_PREFIX(f90)
-#define casadi_f91 CASADI_PREFIX(f91)
-#define casadi_f92 CASADI_PREFIX(f92)
-#define casadi_f93 CASADI_PREFIX(f93)
-#define casadi_f94 CASADI_PREFIX(f94)
-#define casadi_f95 CASADI_PREFIX(f95)
-#define casadi_f96 CASADI_PREFIX(f96)
-#define casadi_f97 CASADI_PREFIX(f97)
-#define casadi_f98 CASADI_PREFIX(f98)
-#define casadi_f99 CASADI_PREFIX(f99)
 #define casadi_fabs CASADI_PREFIX(fabs)
 #define casadi_fmax CASADI_PREFIX(fmax)
 #define casadi_house CASADI_PREFIX(house)
@@ -165,9 +135,6 @@
 #define casadi_s24 CASADI_PREFIX(s24)
 #define casadi_s25 CASADI_PREFIX(s25)
 #define casadi_s26 CASADI_PREFIX(s26)
-#define casadi_s27 CASADI_PREFIX(s27)
-#define casadi_s28 CASADI_PREFIX(s28)
-#define casadi_s29 CASADI_PREFIX(s29)
 #define casadi_s3 CASADI_PREFIX(s3)
 #define casadi_s4 CASADI_PREFIX(s4)
 #define casadi_s5 CASADI_PREFIX(s5)
@@ -494,20 +461,12 @@ static const casadi_int casadi_s23[3] = {4, 769, 1};
 static const casadi_int casadi_s24[3] = {7, 769, 1};
 static const casadi_int casadi_s25[3] = {4, 1, 1};
 static const casadi_int casadi_s26[3] = {7, 1, 1};
-static const casadi_int casadi_s27[3] = {4, 3, 1};
-static const casadi_int casadi_s28[3] = {4, 12, 1};
-static const casadi_int casadi_s29[3] = {7, 12, 1};
-
-static const casadi_real casadi_c0[9] = 
-  {1., 1., 5.0000000000000000e-01, 1., 1., 5.0000000000000000e-01, 1., 1.,
-  5.0000000000000000e-01};
-static const casadi_real casadi_c1[3] = {1., 1., 2.};
 
 static const casadi_real casadi_zeros[24] = 
   {0.};
 
 /* start:(z[2],p)->(y[4],dy_dz[4x2]) */
-static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f3(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2, a3, a4;
   a0=arg[0]? arg[0][0] : 0;
   if (res[0]!=0) res[0][0]=a0;
@@ -540,7 +499,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
 }
 
 /* turns:(h,p)->(turns[2x12]) */
-static int casadi_f6(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f4(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1;
   a0=1.;
   if (res[0]!=0) res[0][0]=a0;
@@ -572,7 +531,7 @@ static int casadi_f6(const casadi_real** arg, casadi_real** res, casadi_int* iw,
 }
 
 /* phase:(t,p)->(phase[2]) */
-static int casadi_f8(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f6(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0;
   a0=1.;
   if (res[0]!=0) res[0][0]=a0;
@@ -582,7 +541,7 @@ static int casadi_f8(const casadi_real** arg, casadi_real** res, casadi_int* iw,
 }
 
 /* variational_step:(y[4x3],phase[2],turns[2x12],h,p)->(y_end[4x3]) */
-static int casadi_f9(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f7(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a000, a001, a002, a003, a004, a005, a006, a007, a008, a009, a010, a011;
   casadi_real a012, a013, a014, a015, a016, a017, a018, a019, a020, a021, a022, a023;
   casadi_real a024, a025, a026, a027, a028, a029, a030, a031, a032, a033, a034, a035;
@@ -2694,7 +2653,7 @@ static int casadi_f9(const casadi_real** arg, casadi_real** res, casadi_int* iw,
 }
 
 /* variational_steps:(y[4x3],t,turns[2x12],h,p)->(y_end[4x3]) */
-static int casadi_f7(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *w0=w+212, w1, w2, *w3=w+224, w5, *w6=w+226, w7;
   const casadi_real **arg1=arg+5, *wr0, *wr4;
   /* #0: @0 = input[0][0] */
@@ -2707,7 +2666,7 @@ static int casadi_f7(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w1);
   arg1[1]=(&w2);
   res1[0]=w3;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = input[2][0] */
   wr4 = arg[2] ? arg[2] : casadi_zeros;
   /* #5: @5 = input[3][0] */
@@ -2719,14 +2678,14 @@ static int casadi_f7(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=(&w2);
   res1[0]=w6;
-  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #7: @7 = (@1+@5) */
   w7  = (w1+w5);
   /* #8: @3 = phase(@7, @2) */
   arg1[0]=(&w7);
   arg1[1]=(&w2);
   res1[0]=w3;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #9: @0 = variational_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -2734,7 +2693,7 @@ static int casadi_f7(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=(&w2);
   res1[0]=w0;
-  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #10: @7 = (2.*@5) */
   w7 = (2.* w5 );
   /* #11: @7 = (@1+@7) */
@@ -2743,7 +2702,7 @@ static int casadi_f7(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w7);
   arg1[1]=(&w2);
   res1[0]=w3;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #13: @6 = variational_step(@0, @3, @4, @5, @2) */
   arg1[0]=w0;
   arg1[1]=w3;
@@ -2751,7 +2710,7 @@ static int casadi_f7(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=(&w2);
   res1[0]=w6;
-  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #14: @7 = 3 */
   w7 = 3.;
   /* #15: @7 = (@7*@5) */
@@ -2762,7 +2721,7 @@ static int casadi_f7(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w7);
   arg1[1]=(&w2);
   res1[0]=w3;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #18: @0 = variational_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -2770,7 +2729,7 @@ static int casadi_f7(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=(&w2);
   res1[0]=w0;
-  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #19: @7 = 4 */
   w7 = 4.;
   /* #20: @7 = (@7*@5) */
@@ -2781,7 +2740,7 @@ static int casadi_f7(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w7);
   arg1[1]=(&w2);
   res1[0]=w3;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #23: @6 = variational_step(@0, @3, @4, @5, @2) */
   arg1[0]=w0;
   arg1[1]=w3;
@@ -2789,7 +2748,7 @@ static int casadi_f7(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=(&w2);
   res1[0]=w6;
-  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #24: @7 = 5 */
   w7 = 5.;
   /* #25: @7 = (@7*@5) */
@@ -2800,7 +2759,7 @@ static int casadi_f7(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w7);
   arg1[1]=(&w2);
   res1[0]=w3;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #28: @0 = variational_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -2808,7 +2767,7 @@ static int casadi_f7(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=(&w2);
   res1[0]=w0;
-  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #29: @7 = 6 */
   w7 = 6.;
   /* #30: @7 = (@7*@5) */
@@ -2819,7 +2778,7 @@ static int casadi_f7(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w7);
   arg1[1]=(&w2);
   res1[0]=w3;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #33: @6 = variational_step(@0, @3, @4, @5, @2) */
   arg1[0]=w0;
   arg1[1]=w3;
@@ -2827,7 +2786,7 @@ static int casadi_f7(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=(&w2);
   res1[0]=w6;
-  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #34: @7 = 7 */
   w7 = 7.;
   /* #35: @7 = (@7*@5) */
@@ -2838,7 +2797,7 @@ static int casadi_f7(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w7);
   arg1[1]=(&w2);
   res1[0]=w3;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #38: @0 = variational_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -2846,7 +2805,7 @@ static int casadi_f7(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=(&w2);
   res1[0]=w0;
-  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #39: @7 = 8 */
   w7 = 8.;
   /* #40: @7 = (@7*@5) */
@@ -2857,7 +2816,7 @@ static int casadi_f7(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w7);
   arg1[1]=(&w2);
   res1[0]=w3;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #43: @6 = variational_step(@0, @3, @4, @5, @2) */
   arg1[0]=w0;
   arg1[1]=w3;
@@ -2865,7 +2824,7 @@ static int casadi_f7(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=(&w2);
   res1[0]=w6;
-  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #44: @7 = 9 */
   w7 = 9.;
   /* #45: @7 = (@7*@5) */
@@ -2876,7 +2835,7 @@ static int casadi_f7(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w7);
   arg1[1]=(&w2);
   res1[0]=w3;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #48: @0 = variational_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -2884,7 +2843,7 @@ static int casadi_f7(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=(&w2);
   res1[0]=w0;
-  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #49: @7 = 10 */
   w7 = 10.;
   /* #50: @7 = (@7*@5) */
@@ -2895,7 +2854,7 @@ static int casadi_f7(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w7);
   arg1[1]=(&w2);
   res1[0]=w3;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #53: @6 = variational_step(@0, @3, @4, @5, @2) */
   arg1[0]=w0;
   arg1[1]=w3;
@@ -2903,7 +2862,7 @@ static int casadi_f7(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=(&w2);
   res1[0]=w6;
-  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #54: @7 = 11 */
   w7 = 11.;
   /* #55: @7 = (@7*@5) */
@@ -2914,7 +2873,7 @@ static int casadi_f7(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w1);
   arg1[1]=(&w2);
   res1[0]=w3;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #58: @0 = variational_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -2922,14 +2881,14 @@ static int casadi_f7(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=(&w2);
   res1[0]=w0;
-  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #59: output[0][0] = @0 */
   casadi_copy(w0, 12, res[0]);
   return 0;
 }
 
 /* landing_with_derivative:(y[4x3],z[2],T,p)->(J[3x3],R[3]) */
-static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f8(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2, a3, a4, a5, a6, a7, a8, a9;
   a0=arg[0]? arg[0][4] : 0;
   a1=arg[0]? arg[0][5] : 0;
@@ -2994,7 +2953,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* simplest_walker_jacobian_12:(u[3],p)->(J[3x3],R[3]) */
-static int casadi_f4(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f2(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+266, *w01=w+269, w02, *w03=w+271, *w04=w+275, *w05=w+283, w06, w07, w08, *w09=w+295;
   casadi_real *w10=w+319, *w11=w+331;
@@ -3010,7 +2969,7 @@ static int casadi_f4(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[1]=(&w02);
   res1[0]=w03;
   res1[1]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
   /* #4: @5 = horzcat(@3, @4) */
   rr=w05;
   for (i=0, cs=w03; i<4; ++i) *rr++ = *cs++;
@@ -3027,7 +2986,7 @@ static int casadi_f4(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w08);
   arg1[1]=(&w02);
   res1[0]=w09;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
   /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
   arg1[0]=w05;
   arg1[1]=(&w06);
@@ -3035,7 +2994,7 @@ static int casadi_f4(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #11: {@11, @0} = landing_with_derivative(@10, @1, @7, @2) */
   arg1[0]=w10;
   arg1[1]=w01;
@@ -3043,7 +3002,7 @@ static int casadi_f4(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w02);
   res1[0]=w11;
   res1[1]=w00;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @11 */
   casadi_copy(w11, 9, res[0]);
   /* #13: output[1][0] = @0 */
@@ -3051,41 +3010,8 @@ static int casadi_f4(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   return 0;
 }
 
-/* scaled_jacobian_12:(u[3],p)->(J[3x3],R[3]) */
-static int casadi_f3(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_int i;
-  casadi_real **res1=res+2, *rr, *w0=w+344, *w1=w+353, w2, *w3=w+356, *w4=w+365;
-  const casadi_real **arg1=arg+2, *cr, *cs, *wr0;
-  /* #0: @0 = 
-  [[1, 1, 1], 
-   [1, 1, 1], 
-   [0.5, 0.5, 0.5]] */
-  wr0 = casadi_c0;
-  /* #1: @1 = input[0][0] */
-  casadi_copy(arg[0], 3, w1);
-  /* #2: @2 = input[1][0] */
-  w2 = arg[1] ? arg[1][0] : 0;
-  /* #3: {@3, @4} = simplest_walker_jacobian_12(@1, @2) */
-  arg1[0]=w1;
-  arg1[1]=(&w2);
-  res1[0]=w3;
-  res1[1]=w4;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
-  /* #4: @0 = (@0*@3) */
-  for (i=0, rr=w0, cr=wr0, cs=w3; i<9; ++i) (*rr++)  = ((*cr++)*(*cs++));
-  /* #5: output[0][0] = @0 */
-  casadi_copy(w0, 9, res[0]);
-  /* #6: @1 = [1, 1, 2] */
-  casadi_copy(casadi_c1, 3, w1);
-  /* #7: @4 = (@4/@1) */
-  for (i=0, rr=w4, cs=w1; i<3; ++i) (*rr++) /= (*cs++);
-  /* #8: output[1][0] = @4 */
-  casadi_copy(w4, 3, res[1]);
-  return 0;
-}
-
 /* newton_12:(u0[3],p)->(u[3]) */
-static int casadi_f2(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 3;
@@ -3111,7 +3037,7 @@ static int casadi_f2(const casadi_real** arg, casadi_real** res, casadi_int* iw,
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f3(arg+2, res+1, iw, w+36, 0)) return 1;
+    if (casadi_f2(arg+2, res+1, iw, w+36, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -3119,26 +3045,8 @@ static int casadi_f2(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   return 0;
 }
 
-/* scaled_newton_12:(i0[3],i1)->(o0[3]) */
-static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+1, *w0=w+411, w1, *w2=w+414;
-  const casadi_real **arg1=arg+2;
-  /* #0: @0 = input[0][0] */
-  casadi_copy(arg[0], 3, w0);
-  /* #1: @1 = input[1][0] */
-  w1 = arg[1] ? arg[1][0] : 0;
-  /* #2: @2 = newton_12(@0, @1) */
-  arg1[0]=w0;
-  arg1[1]=(&w1);
-  res1[0]=w2;
-  if (casadi_f2(arg1, res1, iw, w, 0)) return 1;
-  /* #3: output[0][0] = @2 */
-  casadi_copy(w2, 3, res[0]);
-  return 0;
-}
-
 /* plain_step:(y[4],phase[2],turns[2x12],h,p)->(y_end[4]) */
-static int casadi_f13(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f11(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a000, a001, a002, a003, a004, a005, a006, a007, a008, a009, a010, a011;
   casadi_real a012, a013, a014, a015, a016, a017, a018, a019, a020, a021, a022, a023;
   casadi_real a024, a025, a026, a027, a028, a029, a030, a031, a032, a033, a034, a035;
@@ -3974,7 +3882,7 @@ static int casadi_f13(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* plain_steps:(y[4],t,turns[2x12],h,p)->(y_end[4]) */
-static int casadi_f12(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *w0=w+117, w1, w2, *w3=w+121, w5, *w6=w+123, w7;
   const casadi_real **arg1=arg+5, *wr4;
   /* #0: @0 = input[0][0] */
@@ -3987,7 +3895,7 @@ static int casadi_f12(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w1);
   arg1[1]=(&w2);
   res1[0]=w3;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = input[2][0] */
   wr4 = arg[2] ? arg[2] : casadi_zeros;
   /* #5: @5 = input[3][0] */
@@ -3999,14 +3907,14 @@ static int casadi_f12(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=(&w2);
   res1[0]=w6;
-  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
   /* #7: @7 = (@1+@5) */
   w7  = (w1+w5);
   /* #8: @3 = phase(@7, @2) */
   arg1[0]=(&w7);
   arg1[1]=(&w2);
   res1[0]=w3;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #9: @0 = plain_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -4014,7 +3922,7 @@ static int casadi_f12(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=(&w2);
   res1[0]=w0;
-  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
   /* #10: @7 = (2.*@5) */
   w7 = (2.* w5 );
   /* #11: @7 = (@1+@7) */
@@ -4023,7 +3931,7 @@ static int casadi_f12(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w7);
   arg1[1]=(&w2);
   res1[0]=w3;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #13: @6 = plain_step(@0, @3, @4, @5, @2) */
   arg1[0]=w0;
   arg1[1]=w3;
@@ -4031,7 +3939,7 @@ static int casadi_f12(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=(&w2);
   res1[0]=w6;
-  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
   /* #14: @7 = 3 */
   w7 = 3.;
   /* #15: @7 = (@7*@5) */
@@ -4042,7 +3950,7 @@ static int casadi_f12(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w7);
   arg1[1]=(&w2);
   res1[0]=w3;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #18: @0 = plain_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -4050,7 +3958,7 @@ static int casadi_f12(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=(&w2);
   res1[0]=w0;
-  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
   /* #19: @7 = 4 */
   w7 = 4.;
   /* #20: @7 = (@7*@5) */
@@ -4061,7 +3969,7 @@ static int casadi_f12(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w7);
   arg1[1]=(&w2);
   res1[0]=w3;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #23: @6 = plain_step(@0, @3, @4, @5, @2) */
   arg1[0]=w0;
   arg1[1]=w3;
@@ -4069,7 +3977,7 @@ static int casadi_f12(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=(&w2);
   res1[0]=w6;
-  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
   /* #24: @7 = 5 */
   w7 = 5.;
   /* #25: @7 = (@7*@5) */
@@ -4080,7 +3988,7 @@ static int casadi_f12(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w7);
   arg1[1]=(&w2);
   res1[0]=w3;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #28: @0 = plain_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -4088,7 +3996,7 @@ static int casadi_f12(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=(&w2);
   res1[0]=w0;
-  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
   /* #29: @7 = 6 */
   w7 = 6.;
   /* #30: @7 = (@7*@5) */
@@ -4099,7 +4007,7 @@ static int casadi_f12(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w7);
   arg1[1]=(&w2);
   res1[0]=w3;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #33: @6 = plain_step(@0, @3, @4, @5, @2) */
   arg1[0]=w0;
   arg1[1]=w3;
@@ -4107,7 +4015,7 @@ static int casadi_f12(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=(&w2);
   res1[0]=w6;
-  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
   /* #34: @7 = 7 */
   w7 = 7.;
   /* #35: @7 = (@7*@5) */
@@ -4118,7 +4026,7 @@ static int casadi_f12(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w7);
   arg1[1]=(&w2);
   res1[0]=w3;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #38: @0 = plain_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -4126,7 +4034,7 @@ static int casadi_f12(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=(&w2);
   res1[0]=w0;
-  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
   /* #39: @7 = 8 */
   w7 = 8.;
   /* #40: @7 = (@7*@5) */
@@ -4137,7 +4045,7 @@ static int casadi_f12(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w7);
   arg1[1]=(&w2);
   res1[0]=w3;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #43: @6 = plain_step(@0, @3, @4, @5, @2) */
   arg1[0]=w0;
   arg1[1]=w3;
@@ -4145,7 +4053,7 @@ static int casadi_f12(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=(&w2);
   res1[0]=w6;
-  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
   /* #44: @7 = 9 */
   w7 = 9.;
   /* #45: @7 = (@7*@5) */
@@ -4156,7 +4064,7 @@ static int casadi_f12(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w7);
   arg1[1]=(&w2);
   res1[0]=w3;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #48: @0 = plain_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -4164,7 +4072,7 @@ static int casadi_f12(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=(&w2);
   res1[0]=w0;
-  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
   /* #49: @7 = 10 */
   w7 = 10.;
   /* #50: @7 = (@7*@5) */
@@ -4175,7 +4083,7 @@ static int casadi_f12(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w7);
   arg1[1]=(&w2);
   res1[0]=w3;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #53: @6 = plain_step(@0, @3, @4, @5, @2) */
   arg1[0]=w0;
   arg1[1]=w3;
@@ -4183,7 +4091,7 @@ static int casadi_f12(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=(&w2);
   res1[0]=w6;
-  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
   /* #54: @7 = 11 */
   w7 = 11.;
   /* #55: @7 = (@7*@5) */
@@ -4194,7 +4102,7 @@ static int casadi_f12(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w1);
   arg1[1]=(&w2);
   res1[0]=w3;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #58: @0 = plain_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -4202,14 +4110,14 @@ static int casadi_f12(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=(&w2);
   res1[0]=w0;
-  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
   /* #59: output[0][0] = @0 */
   casadi_copy(w0, 4, res[0]);
   return 0;
 }
 
 /* landing:(y[4],z[2],p)->(R[3]) */
-static int casadi_f14(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f12(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2, a3;
   a0=arg[0]? arg[0][0] : 0;
   a1=arg[0]? arg[0][1] : 0;
@@ -4230,7 +4138,7 @@ static int casadi_f14(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* simplest_walker_residual_12:(u[3],p)->(R[3]) */
-static int casadi_f11(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f9(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+155, *w1=w+158, w2, *w3=w+160, w4, w5, w6, *w7=w+164, *w8=w+188;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
@@ -4244,7 +4152,7 @@ static int casadi_f11(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w2);
   res1[0]=w3;
   res1[1]=0;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = 0 */
   w4 = 0.;
   /* #5: @5 = @0[2] */
@@ -4257,7 +4165,7 @@ static int casadi_f11(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w5);
   arg1[1]=(&w2);
   res1[0]=w7;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
   /* #9: @8 = plain_steps(@3, @4, @7, @5, @2) */
   arg1[0]=w3;
   arg1[1]=(&w4);
@@ -4265,13 +4173,13 @@ static int casadi_f11(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #10: @0 = landing(@8, @1, @2) */
   arg1[0]=w8;
   arg1[1]=w1;
   arg1[2]=(&w2);
   res1[0]=w0;
-  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #11: output[0][0] = @0 */
   casadi_copy(w0, 3, res[0]);
   return 0;
@@ -4279,13 +4187,13 @@ static int casadi_f11(const casadi_real** arg, casadi_real** res, casadi_int* iw
 
 /* simplest_walker_search_12:(u0[3],p)->(u[3],R[3]) */
 static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+2, *w0=w+418, w1, *w2=w+421;
+  casadi_real **res1=res+2, *w0=w+386, w1, *w2=w+389;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 3, w0);
   /* #1: @1 = input[1][0] */
   w1 = arg[1] ? arg[1][0] : 0;
-  /* #2: @2 = scaled_newton_12(@0, @1) */
+  /* #2: @2 = newton_12(@0, @1) */
   arg1[0]=w0;
   arg1[1]=(&w1);
   res1[0]=w2;
@@ -4296,7 +4204,7 @@ static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=w2;
   arg1[1]=(&w1);
   res1[0]=w0;
-  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @0 */
   casadi_copy(w0, 3, res[1]);
   return 0;
@@ -4362,23 +4270,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* simplest_walker_search_12_sparsity_out(ca
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_search_12_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 20;
-  if (sz_res) *sz_res = 10;
+  if (sz_arg) *sz_arg = 16;
+  if (sz_res) *sz_res = 7;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 424;
+  if (sz_w) *sz_w = 392;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_search_12_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 20*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 16*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 7*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 424*sizeof(casadi_real);
+  if (sz_w) *sz_w = 392*sizeof(casadi_real);
   return 0;
 }
 
 /* simplest_walker_jacobian_24:(u[3],p)->(J[3x3],R[3]) */
-static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f15(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+266, *w01=w+269, w02, *w03=w+271, *w04=w+275, *w05=w+283, w06, w07, w08, *w09=w+295;
   casadi_real *w10=w+319, *w11=w+331;
@@ -4394,7 +4302,7 @@ static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w02);
   res1[0]=w03;
   res1[1]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
   /* #4: @5 = horzcat(@3, @4) */
   rr=w05;
   for (i=0, cs=w03; i<4; ++i) *rr++ = *cs++;
@@ -4411,7 +4319,7 @@ static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w08);
   arg1[1]=(&w02);
   res1[0]=w09;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
   /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
   arg1[0]=w05;
   arg1[1]=(&w06);
@@ -4419,7 +4327,7 @@ static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #11: @6 = 0.5 */
   w06 = 5.0000000000000000e-01;
   /* #12: @6 = (@6*@7) */
@@ -4431,7 +4339,7 @@ static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #14: {@11, @0} = landing_with_derivative(@5, @1, @7, @2) */
   arg1[0]=w05;
   arg1[1]=w01;
@@ -4439,7 +4347,7 @@ static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w02);
   res1[0]=w11;
   res1[1]=w00;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #15: output[0][0] = @11 */
   casadi_copy(w11, 9, res[0]);
   /* #16: output[1][0] = @0 */
@@ -4447,41 +4355,8 @@ static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* scaled_jacobian_24:(u[3],p)->(J[3x3],R[3]) */
-static int casadi_f18(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_int i;
-  casadi_real **res1=res+2, *rr, *w0=w+344, *w1=w+353, w2, *w3=w+356, *w4=w+365;
-  const casadi_real **arg1=arg+2, *cr, *cs, *wr0;
-  /* #0: @0 = 
-  [[1, 1, 1], 
-   [1, 1, 1], 
-   [0.5, 0.5, 0.5]] */
-  wr0 = casadi_c0;
-  /* #1: @1 = input[0][0] */
-  casadi_copy(arg[0], 3, w1);
-  /* #2: @2 = input[1][0] */
-  w2 = arg[1] ? arg[1][0] : 0;
-  /* #3: {@3, @4} = simplest_walker_jacobian_24(@1, @2) */
-  arg1[0]=w1;
-  arg1[1]=(&w2);
-  res1[0]=w3;
-  res1[1]=w4;
-  if (casadi_f19(arg1, res1, iw, w, 0)) return 1;
-  /* #4: @0 = (@0*@3) */
-  for (i=0, rr=w0, cr=wr0, cs=w3; i<9; ++i) (*rr++)  = ((*cr++)*(*cs++));
-  /* #5: output[0][0] = @0 */
-  casadi_copy(w0, 9, res[0]);
-  /* #6: @1 = [1, 1, 2] */
-  casadi_copy(casadi_c1, 3, w1);
-  /* #7: @4 = (@4/@1) */
-  for (i=0, rr=w4, cs=w1; i<3; ++i) (*rr++) /= (*cs++);
-  /* #8: output[1][0] = @4 */
-  casadi_copy(w4, 3, res[1]);
-  return 0;
-}
-
 /* newton_24:(u0[3],p)->(u[3]) */
-static int casadi_f17(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f14(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 3;
@@ -4507,7 +4382,7 @@ static int casadi_f17(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f18(arg+2, res+1, iw, w+36, 0)) return 1;
+    if (casadi_f15(arg+2, res+1, iw, w+36, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -4515,26 +4390,8 @@ static int casadi_f17(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* scaled_newton_24:(i0[3],i1)->(o0[3]) */
-static int casadi_f16(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+1, *w0=w+411, w1, *w2=w+414;
-  const casadi_real **arg1=arg+2;
-  /* #0: @0 = input[0][0] */
-  casadi_copy(arg[0], 3, w0);
-  /* #1: @1 = input[1][0] */
-  w1 = arg[1] ? arg[1][0] : 0;
-  /* #2: @2 = newton_24(@0, @1) */
-  arg1[0]=w0;
-  arg1[1]=(&w1);
-  res1[0]=w2;
-  if (casadi_f17(arg1, res1, iw, w, 0)) return 1;
-  /* #3: output[0][0] = @2 */
-  casadi_copy(w2, 3, res[0]);
-  return 0;
-}
-
 /* simplest_walker_residual_24:(u[3],p)->(R[3]) */
-static int casadi_f20(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f16(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+155, *w1=w+158, w2, *w3=w+160, w4, w5, w6, *w7=w+164, *w8=w+188;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
@@ -4548,7 +4405,7 @@ static int casadi_f20(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w2);
   res1[0]=w3;
   res1[1]=0;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = 0 */
   w4 = 0.;
   /* #5: @5 = @0[2] */
@@ -4561,7 +4418,7 @@ static int casadi_f20(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w6);
   arg1[1]=(&w2);
   res1[0]=w7;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
   /* #9: @8 = plain_steps(@3, @4, @7, @6, @2) */
   arg1[0]=w3;
   arg1[1]=(&w4);
@@ -4569,7 +4426,7 @@ static int casadi_f20(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #10: @4 = 0.5 */
   w4 = 5.0000000000000000e-01;
   /* #11: @4 = (@4*@5) */
@@ -4581,45 +4438,45 @@ static int casadi_f20(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #13: @0 = landing(@3, @1, @2) */
   arg1[0]=w3;
   arg1[1]=w1;
   arg1[2]=(&w2);
   res1[0]=w0;
-  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #14: output[0][0] = @0 */
   casadi_copy(w0, 3, res[0]);
   return 0;
 }
 
 /* simplest_walker_search_24:(u0[3],p)->(u[3],R[3]) */
-static int casadi_f15(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+2, *w0=w+418, w1, *w2=w+421;
+static int casadi_f13(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+2, *w0=w+386, w1, *w2=w+389;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 3, w0);
   /* #1: @1 = input[1][0] */
   w1 = arg[1] ? arg[1][0] : 0;
-  /* #2: @2 = scaled_newton_24(@0, @1) */
+  /* #2: @2 = newton_24(@0, @1) */
   arg1[0]=w0;
   arg1[1]=(&w1);
   res1[0]=w2;
-  if (casadi_f16(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 3, res[0]);
   /* #4: @0 = simplest_walker_residual_24(@2, @1) */
   arg1[0]=w2;
   arg1[1]=(&w1);
   res1[0]=w0;
-  if (casadi_f20(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f16(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @0 */
   casadi_copy(w0, 3, res[1]);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_search_24(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f15(arg, res, iw, w, mem);
+  return casadi_f13(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_search_24_checkout(void) {
@@ -4678,23 +4535,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* simplest_walker_search_24_sparsity_out(ca
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_search_24_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 20;
-  if (sz_res) *sz_res = 10;
+  if (sz_arg) *sz_arg = 16;
+  if (sz_res) *sz_res = 7;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 424;
+  if (sz_w) *sz_w = 392;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_search_24_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 20*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 16*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 7*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 424*sizeof(casadi_real);
+  if (sz_w) *sz_w = 392*sizeof(casadi_real);
   return 0;
 }
 
 /* simplest_walker_jacobian_48:(u[3],p)->(J[3x3],R[3]) */
-static int casadi_f25(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+266, *w01=w+269, w02, *w03=w+271, *w04=w+275, *w05=w+283, w06, w07, w08, *w09=w+295;
   casadi_real *w10=w+319, *w11=w+331;
@@ -4710,7 +4567,7 @@ static int casadi_f25(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w02);
   res1[0]=w03;
   res1[1]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
   /* #4: @5 = horzcat(@3, @4) */
   rr=w05;
   for (i=0, cs=w03; i<4; ++i) *rr++ = *cs++;
@@ -4727,7 +4584,7 @@ static int casadi_f25(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w08);
   arg1[1]=(&w02);
   res1[0]=w09;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
   /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
   arg1[0]=w05;
   arg1[1]=(&w06);
@@ -4735,7 +4592,7 @@ static int casadi_f25(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #11: @6 = 0.25 */
   w06 = 2.5000000000000000e-01;
   /* #12: @6 = (@6*@7) */
@@ -4747,7 +4604,7 @@ static int casadi_f25(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #14: @6 = 0.5 */
   w06 = 5.0000000000000000e-01;
   /* #15: @6 = (@6*@7) */
@@ -4759,7 +4616,7 @@ static int casadi_f25(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #17: @6 = 0.75 */
   w06 = 7.5000000000000000e-01;
   /* #18: @6 = (@6*@7) */
@@ -4771,7 +4628,7 @@ static int casadi_f25(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #20: {@11, @0} = landing_with_derivative(@5, @1, @7, @2) */
   arg1[0]=w05;
   arg1[1]=w01;
@@ -4779,7 +4636,7 @@ static int casadi_f25(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w02);
   res1[0]=w11;
   res1[1]=w00;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #21: output[0][0] = @11 */
   casadi_copy(w11, 9, res[0]);
   /* #22: output[1][0] = @0 */
@@ -4787,41 +4644,8 @@ static int casadi_f25(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* scaled_jacobian_48:(u[3],p)->(J[3x3],R[3]) */
-static int casadi_f24(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_int i;
-  casadi_real **res1=res+2, *rr, *w0=w+344, *w1=w+353, w2, *w3=w+356, *w4=w+365;
-  const casadi_real **arg1=arg+2, *cr, *cs, *wr0;
-  /* #0: @0 = 
-  [[1, 1, 1], 
-   [1, 1, 1], 
-   [0.5, 0.5, 0.5]] */
-  wr0 = casadi_c0;
-  /* #1: @1 = input[0][0] */
-  casadi_copy(arg[0], 3, w1);
-  /* #2: @2 = input[1][0] */
-  w2 = arg[1] ? arg[1][0] : 0;
-  /* #3: {@3, @4} = simplest_walker_jacobian_48(@1, @2) */
-  arg1[0]=w1;
-  arg1[1]=(&w2);
-  res1[0]=w3;
-  res1[1]=w4;
-  if (casadi_f25(arg1, res1, iw, w, 0)) return 1;
-  /* #4: @0 = (@0*@3) */
-  for (i=0, rr=w0, cr=wr0, cs=w3; i<9; ++i) (*rr++)  = ((*cr++)*(*cs++));
-  /* #5: output[0][0] = @0 */
-  casadi_copy(w0, 9, res[0]);
-  /* #6: @1 = [1, 1, 2] */
-  casadi_copy(casadi_c1, 3, w1);
-  /* #7: @4 = (@4/@1) */
-  for (i=0, rr=w4, cs=w1; i<3; ++i) (*rr++) /= (*cs++);
-  /* #8: output[1][0] = @4 */
-  casadi_copy(w4, 3, res[1]);
-  return 0;
-}
-
 /* newton_48:(u0[3],p)->(u[3]) */
-static int casadi_f23(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f18(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 3;
@@ -4847,7 +4671,7 @@ static int casadi_f23(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f24(arg+2, res+1, iw, w+36, 0)) return 1;
+    if (casadi_f19(arg+2, res+1, iw, w+36, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -4855,26 +4679,8 @@ static int casadi_f23(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* scaled_newton_48:(i0[3],i1)->(o0[3]) */
-static int casadi_f22(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+1, *w0=w+411, w1, *w2=w+414;
-  const casadi_real **arg1=arg+2;
-  /* #0: @0 = input[0][0] */
-  casadi_copy(arg[0], 3, w0);
-  /* #1: @1 = input[1][0] */
-  w1 = arg[1] ? arg[1][0] : 0;
-  /* #2: @2 = newton_48(@0, @1) */
-  arg1[0]=w0;
-  arg1[1]=(&w1);
-  res1[0]=w2;
-  if (casadi_f23(arg1, res1, iw, w, 0)) return 1;
-  /* #3: output[0][0] = @2 */
-  casadi_copy(w2, 3, res[0]);
-  return 0;
-}
-
 /* simplest_walker_residual_48:(u[3],p)->(R[3]) */
-static int casadi_f26(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f20(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+155, *w1=w+158, w2, *w3=w+160, w4, w5, w6, *w7=w+164, *w8=w+188;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
@@ -4888,7 +4694,7 @@ static int casadi_f26(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w2);
   res1[0]=w3;
   res1[1]=0;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = 0 */
   w4 = 0.;
   /* #5: @5 = @0[2] */
@@ -4901,7 +4707,7 @@ static int casadi_f26(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w6);
   arg1[1]=(&w2);
   res1[0]=w7;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
   /* #9: @8 = plain_steps(@3, @4, @7, @6, @2) */
   arg1[0]=w3;
   arg1[1]=(&w4);
@@ -4909,7 +4715,7 @@ static int casadi_f26(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #10: @4 = 0.25 */
   w4 = 2.5000000000000000e-01;
   /* #11: @4 = (@4*@5) */
@@ -4921,7 +4727,7 @@ static int casadi_f26(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #13: @4 = 0.5 */
   w4 = 5.0000000000000000e-01;
   /* #14: @4 = (@4*@5) */
@@ -4933,7 +4739,7 @@ static int casadi_f26(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #16: @4 = 0.75 */
   w4 = 7.5000000000000000e-01;
   /* #17: @4 = (@4*@5) */
@@ -4945,45 +4751,45 @@ static int casadi_f26(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #19: @0 = landing(@3, @1, @2) */
   arg1[0]=w3;
   arg1[1]=w1;
   arg1[2]=(&w2);
   res1[0]=w0;
-  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][0] = @0 */
   casadi_copy(w0, 3, res[0]);
   return 0;
 }
 
 /* simplest_walker_search_48:(u0[3],p)->(u[3],R[3]) */
-static int casadi_f21(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+2, *w0=w+418, w1, *w2=w+421;
+static int casadi_f17(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+2, *w0=w+386, w1, *w2=w+389;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 3, w0);
   /* #1: @1 = input[1][0] */
   w1 = arg[1] ? arg[1][0] : 0;
-  /* #2: @2 = scaled_newton_48(@0, @1) */
+  /* #2: @2 = newton_48(@0, @1) */
   arg1[0]=w0;
   arg1[1]=(&w1);
   res1[0]=w2;
-  if (casadi_f22(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f18(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 3, res[0]);
   /* #4: @0 = simplest_walker_residual_48(@2, @1) */
   arg1[0]=w2;
   arg1[1]=(&w1);
   res1[0]=w0;
-  if (casadi_f26(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f20(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @0 */
   casadi_copy(w0, 3, res[1]);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_search_48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f21(arg, res, iw, w, mem);
+  return casadi_f17(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_search_48_checkout(void) {
@@ -5042,23 +4848,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* simplest_walker_search_48_sparsity_out(ca
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_search_48_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 20;
-  if (sz_res) *sz_res = 10;
+  if (sz_arg) *sz_arg = 16;
+  if (sz_res) *sz_res = 7;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 424;
+  if (sz_w) *sz_w = 392;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_search_48_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 20*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 16*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 7*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 424*sizeof(casadi_real);
+  if (sz_w) *sz_w = 392*sizeof(casadi_real);
   return 0;
 }
 
 /* coarse_jacobian_24:(u[3],p)->(J[3x3],R[3]) */
-static int casadi_f31(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f23(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+344, w1, *w2=w+347, *w3=w+356;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
@@ -5070,54 +4876,21 @@ static int casadi_f31(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w1);
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f2(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 9, res[0]);
   /* #4: @3 = simplest_walker_residual_24(@0, @1) */
   arg1[0]=w0;
   arg1[1]=(&w1);
   res1[0]=w3;
-  if (casadi_f20(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f16(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 3, res[1]);
   return 0;
 }
 
-/* scaled_jacobian_24:(u[3],p)->(J[3x3],R[3]) */
-static int casadi_f30(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_int i;
-  casadi_real **res1=res+2, *rr, *w0=w+360, *w1=w+369, w2, *w3=w+372, *w4=w+381;
-  const casadi_real **arg1=arg+2, *cr, *cs, *wr0;
-  /* #0: @0 = 
-  [[1, 1, 1], 
-   [1, 1, 1], 
-   [0.5, 0.5, 0.5]] */
-  wr0 = casadi_c0;
-  /* #1: @1 = input[0][0] */
-  casadi_copy(arg[0], 3, w1);
-  /* #2: @2 = input[1][0] */
-  w2 = arg[1] ? arg[1][0] : 0;
-  /* #3: {@3, @4} = coarse_jacobian_24(@1, @2) */
-  arg1[0]=w1;
-  arg1[1]=(&w2);
-  res1[0]=w3;
-  res1[1]=w4;
-  if (casadi_f31(arg1, res1, iw, w, 0)) return 1;
-  /* #4: @0 = (@0*@3) */
-  for (i=0, rr=w0, cr=wr0, cs=w3; i<9; ++i) (*rr++)  = ((*cr++)*(*cs++));
-  /* #5: output[0][0] = @0 */
-  casadi_copy(w0, 9, res[0]);
-  /* #6: @1 = [1, 1, 2] */
-  casadi_copy(casadi_c1, 3, w1);
-  /* #7: @4 = (@4/@1) */
-  for (i=0, rr=w4, cs=w1; i<3; ++i) (*rr++) /= (*cs++);
-  /* #8: output[1][0] = @4 */
-  casadi_copy(w4, 3, res[1]);
-  return 0;
-}
-
 /* newton_24:(u0[3],p)->(u[3]) */
-static int casadi_f29(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f22(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 3;
@@ -5143,7 +4916,7 @@ static int casadi_f29(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f30(arg+2, res+1, iw, w+36, 0)) return 1;
+    if (casadi_f23(arg+2, res+1, iw, w+36, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -5151,9 +4924,9 @@ static int casadi_f29(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* scaled_newton_24:(i0[3],i1)->(o0[3]) */
-static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+1, *w0=w+427, w1, *w2=w+430;
+/* simplest_walker_limit_cycle_24:(u0[3],p)->(u[3],J[3x3],R[3]) */
+static int casadi_f21(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+3, *w0=w+402, w1, *w2=w+405, *w3=w+408;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 3, w0);
@@ -5163,25 +4936,7 @@ static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=w0;
   arg1[1]=(&w1);
   res1[0]=w2;
-  if (casadi_f29(arg1, res1, iw, w, 0)) return 1;
-  /* #3: output[0][0] = @2 */
-  casadi_copy(w2, 3, res[0]);
-  return 0;
-}
-
-/* simplest_walker_limit_cycle_24:(u0[3],p)->(u[3],J[3x3],R[3]) */
-static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+3, *w0=w+434, w1, *w2=w+437, *w3=w+440;
-  const casadi_real **arg1=arg+2;
-  /* #0: @0 = input[0][0] */
-  casadi_copy(arg[0], 3, w0);
-  /* #1: @1 = input[1][0] */
-  w1 = arg[1] ? arg[1][0] : 0;
-  /* #2: @2 = scaled_newton_24(@0, @1) */
-  arg1[0]=w0;
-  arg1[1]=(&w1);
-  res1[0]=w2;
-  if (casadi_f28(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f22(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 3, res[0]);
   /* #4: {@3, @0} = simplest_walker_jacobian_24(@2, @1) */
@@ -5189,7 +4944,7 @@ static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w1);
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f19(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f15(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 9, res[1]);
   /* #6: output[2][0] = @0 */
@@ -5198,7 +4953,7 @@ static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_24(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f27(arg, res, iw, w, mem);
+  return casadi_f21(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_24_checkout(void) {
@@ -5259,23 +5014,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* simplest_walker_limit_cycle_24_sparsity_o
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_24_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 22;
-  if (sz_res) *sz_res = 13;
+  if (sz_arg) *sz_arg = 18;
+  if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 449;
+  if (sz_w) *sz_w = 417;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_24_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 22*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 13*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 18*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 449*sizeof(casadi_real);
+  if (sz_w) *sz_w = 417*sizeof(casadi_real);
   return 0;
 }
 
 /* simplest_walker_residual_36:(u[3],p)->(R[3]) */
-static int casadi_f37(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+155, *w1=w+158, w2, *w3=w+160, w4, w5, w6, *w7=w+164, *w8=w+188;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
@@ -5289,7 +5044,7 @@ static int casadi_f37(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w2);
   res1[0]=w3;
   res1[1]=0;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = 0 */
   w4 = 0.;
   /* #5: @5 = @0[2] */
@@ -5302,7 +5057,7 @@ static int casadi_f37(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w6);
   arg1[1]=(&w2);
   res1[0]=w7;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
   /* #9: @8 = plain_steps(@3, @4, @7, @6, @2) */
   arg1[0]=w3;
   arg1[1]=(&w4);
@@ -5310,7 +5065,7 @@ static int casadi_f37(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #10: @4 = 0.333333 */
   w4 = 3.3333333333333331e-01;
   /* #11: @4 = (@4*@5) */
@@ -5322,7 +5077,7 @@ static int casadi_f37(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #13: @4 = 0.666667 */
   w4 = 6.6666666666666663e-01;
   /* #14: @4 = (@4*@5) */
@@ -5334,20 +5089,20 @@ static int casadi_f37(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #16: @0 = landing(@8, @1, @2) */
   arg1[0]=w8;
   arg1[1]=w1;
   arg1[2]=(&w2);
   res1[0]=w0;
-  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #17: output[0][0] = @0 */
   casadi_copy(w0, 3, res[0]);
   return 0;
 }
 
 /* coarse_jacobian_36:(u[3],p)->(J[3x3],R[3]) */
-static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f26(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+344, w1, *w2=w+347, *w3=w+356;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
@@ -5359,54 +5114,21 @@ static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w1);
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f2(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 9, res[0]);
   /* #4: @3 = simplest_walker_residual_36(@0, @1) */
   arg1[0]=w0;
   arg1[1]=(&w1);
   res1[0]=w3;
-  if (casadi_f37(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f27(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 3, res[1]);
   return 0;
 }
 
-/* scaled_jacobian_36:(u[3],p)->(J[3x3],R[3]) */
-static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_int i;
-  casadi_real **res1=res+2, *rr, *w0=w+360, *w1=w+369, w2, *w3=w+372, *w4=w+381;
-  const casadi_real **arg1=arg+2, *cr, *cs, *wr0;
-  /* #0: @0 = 
-  [[1, 1, 1], 
-   [1, 1, 1], 
-   [0.5, 0.5, 0.5]] */
-  wr0 = casadi_c0;
-  /* #1: @1 = input[0][0] */
-  casadi_copy(arg[0], 3, w1);
-  /* #2: @2 = input[1][0] */
-  w2 = arg[1] ? arg[1][0] : 0;
-  /* #3: {@3, @4} = coarse_jacobian_36(@1, @2) */
-  arg1[0]=w1;
-  arg1[1]=(&w2);
-  res1[0]=w3;
-  res1[1]=w4;
-  if (casadi_f36(arg1, res1, iw, w, 0)) return 1;
-  /* #4: @0 = (@0*@3) */
-  for (i=0, rr=w0, cr=wr0, cs=w3; i<9; ++i) (*rr++)  = ((*cr++)*(*cs++));
-  /* #5: output[0][0] = @0 */
-  casadi_copy(w0, 9, res[0]);
-  /* #6: @1 = [1, 1, 2] */
-  casadi_copy(casadi_c1, 3, w1);
-  /* #7: @4 = (@4/@1) */
-  for (i=0, rr=w4, cs=w1; i<3; ++i) (*rr++) /= (*cs++);
-  /* #8: output[1][0] = @4 */
-  casadi_copy(w4, 3, res[1]);
-  return 0;
-}
-
 /* newton_36:(u0[3],p)->(u[3]) */
-static int casadi_f34(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f25(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 3;
@@ -5432,7 +5154,7 @@ static int casadi_f34(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f35(arg+2, res+1, iw, w+36, 0)) return 1;
+    if (casadi_f26(arg+2, res+1, iw, w+36, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -5440,26 +5162,8 @@ static int casadi_f34(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* scaled_newton_36:(i0[3],i1)->(o0[3]) */
-static int casadi_f33(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+1, *w0=w+427, w1, *w2=w+430;
-  const casadi_real **arg1=arg+2;
-  /* #0: @0 = input[0][0] */
-  casadi_copy(arg[0], 3, w0);
-  /* #1: @1 = input[1][0] */
-  w1 = arg[1] ? arg[1][0] : 0;
-  /* #2: @2 = newton_36(@0, @1) */
-  arg1[0]=w0;
-  arg1[1]=(&w1);
-  res1[0]=w2;
-  if (casadi_f34(arg1, res1, iw, w, 0)) return 1;
-  /* #3: output[0][0] = @2 */
-  casadi_copy(w2, 3, res[0]);
-  return 0;
-}
-
 /* simplest_walker_jacobian_36:(u[3],p)->(J[3x3],R[3]) */
-static int casadi_f38(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+266, *w01=w+269, w02, *w03=w+271, *w04=w+275, *w05=w+283, w06, w07, w08, *w09=w+295;
   casadi_real *w10=w+319, *w11=w+331;
@@ -5475,7 +5179,7 @@ static int casadi_f38(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w02);
   res1[0]=w03;
   res1[1]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
   /* #4: @5 = horzcat(@3, @4) */
   rr=w05;
   for (i=0, cs=w03; i<4; ++i) *rr++ = *cs++;
@@ -5492,7 +5196,7 @@ static int casadi_f38(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w08);
   arg1[1]=(&w02);
   res1[0]=w09;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
   /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
   arg1[0]=w05;
   arg1[1]=(&w06);
@@ -5500,7 +5204,7 @@ static int casadi_f38(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #11: @6 = 0.333333 */
   w06 = 3.3333333333333331e-01;
   /* #12: @6 = (@6*@7) */
@@ -5512,7 +5216,7 @@ static int casadi_f38(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #14: @6 = 0.666667 */
   w06 = 6.6666666666666663e-01;
   /* #15: @6 = (@6*@7) */
@@ -5524,7 +5228,7 @@ static int casadi_f38(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #17: {@11, @0} = landing_with_derivative(@10, @1, @7, @2) */
   arg1[0]=w10;
   arg1[1]=w01;
@@ -5532,7 +5236,7 @@ static int casadi_f38(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w02);
   res1[0]=w11;
   res1[1]=w00;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #18: output[0][0] = @11 */
   casadi_copy(w11, 9, res[0]);
   /* #19: output[1][0] = @0 */
@@ -5541,18 +5245,18 @@ static int casadi_f38(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* simplest_walker_limit_cycle_36:(u0[3],p)->(u[3],J[3x3],R[3]) */
-static int casadi_f32(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+3, *w0=w+434, w1, *w2=w+437, *w3=w+440;
+static int casadi_f24(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+3, *w0=w+402, w1, *w2=w+405, *w3=w+408;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 3, w0);
   /* #1: @1 = input[1][0] */
   w1 = arg[1] ? arg[1][0] : 0;
-  /* #2: @2 = scaled_newton_36(@0, @1) */
+  /* #2: @2 = newton_36(@0, @1) */
   arg1[0]=w0;
   arg1[1]=(&w1);
   res1[0]=w2;
-  if (casadi_f33(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f25(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 3, res[0]);
   /* #4: {@3, @0} = simplest_walker_jacobian_36(@2, @1) */
@@ -5560,7 +5264,7 @@ static int casadi_f32(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w1);
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f38(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f28(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 9, res[1]);
   /* #6: output[2][0] = @0 */
@@ -5569,7 +5273,7 @@ static int casadi_f32(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_36(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f32(arg, res, iw, w, mem);
+  return casadi_f24(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_36_checkout(void) {
@@ -5630,23 +5334,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* simplest_walker_limit_cycle_36_sparsity_o
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_36_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 22;
-  if (sz_res) *sz_res = 13;
+  if (sz_arg) *sz_arg = 18;
+  if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 449;
+  if (sz_w) *sz_w = 417;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_36_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 22*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 13*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 18*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 449*sizeof(casadi_real);
+  if (sz_w) *sz_w = 417*sizeof(casadi_real);
   return 0;
 }
 
 /* coarse_jacobian_48:(u[3],p)->(J[3x3],R[3]) */
-static int casadi_f43(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f31(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+344, w1, *w2=w+347, *w3=w+356;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
@@ -5658,54 +5362,21 @@ static int casadi_f43(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w1);
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f19(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f15(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 9, res[0]);
   /* #4: @3 = simplest_walker_residual_48(@0, @1) */
   arg1[0]=w0;
   arg1[1]=(&w1);
   res1[0]=w3;
-  if (casadi_f26(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f20(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 3, res[1]);
   return 0;
 }
 
-/* scaled_jacobian_48:(u[3],p)->(J[3x3],R[3]) */
-static int casadi_f42(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_int i;
-  casadi_real **res1=res+2, *rr, *w0=w+360, *w1=w+369, w2, *w3=w+372, *w4=w+381;
-  const casadi_real **arg1=arg+2, *cr, *cs, *wr0;
-  /* #0: @0 = 
-  [[1, 1, 1], 
-   [1, 1, 1], 
-   [0.5, 0.5, 0.5]] */
-  wr0 = casadi_c0;
-  /* #1: @1 = input[0][0] */
-  casadi_copy(arg[0], 3, w1);
-  /* #2: @2 = input[1][0] */
-  w2 = arg[1] ? arg[1][0] : 0;
-  /* #3: {@3, @4} = coarse_jacobian_48(@1, @2) */
-  arg1[0]=w1;
-  arg1[1]=(&w2);
-  res1[0]=w3;
-  res1[1]=w4;
-  if (casadi_f43(arg1, res1, iw, w, 0)) return 1;
-  /* #4: @0 = (@0*@3) */
-  for (i=0, rr=w0, cr=wr0, cs=w3; i<9; ++i) (*rr++)  = ((*cr++)*(*cs++));
-  /* #5: output[0][0] = @0 */
-  casadi_copy(w0, 9, res[0]);
-  /* #6: @1 = [1, 1, 2] */
-  casadi_copy(casadi_c1, 3, w1);
-  /* #7: @4 = (@4/@1) */
-  for (i=0, rr=w4, cs=w1; i<3; ++i) (*rr++) /= (*cs++);
-  /* #8: output[1][0] = @4 */
-  casadi_copy(w4, 3, res[1]);
-  return 0;
-}
-
 /* newton_48:(u0[3],p)->(u[3]) */
-static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f30(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 3;
@@ -5731,7 +5402,7 @@ static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f42(arg+2, res+1, iw, w+36, 0)) return 1;
+    if (casadi_f31(arg+2, res+1, iw, w+36, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -5739,9 +5410,9 @@ static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* scaled_newton_48:(i0[3],i1)->(o0[3]) */
-static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+1, *w0=w+427, w1, *w2=w+430;
+/* simplest_walker_limit_cycle_48:(u0[3],p)->(u[3],J[3x3],R[3]) */
+static int casadi_f29(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+3, *w0=w+402, w1, *w2=w+405, *w3=w+408;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 3, w0);
@@ -5751,25 +5422,7 @@ static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=w0;
   arg1[1]=(&w1);
   res1[0]=w2;
-  if (casadi_f41(arg1, res1, iw, w, 0)) return 1;
-  /* #3: output[0][0] = @2 */
-  casadi_copy(w2, 3, res[0]);
-  return 0;
-}
-
-/* simplest_walker_limit_cycle_48:(u0[3],p)->(u[3],J[3x3],R[3]) */
-static int casadi_f39(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+3, *w0=w+434, w1, *w2=w+437, *w3=w+440;
-  const casadi_real **arg1=arg+2;
-  /* #0: @0 = input[0][0] */
-  casadi_copy(arg[0], 3, w0);
-  /* #1: @1 = input[1][0] */
-  w1 = arg[1] ? arg[1][0] : 0;
-  /* #2: @2 = scaled_newton_48(@0, @1) */
-  arg1[0]=w0;
-  arg1[1]=(&w1);
-  res1[0]=w2;
-  if (casadi_f40(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f30(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 3, res[0]);
   /* #4: {@3, @0} = simplest_walker_jacobian_48(@2, @1) */
@@ -5777,7 +5430,7 @@ static int casadi_f39(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w1);
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f25(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f19(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 9, res[1]);
   /* #6: output[2][0] = @0 */
@@ -5786,7 +5439,7 @@ static int casadi_f39(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f39(arg, res, iw, w, mem);
+  return casadi_f29(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_48_checkout(void) {
@@ -5847,23 +5500,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* simplest_walker_limit_cycle_48_sparsity_o
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_48_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 22;
-  if (sz_res) *sz_res = 13;
+  if (sz_arg) *sz_arg = 18;
+  if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 449;
+  if (sz_w) *sz_w = 417;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_48_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 22*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 13*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 18*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 449*sizeof(casadi_real);
+  if (sz_w) *sz_w = 417*sizeof(casadi_real);
   return 0;
 }
 
 /* simplest_walker_residual_72:(u[3],p)->(R[3]) */
-static int casadi_f49(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+155, *w1=w+158, w2, *w3=w+160, w4, w5, w6, *w7=w+164, *w8=w+188;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
@@ -5877,7 +5530,7 @@ static int casadi_f49(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w2);
   res1[0]=w3;
   res1[1]=0;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = 0 */
   w4 = 0.;
   /* #5: @5 = @0[2] */
@@ -5890,7 +5543,7 @@ static int casadi_f49(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w6);
   arg1[1]=(&w2);
   res1[0]=w7;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
   /* #9: @8 = plain_steps(@3, @4, @7, @6, @2) */
   arg1[0]=w3;
   arg1[1]=(&w4);
@@ -5898,7 +5551,7 @@ static int casadi_f49(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #10: @4 = 0.166667 */
   w4 = 1.6666666666666666e-01;
   /* #11: @4 = (@4*@5) */
@@ -5910,7 +5563,7 @@ static int casadi_f49(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #13: @4 = 0.333333 */
   w4 = 3.3333333333333331e-01;
   /* #14: @4 = (@4*@5) */
@@ -5922,7 +5575,7 @@ static int casadi_f49(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #16: @4 = 0.5 */
   w4 = 5.0000000000000000e-01;
   /* #17: @4 = (@4*@5) */
@@ -5934,7 +5587,7 @@ static int casadi_f49(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #19: @4 = 0.666667 */
   w4 = 6.6666666666666663e-01;
   /* #20: @4 = (@4*@5) */
@@ -5946,7 +5599,7 @@ static int casadi_f49(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #22: @4 = 0.833333 */
   w4 = 8.3333333333333337e-01;
   /* #23: @4 = (@4*@5) */
@@ -5958,20 +5611,20 @@ static int casadi_f49(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #25: @0 = landing(@3, @1, @2) */
   arg1[0]=w3;
   arg1[1]=w1;
   arg1[2]=(&w2);
   res1[0]=w0;
-  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #26: output[0][0] = @0 */
   casadi_copy(w0, 3, res[0]);
   return 0;
 }
 
 /* coarse_jacobian_72:(u[3],p)->(J[3x3],R[3]) */
-static int casadi_f48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f34(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+344, w1, *w2=w+347, *w3=w+356;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
@@ -5983,54 +5636,21 @@ static int casadi_f48(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w1);
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f38(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f28(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 9, res[0]);
   /* #4: @3 = simplest_walker_residual_72(@0, @1) */
   arg1[0]=w0;
   arg1[1]=(&w1);
   res1[0]=w3;
-  if (casadi_f49(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f35(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 3, res[1]);
   return 0;
 }
 
-/* scaled_jacobian_72:(u[3],p)->(J[3x3],R[3]) */
-static int casadi_f47(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_int i;
-  casadi_real **res1=res+2, *rr, *w0=w+360, *w1=w+369, w2, *w3=w+372, *w4=w+381;
-  const casadi_real **arg1=arg+2, *cr, *cs, *wr0;
-  /* #0: @0 = 
-  [[1, 1, 1], 
-   [1, 1, 1], 
-   [0.5, 0.5, 0.5]] */
-  wr0 = casadi_c0;
-  /* #1: @1 = input[0][0] */
-  casadi_copy(arg[0], 3, w1);
-  /* #2: @2 = input[1][0] */
-  w2 = arg[1] ? arg[1][0] : 0;
-  /* #3: {@3, @4} = coarse_jacobian_72(@1, @2) */
-  arg1[0]=w1;
-  arg1[1]=(&w2);
-  res1[0]=w3;
-  res1[1]=w4;
-  if (casadi_f48(arg1, res1, iw, w, 0)) return 1;
-  /* #4: @0 = (@0*@3) */
-  for (i=0, rr=w0, cr=wr0, cs=w3; i<9; ++i) (*rr++)  = ((*cr++)*(*cs++));
-  /* #5: output[0][0] = @0 */
-  casadi_copy(w0, 9, res[0]);
-  /* #6: @1 = [1, 1, 2] */
-  casadi_copy(casadi_c1, 3, w1);
-  /* #7: @4 = (@4/@1) */
-  for (i=0, rr=w4, cs=w1; i<3; ++i) (*rr++) /= (*cs++);
-  /* #8: output[1][0] = @4 */
-  casadi_copy(w4, 3, res[1]);
-  return 0;
-}
-
 /* newton_72:(u0[3],p)->(u[3]) */
-static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f33(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 3;
@@ -6056,7 +5676,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f47(arg+2, res+1, iw, w+36, 0)) return 1;
+    if (casadi_f34(arg+2, res+1, iw, w+36, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -6064,26 +5684,8 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* scaled_newton_72:(i0[3],i1)->(o0[3]) */
-static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+1, *w0=w+427, w1, *w2=w+430;
-  const casadi_real **arg1=arg+2;
-  /* #0: @0 = input[0][0] */
-  casadi_copy(arg[0], 3, w0);
-  /* #1: @1 = input[1][0] */
-  w1 = arg[1] ? arg[1][0] : 0;
-  /* #2: @2 = newton_72(@0, @1) */
-  arg1[0]=w0;
-  arg1[1]=(&w1);
-  res1[0]=w2;
-  if (casadi_f46(arg1, res1, iw, w, 0)) return 1;
-  /* #3: output[0][0] = @2 */
-  casadi_copy(w2, 3, res[0]);
-  return 0;
-}
-
 /* simplest_walker_jacobian_72:(u[3],p)->(J[3x3],R[3]) */
-static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+266, *w01=w+269, w02, *w03=w+271, *w04=w+275, *w05=w+283, w06, w07, w08, *w09=w+295;
   casadi_real *w10=w+319, *w11=w+331;
@@ -6099,7 +5701,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w02);
   res1[0]=w03;
   res1[1]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
   /* #4: @5 = horzcat(@3, @4) */
   rr=w05;
   for (i=0, cs=w03; i<4; ++i) *rr++ = *cs++;
@@ -6116,7 +5718,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w08);
   arg1[1]=(&w02);
   res1[0]=w09;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
   /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
   arg1[0]=w05;
   arg1[1]=(&w06);
@@ -6124,7 +5726,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #11: @6 = 0.166667 */
   w06 = 1.6666666666666666e-01;
   /* #12: @6 = (@6*@7) */
@@ -6136,7 +5738,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #14: @6 = 0.333333 */
   w06 = 3.3333333333333331e-01;
   /* #15: @6 = (@6*@7) */
@@ -6148,7 +5750,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #17: @6 = 0.5 */
   w06 = 5.0000000000000000e-01;
   /* #18: @6 = (@6*@7) */
@@ -6160,7 +5762,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #20: @6 = 0.666667 */
   w06 = 6.6666666666666663e-01;
   /* #21: @6 = (@6*@7) */
@@ -6172,7 +5774,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #23: @6 = 0.833333 */
   w06 = 8.3333333333333337e-01;
   /* #24: @6 = (@6*@7) */
@@ -6184,7 +5786,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #26: {@11, @0} = landing_with_derivative(@5, @1, @7, @2) */
   arg1[0]=w05;
   arg1[1]=w01;
@@ -6192,7 +5794,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w02);
   res1[0]=w11;
   res1[1]=w00;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #27: output[0][0] = @11 */
   casadi_copy(w11, 9, res[0]);
   /* #28: output[1][0] = @0 */
@@ -6201,18 +5803,18 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* simplest_walker_limit_cycle_72:(u0[3],p)->(u[3],J[3x3],R[3]) */
-static int casadi_f44(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+3, *w0=w+434, w1, *w2=w+437, *w3=w+440;
+static int casadi_f32(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+3, *w0=w+402, w1, *w2=w+405, *w3=w+408;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 3, w0);
   /* #1: @1 = input[1][0] */
   w1 = arg[1] ? arg[1][0] : 0;
-  /* #2: @2 = scaled_newton_72(@0, @1) */
+  /* #2: @2 = newton_72(@0, @1) */
   arg1[0]=w0;
   arg1[1]=(&w1);
   res1[0]=w2;
-  if (casadi_f45(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f33(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 3, res[0]);
   /* #4: {@3, @0} = simplest_walker_jacobian_72(@2, @1) */
@@ -6220,7 +5822,7 @@ static int casadi_f44(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w1);
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f50(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f36(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 9, res[1]);
   /* #6: output[2][0] = @0 */
@@ -6229,7 +5831,7 @@ static int casadi_f44(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_72(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f44(arg, res, iw, w, mem);
+  return casadi_f32(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_72_checkout(void) {
@@ -6290,23 +5892,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* simplest_walker_limit_cycle_72_sparsity_o
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_72_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 22;
-  if (sz_res) *sz_res = 13;
+  if (sz_arg) *sz_arg = 18;
+  if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 449;
+  if (sz_w) *sz_w = 417;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_72_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 22*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 13*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 18*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 449*sizeof(casadi_real);
+  if (sz_w) *sz_w = 417*sizeof(casadi_real);
   return 0;
 }
 
 /* simplest_walker_residual_96:(u[3],p)->(R[3]) */
-static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+155, *w1=w+158, w2, *w3=w+160, w4, w5, w6, *w7=w+164, *w8=w+188;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
@@ -6320,7 +5922,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w2);
   res1[0]=w3;
   res1[1]=0;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = 0 */
   w4 = 0.;
   /* #5: @5 = @0[2] */
@@ -6333,7 +5935,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w6);
   arg1[1]=(&w2);
   res1[0]=w7;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
   /* #9: @8 = plain_steps(@3, @4, @7, @6, @2) */
   arg1[0]=w3;
   arg1[1]=(&w4);
@@ -6341,7 +5943,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #10: @4 = 0.125 */
   w4 = 1.2500000000000000e-01;
   /* #11: @4 = (@4*@5) */
@@ -6353,7 +5955,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #13: @4 = 0.25 */
   w4 = 2.5000000000000000e-01;
   /* #14: @4 = (@4*@5) */
@@ -6365,7 +5967,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #16: @4 = 0.375 */
   w4 = 3.7500000000000000e-01;
   /* #17: @4 = (@4*@5) */
@@ -6377,7 +5979,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #19: @4 = 0.5 */
   w4 = 5.0000000000000000e-01;
   /* #20: @4 = (@4*@5) */
@@ -6389,7 +5991,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #22: @4 = 0.625 */
   w4 = 6.2500000000000000e-01;
   /* #23: @4 = (@4*@5) */
@@ -6401,7 +6003,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #25: @4 = 0.75 */
   w4 = 7.5000000000000000e-01;
   /* #26: @4 = (@4*@5) */
@@ -6413,7 +6015,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #28: @4 = 0.875 */
   w4 = 8.7500000000000000e-01;
   /* #29: @4 = (@4*@5) */
@@ -6425,20 +6027,20 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #31: @0 = landing(@3, @1, @2) */
   arg1[0]=w3;
   arg1[1]=w1;
   arg1[2]=(&w2);
   res1[0]=w0;
-  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][0] = @0 */
   casadi_copy(w0, 3, res[0]);
   return 0;
 }
 
 /* coarse_jacobian_96:(u[3],p)->(J[3x3],R[3]) */
-static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f39(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+344, w1, *w2=w+347, *w3=w+356;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
@@ -6450,54 +6052,21 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w1);
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f25(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f19(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 9, res[0]);
   /* #4: @3 = simplest_walker_residual_96(@0, @1) */
   arg1[0]=w0;
   arg1[1]=(&w1);
   res1[0]=w3;
-  if (casadi_f56(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f40(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 3, res[1]);
   return 0;
 }
 
-/* scaled_jacobian_96:(u[3],p)->(J[3x3],R[3]) */
-static int casadi_f54(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_int i;
-  casadi_real **res1=res+2, *rr, *w0=w+360, *w1=w+369, w2, *w3=w+372, *w4=w+381;
-  const casadi_real **arg1=arg+2, *cr, *cs, *wr0;
-  /* #0: @0 = 
-  [[1, 1, 1], 
-   [1, 1, 1], 
-   [0.5, 0.5, 0.5]] */
-  wr0 = casadi_c0;
-  /* #1: @1 = input[0][0] */
-  casadi_copy(arg[0], 3, w1);
-  /* #2: @2 = input[1][0] */
-  w2 = arg[1] ? arg[1][0] : 0;
-  /* #3: {@3, @4} = coarse_jacobian_96(@1, @2) */
-  arg1[0]=w1;
-  arg1[1]=(&w2);
-  res1[0]=w3;
-  res1[1]=w4;
-  if (casadi_f55(arg1, res1, iw, w, 0)) return 1;
-  /* #4: @0 = (@0*@3) */
-  for (i=0, rr=w0, cr=wr0, cs=w3; i<9; ++i) (*rr++)  = ((*cr++)*(*cs++));
-  /* #5: output[0][0] = @0 */
-  casadi_copy(w0, 9, res[0]);
-  /* #6: @1 = [1, 1, 2] */
-  casadi_copy(casadi_c1, 3, w1);
-  /* #7: @4 = (@4/@1) */
-  for (i=0, rr=w4, cs=w1; i<3; ++i) (*rr++) /= (*cs++);
-  /* #8: output[1][0] = @4 */
-  casadi_copy(w4, 3, res[1]);
-  return 0;
-}
-
 /* newton_96:(u0[3],p)->(u[3]) */
-static int casadi_f53(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f38(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 3;
@@ -6523,7 +6092,7 @@ static int casadi_f53(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f54(arg+2, res+1, iw, w+36, 0)) return 1;
+    if (casadi_f39(arg+2, res+1, iw, w+36, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -6531,26 +6100,8 @@ static int casadi_f53(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* scaled_newton_96:(i0[3],i1)->(o0[3]) */
-static int casadi_f52(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+1, *w0=w+427, w1, *w2=w+430;
-  const casadi_real **arg1=arg+2;
-  /* #0: @0 = input[0][0] */
-  casadi_copy(arg[0], 3, w0);
-  /* #1: @1 = input[1][0] */
-  w1 = arg[1] ? arg[1][0] : 0;
-  /* #2: @2 = newton_96(@0, @1) */
-  arg1[0]=w0;
-  arg1[1]=(&w1);
-  res1[0]=w2;
-  if (casadi_f53(arg1, res1, iw, w, 0)) return 1;
-  /* #3: output[0][0] = @2 */
-  casadi_copy(w2, 3, res[0]);
-  return 0;
-}
-
 /* simplest_walker_jacobian_96:(u[3],p)->(J[3x3],R[3]) */
-static int casadi_f57(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+266, *w01=w+269, w02, *w03=w+271, *w04=w+275, *w05=w+283, w06, w07, w08, *w09=w+295;
   casadi_real *w10=w+319, *w11=w+331;
@@ -6566,7 +6117,7 @@ static int casadi_f57(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w02);
   res1[0]=w03;
   res1[1]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
   /* #4: @5 = horzcat(@3, @4) */
   rr=w05;
   for (i=0, cs=w03; i<4; ++i) *rr++ = *cs++;
@@ -6583,7 +6134,7 @@ static int casadi_f57(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w08);
   arg1[1]=(&w02);
   res1[0]=w09;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
   /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
   arg1[0]=w05;
   arg1[1]=(&w06);
@@ -6591,7 +6142,7 @@ static int casadi_f57(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #11: @6 = 0.125 */
   w06 = 1.2500000000000000e-01;
   /* #12: @6 = (@6*@7) */
@@ -6603,7 +6154,7 @@ static int casadi_f57(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #14: @6 = 0.25 */
   w06 = 2.5000000000000000e-01;
   /* #15: @6 = (@6*@7) */
@@ -6615,7 +6166,7 @@ static int casadi_f57(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #17: @6 = 0.375 */
   w06 = 3.7500000000000000e-01;
   /* #18: @6 = (@6*@7) */
@@ -6627,7 +6178,7 @@ static int casadi_f57(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #20: @6 = 0.5 */
   w06 = 5.0000000000000000e-01;
   /* #21: @6 = (@6*@7) */
@@ -6639,7 +6190,7 @@ static int casadi_f57(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #23: @6 = 0.625 */
   w06 = 6.2500000000000000e-01;
   /* #24: @6 = (@6*@7) */
@@ -6651,7 +6202,7 @@ static int casadi_f57(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #26: @6 = 0.75 */
   w06 = 7.5000000000000000e-01;
   /* #27: @6 = (@6*@7) */
@@ -6663,7 +6214,7 @@ static int casadi_f57(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #29: @6 = 0.875 */
   w06 = 8.7500000000000000e-01;
   /* #30: @6 = (@6*@7) */
@@ -6675,7 +6226,7 @@ static int casadi_f57(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #32: {@11, @0} = landing_with_derivative(@5, @1, @7, @2) */
   arg1[0]=w05;
   arg1[1]=w01;
@@ -6683,7 +6234,7 @@ static int casadi_f57(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w02);
   res1[0]=w11;
   res1[1]=w00;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #33: output[0][0] = @11 */
   casadi_copy(w11, 9, res[0]);
   /* #34: output[1][0] = @0 */
@@ -6692,18 +6243,18 @@ static int casadi_f57(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* simplest_walker_limit_cycle_96:(u0[3],p)->(u[3],J[3x3],R[3]) */
-static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+3, *w0=w+434, w1, *w2=w+437, *w3=w+440;
+static int casadi_f37(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+3, *w0=w+402, w1, *w2=w+405, *w3=w+408;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 3, w0);
   /* #1: @1 = input[1][0] */
   w1 = arg[1] ? arg[1][0] : 0;
-  /* #2: @2 = scaled_newton_96(@0, @1) */
+  /* #2: @2 = newton_96(@0, @1) */
   arg1[0]=w0;
   arg1[1]=(&w1);
   res1[0]=w2;
-  if (casadi_f52(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f38(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 3, res[0]);
   /* #4: {@3, @0} = simplest_walker_jacobian_96(@2, @1) */
@@ -6711,7 +6262,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w1);
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f57(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f41(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 9, res[1]);
   /* #6: output[2][0] = @0 */
@@ -6720,7 +6271,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_96(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f51(arg, res, iw, w, mem);
+  return casadi_f37(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_96_checkout(void) {
@@ -6781,23 +6332,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* simplest_walker_limit_cycle_96_sparsity_o
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_96_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 22;
-  if (sz_res) *sz_res = 13;
+  if (sz_arg) *sz_arg = 18;
+  if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 449;
+  if (sz_w) *sz_w = 417;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_96_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 22*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 13*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 18*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 449*sizeof(casadi_real);
+  if (sz_w) *sz_w = 417*sizeof(casadi_real);
   return 0;
 }
 
 /* simplest_walker_residual_144:(u[3],p)->(R[3]) */
-static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+155, *w1=w+158, w2, *w3=w+160, w4, w5, w6, *w7=w+164, *w8=w+188;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
@@ -6811,7 +6362,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w2);
   res1[0]=w3;
   res1[1]=0;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = 0 */
   w4 = 0.;
   /* #5: @5 = @0[2] */
@@ -6824,7 +6375,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w6);
   arg1[1]=(&w2);
   res1[0]=w7;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
   /* #9: @8 = plain_steps(@3, @4, @7, @6, @2) */
   arg1[0]=w3;
   arg1[1]=(&w4);
@@ -6832,7 +6383,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #10: @4 = 0.0833333 */
   w4 = 8.3333333333333329e-02;
   /* #11: @4 = (@4*@5) */
@@ -6844,7 +6395,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #13: @4 = 0.166667 */
   w4 = 1.6666666666666666e-01;
   /* #14: @4 = (@4*@5) */
@@ -6856,7 +6407,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #16: @4 = 0.25 */
   w4 = 2.5000000000000000e-01;
   /* #17: @4 = (@4*@5) */
@@ -6868,7 +6419,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #19: @4 = 0.333333 */
   w4 = 3.3333333333333331e-01;
   /* #20: @4 = (@4*@5) */
@@ -6880,7 +6431,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #22: @4 = 0.416667 */
   w4 = 4.1666666666666669e-01;
   /* #23: @4 = (@4*@5) */
@@ -6892,7 +6443,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #25: @4 = 0.5 */
   w4 = 5.0000000000000000e-01;
   /* #26: @4 = (@4*@5) */
@@ -6904,7 +6455,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #28: @4 = 0.583333 */
   w4 = 5.8333333333333337e-01;
   /* #29: @4 = (@4*@5) */
@@ -6916,7 +6467,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #31: @4 = 0.666667 */
   w4 = 6.6666666666666663e-01;
   /* #32: @4 = (@4*@5) */
@@ -6928,7 +6479,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #34: @4 = 0.75 */
   w4 = 7.5000000000000000e-01;
   /* #35: @4 = (@4*@5) */
@@ -6940,7 +6491,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #37: @4 = 0.833333 */
   w4 = 8.3333333333333337e-01;
   /* #38: @4 = (@4*@5) */
@@ -6952,7 +6503,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #40: @4 = 0.916667 */
   w4 = 9.1666666666666663e-01;
   /* #41: @4 = (@4*@5) */
@@ -6964,20 +6515,20 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #43: @0 = landing(@3, @1, @2) */
   arg1[0]=w3;
   arg1[1]=w1;
   arg1[2]=(&w2);
   res1[0]=w0;
-  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #44: output[0][0] = @0 */
   casadi_copy(w0, 3, res[0]);
   return 0;
 }
 
 /* coarse_jacobian_144:(u[3],p)->(J[3x3],R[3]) */
-static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f44(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+344, w1, *w2=w+347, *w3=w+356;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
@@ -6989,54 +6540,21 @@ static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w1);
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f50(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f36(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 9, res[0]);
   /* #4: @3 = simplest_walker_residual_144(@0, @1) */
   arg1[0]=w0;
   arg1[1]=(&w1);
   res1[0]=w3;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f45(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 3, res[1]);
   return 0;
 }
 
-/* scaled_jacobian_144:(u[3],p)->(J[3x3],R[3]) */
-static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_int i;
-  casadi_real **res1=res+2, *rr, *w0=w+360, *w1=w+369, w2, *w3=w+372, *w4=w+381;
-  const casadi_real **arg1=arg+2, *cr, *cs, *wr0;
-  /* #0: @0 = 
-  [[1, 1, 1], 
-   [1, 1, 1], 
-   [0.5, 0.5, 0.5]] */
-  wr0 = casadi_c0;
-  /* #1: @1 = input[0][0] */
-  casadi_copy(arg[0], 3, w1);
-  /* #2: @2 = input[1][0] */
-  w2 = arg[1] ? arg[1][0] : 0;
-  /* #3: {@3, @4} = coarse_jacobian_144(@1, @2) */
-  arg1[0]=w1;
-  arg1[1]=(&w2);
-  res1[0]=w3;
-  res1[1]=w4;
-  if (casadi_f62(arg1, res1, iw, w, 0)) return 1;
-  /* #4: @0 = (@0*@3) */
-  for (i=0, rr=w0, cr=wr0, cs=w3; i<9; ++i) (*rr++)  = ((*cr++)*(*cs++));
-  /* #5: output[0][0] = @0 */
-  casadi_copy(w0, 9, res[0]);
-  /* #6: @1 = [1, 1, 2] */
-  casadi_copy(casadi_c1, 3, w1);
-  /* #7: @4 = (@4/@1) */
-  for (i=0, rr=w4, cs=w1; i<3; ++i) (*rr++) /= (*cs++);
-  /* #8: output[1][0] = @4 */
-  casadi_copy(w4, 3, res[1]);
-  return 0;
-}
-
 /* newton_144:(u0[3],p)->(u[3]) */
-static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f43(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 3;
@@ -7062,7 +6580,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f61(arg+2, res+1, iw, w+36, 0)) return 1;
+    if (casadi_f44(arg+2, res+1, iw, w+36, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -7070,26 +6588,8 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* scaled_newton_144:(i0[3],i1)->(o0[3]) */
-static int casadi_f59(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+1, *w0=w+427, w1, *w2=w+430;
-  const casadi_real **arg1=arg+2;
-  /* #0: @0 = input[0][0] */
-  casadi_copy(arg[0], 3, w0);
-  /* #1: @1 = input[1][0] */
-  w1 = arg[1] ? arg[1][0] : 0;
-  /* #2: @2 = newton_144(@0, @1) */
-  arg1[0]=w0;
-  arg1[1]=(&w1);
-  res1[0]=w2;
-  if (casadi_f60(arg1, res1, iw, w, 0)) return 1;
-  /* #3: output[0][0] = @2 */
-  casadi_copy(w2, 3, res[0]);
-  return 0;
-}
-
 /* simplest_walker_jacobian_144:(u[3],p)->(J[3x3],R[3]) */
-static int casadi_f64(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+266, *w01=w+269, w02, *w03=w+271, *w04=w+275, *w05=w+283, w06, w07, w08, *w09=w+295;
   casadi_real *w10=w+319, *w11=w+331;
@@ -7105,7 +6605,7 @@ static int casadi_f64(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w02);
   res1[0]=w03;
   res1[1]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
   /* #4: @5 = horzcat(@3, @4) */
   rr=w05;
   for (i=0, cs=w03; i<4; ++i) *rr++ = *cs++;
@@ -7122,7 +6622,7 @@ static int casadi_f64(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w08);
   arg1[1]=(&w02);
   res1[0]=w09;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
   /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
   arg1[0]=w05;
   arg1[1]=(&w06);
@@ -7130,7 +6630,7 @@ static int casadi_f64(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #11: @6 = 0.0833333 */
   w06 = 8.3333333333333329e-02;
   /* #12: @6 = (@6*@7) */
@@ -7142,7 +6642,7 @@ static int casadi_f64(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #14: @6 = 0.166667 */
   w06 = 1.6666666666666666e-01;
   /* #15: @6 = (@6*@7) */
@@ -7154,7 +6654,7 @@ static int casadi_f64(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #17: @6 = 0.25 */
   w06 = 2.5000000000000000e-01;
   /* #18: @6 = (@6*@7) */
@@ -7166,7 +6666,7 @@ static int casadi_f64(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #20: @6 = 0.333333 */
   w06 = 3.3333333333333331e-01;
   /* #21: @6 = (@6*@7) */
@@ -7178,7 +6678,7 @@ static int casadi_f64(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #23: @6 = 0.416667 */
   w06 = 4.1666666666666669e-01;
   /* #24: @6 = (@6*@7) */
@@ -7190,7 +6690,7 @@ static int casadi_f64(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #26: @6 = 0.5 */
   w06 = 5.0000000000000000e-01;
   /* #27: @6 = (@6*@7) */
@@ -7202,7 +6702,7 @@ static int casadi_f64(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #29: @6 = 0.583333 */
   w06 = 5.8333333333333337e-01;
   /* #30: @6 = (@6*@7) */
@@ -7214,7 +6714,7 @@ static int casadi_f64(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #32: @6 = 0.666667 */
   w06 = 6.6666666666666663e-01;
   /* #33: @6 = (@6*@7) */
@@ -7226,7 +6726,7 @@ static int casadi_f64(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #35: @6 = 0.75 */
   w06 = 7.5000000000000000e-01;
   /* #36: @6 = (@6*@7) */
@@ -7238,7 +6738,7 @@ static int casadi_f64(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #38: @6 = 0.833333 */
   w06 = 8.3333333333333337e-01;
   /* #39: @6 = (@6*@7) */
@@ -7250,7 +6750,7 @@ static int casadi_f64(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #41: @6 = 0.916667 */
   w06 = 9.1666666666666663e-01;
   /* #42: @6 = (@6*@7) */
@@ -7262,7 +6762,7 @@ static int casadi_f64(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #44: {@11, @0} = landing_with_derivative(@5, @1, @7, @2) */
   arg1[0]=w05;
   arg1[1]=w01;
@@ -7270,7 +6770,7 @@ static int casadi_f64(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w02);
   res1[0]=w11;
   res1[1]=w00;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #45: output[0][0] = @11 */
   casadi_copy(w11, 9, res[0]);
   /* #46: output[1][0] = @0 */
@@ -7279,18 +6779,18 @@ static int casadi_f64(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* simplest_walker_limit_cycle_144:(u0[3],p)->(u[3],J[3x3],R[3]) */
-static int casadi_f58(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+3, *w0=w+434, w1, *w2=w+437, *w3=w+440;
+static int casadi_f42(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+3, *w0=w+402, w1, *w2=w+405, *w3=w+408;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 3, w0);
   /* #1: @1 = input[1][0] */
   w1 = arg[1] ? arg[1][0] : 0;
-  /* #2: @2 = scaled_newton_144(@0, @1) */
+  /* #2: @2 = newton_144(@0, @1) */
   arg1[0]=w0;
   arg1[1]=(&w1);
   res1[0]=w2;
-  if (casadi_f59(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f43(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 3, res[0]);
   /* #4: {@3, @0} = simplest_walker_jacobian_144(@2, @1) */
@@ -7298,7 +6798,7 @@ static int casadi_f58(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w1);
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f46(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 9, res[1]);
   /* #6: output[2][0] = @0 */
@@ -7307,7 +6807,7 @@ static int casadi_f58(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_144(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f58(arg, res, iw, w, mem);
+  return casadi_f42(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_144_checkout(void) {
@@ -7368,23 +6868,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* simplest_walker_limit_cycle_144_sparsity_
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_144_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 22;
-  if (sz_res) *sz_res = 13;
+  if (sz_arg) *sz_arg = 18;
+  if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 449;
+  if (sz_w) *sz_w = 417;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_144_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 22*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 13*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 18*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 449*sizeof(casadi_real);
+  if (sz_w) *sz_w = 417*sizeof(casadi_real);
   return 0;
 }
 
 /* simplest_walker_residual_192:(u[3],p)->(R[3]) */
-static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+155, *w1=w+158, w2, *w3=w+160, w4, w5, w6, *w7=w+164, *w8=w+188;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
@@ -7398,7 +6898,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w2);
   res1[0]=w3;
   res1[1]=0;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = 0 */
   w4 = 0.;
   /* #5: @5 = @0[2] */
@@ -7411,7 +6911,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w6);
   arg1[1]=(&w2);
   res1[0]=w7;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
   /* #9: @8 = plain_steps(@3, @4, @7, @6, @2) */
   arg1[0]=w3;
   arg1[1]=(&w4);
@@ -7419,7 +6919,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #10: @4 = 0.0625 */
   w4 = 6.2500000000000000e-02;
   /* #11: @4 = (@4*@5) */
@@ -7431,7 +6931,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #13: @4 = 0.125 */
   w4 = 1.2500000000000000e-01;
   /* #14: @4 = (@4*@5) */
@@ -7443,7 +6943,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #16: @4 = 0.1875 */
   w4 = 1.8750000000000000e-01;
   /* #17: @4 = (@4*@5) */
@@ -7455,7 +6955,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #19: @4 = 0.25 */
   w4 = 2.5000000000000000e-01;
   /* #20: @4 = (@4*@5) */
@@ -7467,7 +6967,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #22: @4 = 0.3125 */
   w4 = 3.1250000000000000e-01;
   /* #23: @4 = (@4*@5) */
@@ -7479,7 +6979,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #25: @4 = 0.375 */
   w4 = 3.7500000000000000e-01;
   /* #26: @4 = (@4*@5) */
@@ -7491,7 +6991,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #28: @4 = 0.4375 */
   w4 = 4.3750000000000000e-01;
   /* #29: @4 = (@4*@5) */
@@ -7503,7 +7003,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #31: @4 = 0.5 */
   w4 = 5.0000000000000000e-01;
   /* #32: @4 = (@4*@5) */
@@ -7515,7 +7015,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #34: @4 = 0.5625 */
   w4 = 5.6250000000000000e-01;
   /* #35: @4 = (@4*@5) */
@@ -7527,7 +7027,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #37: @4 = 0.625 */
   w4 = 6.2500000000000000e-01;
   /* #38: @4 = (@4*@5) */
@@ -7539,7 +7039,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #40: @4 = 0.6875 */
   w4 = 6.8750000000000000e-01;
   /* #41: @4 = (@4*@5) */
@@ -7551,7 +7051,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #43: @4 = 0.75 */
   w4 = 7.5000000000000000e-01;
   /* #44: @4 = (@4*@5) */
@@ -7563,7 +7063,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #46: @4 = 0.8125 */
   w4 = 8.1250000000000000e-01;
   /* #47: @4 = (@4*@5) */
@@ -7575,7 +7075,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #49: @4 = 0.875 */
   w4 = 8.7500000000000000e-01;
   /* #50: @4 = (@4*@5) */
@@ -7587,7 +7087,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #52: @4 = 0.9375 */
   w4 = 9.3750000000000000e-01;
   /* #53: @4 = (@4*@5) */
@@ -7599,20 +7099,20 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #55: @0 = landing(@3, @1, @2) */
   arg1[0]=w3;
   arg1[1]=w1;
   arg1[2]=(&w2);
   res1[0]=w0;
-  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #56: output[0][0] = @0 */
   casadi_copy(w0, 3, res[0]);
   return 0;
 }
 
 /* coarse_jacobian_192:(u[3],p)->(J[3x3],R[3]) */
-static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f49(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+344, w1, *w2=w+347, *w3=w+356;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
@@ -7624,54 +7124,21 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w1);
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f57(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f41(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 9, res[0]);
   /* #4: @3 = simplest_walker_residual_192(@0, @1) */
   arg1[0]=w0;
   arg1[1]=(&w1);
   res1[0]=w3;
-  if (casadi_f70(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f50(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 3, res[1]);
   return 0;
 }
 
-/* scaled_jacobian_192:(u[3],p)->(J[3x3],R[3]) */
-static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_int i;
-  casadi_real **res1=res+2, *rr, *w0=w+360, *w1=w+369, w2, *w3=w+372, *w4=w+381;
-  const casadi_real **arg1=arg+2, *cr, *cs, *wr0;
-  /* #0: @0 = 
-  [[1, 1, 1], 
-   [1, 1, 1], 
-   [0.5, 0.5, 0.5]] */
-  wr0 = casadi_c0;
-  /* #1: @1 = input[0][0] */
-  casadi_copy(arg[0], 3, w1);
-  /* #2: @2 = input[1][0] */
-  w2 = arg[1] ? arg[1][0] : 0;
-  /* #3: {@3, @4} = coarse_jacobian_192(@1, @2) */
-  arg1[0]=w1;
-  arg1[1]=(&w2);
-  res1[0]=w3;
-  res1[1]=w4;
-  if (casadi_f69(arg1, res1, iw, w, 0)) return 1;
-  /* #4: @0 = (@0*@3) */
-  for (i=0, rr=w0, cr=wr0, cs=w3; i<9; ++i) (*rr++)  = ((*cr++)*(*cs++));
-  /* #5: output[0][0] = @0 */
-  casadi_copy(w0, 9, res[0]);
-  /* #6: @1 = [1, 1, 2] */
-  casadi_copy(casadi_c1, 3, w1);
-  /* #7: @4 = (@4/@1) */
-  for (i=0, rr=w4, cs=w1; i<3; ++i) (*rr++) /= (*cs++);
-  /* #8: output[1][0] = @4 */
-  casadi_copy(w4, 3, res[1]);
-  return 0;
-}
-
 /* newton_192:(u0[3],p)->(u[3]) */
-static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 3;
@@ -7697,7 +7164,7 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f68(arg+2, res+1, iw, w+36, 0)) return 1;
+    if (casadi_f49(arg+2, res+1, iw, w+36, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -7705,26 +7172,8 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* scaled_newton_192:(i0[3],i1)->(o0[3]) */
-static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+1, *w0=w+427, w1, *w2=w+430;
-  const casadi_real **arg1=arg+2;
-  /* #0: @0 = input[0][0] */
-  casadi_copy(arg[0], 3, w0);
-  /* #1: @1 = input[1][0] */
-  w1 = arg[1] ? arg[1][0] : 0;
-  /* #2: @2 = newton_192(@0, @1) */
-  arg1[0]=w0;
-  arg1[1]=(&w1);
-  res1[0]=w2;
-  if (casadi_f67(arg1, res1, iw, w, 0)) return 1;
-  /* #3: output[0][0] = @2 */
-  casadi_copy(w2, 3, res[0]);
-  return 0;
-}
-
 /* simplest_walker_jacobian_192:(u[3],p)->(J[3x3],R[3]) */
-static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+266, *w01=w+269, w02, *w03=w+271, *w04=w+275, *w05=w+283, w06, w07, w08, *w09=w+295;
   casadi_real *w10=w+319, *w11=w+331;
@@ -7740,7 +7189,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w02);
   res1[0]=w03;
   res1[1]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
   /* #4: @5 = horzcat(@3, @4) */
   rr=w05;
   for (i=0, cs=w03; i<4; ++i) *rr++ = *cs++;
@@ -7757,7 +7206,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w08);
   arg1[1]=(&w02);
   res1[0]=w09;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
   /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
   arg1[0]=w05;
   arg1[1]=(&w06);
@@ -7765,7 +7214,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #11: @6 = 0.0625 */
   w06 = 6.2500000000000000e-02;
   /* #12: @6 = (@6*@7) */
@@ -7777,7 +7226,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #14: @6 = 0.125 */
   w06 = 1.2500000000000000e-01;
   /* #15: @6 = (@6*@7) */
@@ -7789,7 +7238,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #17: @6 = 0.1875 */
   w06 = 1.8750000000000000e-01;
   /* #18: @6 = (@6*@7) */
@@ -7801,7 +7250,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #20: @6 = 0.25 */
   w06 = 2.5000000000000000e-01;
   /* #21: @6 = (@6*@7) */
@@ -7813,7 +7262,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #23: @6 = 0.3125 */
   w06 = 3.1250000000000000e-01;
   /* #24: @6 = (@6*@7) */
@@ -7825,7 +7274,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #26: @6 = 0.375 */
   w06 = 3.7500000000000000e-01;
   /* #27: @6 = (@6*@7) */
@@ -7837,7 +7286,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #29: @6 = 0.4375 */
   w06 = 4.3750000000000000e-01;
   /* #30: @6 = (@6*@7) */
@@ -7849,7 +7298,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #32: @6 = 0.5 */
   w06 = 5.0000000000000000e-01;
   /* #33: @6 = (@6*@7) */
@@ -7861,7 +7310,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #35: @6 = 0.5625 */
   w06 = 5.6250000000000000e-01;
   /* #36: @6 = (@6*@7) */
@@ -7873,7 +7322,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #38: @6 = 0.625 */
   w06 = 6.2500000000000000e-01;
   /* #39: @6 = (@6*@7) */
@@ -7885,7 +7334,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #41: @6 = 0.6875 */
   w06 = 6.8750000000000000e-01;
   /* #42: @6 = (@6*@7) */
@@ -7897,7 +7346,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #44: @6 = 0.75 */
   w06 = 7.5000000000000000e-01;
   /* #45: @6 = (@6*@7) */
@@ -7909,7 +7358,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #47: @6 = 0.8125 */
   w06 = 8.1250000000000000e-01;
   /* #48: @6 = (@6*@7) */
@@ -7921,7 +7370,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #50: @6 = 0.875 */
   w06 = 8.7500000000000000e-01;
   /* #51: @6 = (@6*@7) */
@@ -7933,7 +7382,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #53: @6 = 0.9375 */
   w06 = 9.3750000000000000e-01;
   /* #54: @6 = (@6*@7) */
@@ -7945,7 +7394,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #56: {@11, @0} = landing_with_derivative(@5, @1, @7, @2) */
   arg1[0]=w05;
   arg1[1]=w01;
@@ -7953,7 +7402,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w02);
   res1[0]=w11;
   res1[1]=w00;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #57: output[0][0] = @11 */
   casadi_copy(w11, 9, res[0]);
   /* #58: output[1][0] = @0 */
@@ -7962,18 +7411,18 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* simplest_walker_limit_cycle_192:(u0[3],p)->(u[3],J[3x3],R[3]) */
-static int casadi_f65(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+3, *w0=w+434, w1, *w2=w+437, *w3=w+440;
+static int casadi_f47(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+3, *w0=w+402, w1, *w2=w+405, *w3=w+408;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 3, w0);
   /* #1: @1 = input[1][0] */
   w1 = arg[1] ? arg[1][0] : 0;
-  /* #2: @2 = scaled_newton_192(@0, @1) */
+  /* #2: @2 = newton_192(@0, @1) */
   arg1[0]=w0;
   arg1[1]=(&w1);
   res1[0]=w2;
-  if (casadi_f66(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f48(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 3, res[0]);
   /* #4: {@3, @0} = simplest_walker_jacobian_192(@2, @1) */
@@ -7981,7 +7430,7 @@ static int casadi_f65(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w1);
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f71(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f51(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 9, res[1]);
   /* #6: output[2][0] = @0 */
@@ -7990,7 +7439,7 @@ static int casadi_f65(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_192(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f65(arg, res, iw, w, mem);
+  return casadi_f47(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_192_checkout(void) {
@@ -8051,23 +7500,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* simplest_walker_limit_cycle_192_sparsity_
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_192_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 22;
-  if (sz_res) *sz_res = 13;
+  if (sz_arg) *sz_arg = 18;
+  if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 449;
+  if (sz_w) *sz_w = 417;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_192_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 22*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 13*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 18*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 449*sizeof(casadi_real);
+  if (sz_w) *sz_w = 417*sizeof(casadi_real);
   return 0;
 }
 
 /* simplest_walker_residual_288:(u[3],p)->(R[3]) */
-static int casadi_f77(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+155, *w1=w+158, w2, *w3=w+160, w4, w5, w6, *w7=w+164, *w8=w+188;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
@@ -8081,7 +7530,7 @@ static int casadi_f77(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w2);
   res1[0]=w3;
   res1[1]=0;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = 0 */
   w4 = 0.;
   /* #5: @5 = @0[2] */
@@ -8094,7 +7543,7 @@ static int casadi_f77(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w6);
   arg1[1]=(&w2);
   res1[0]=w7;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
   /* #9: @8 = plain_steps(@3, @4, @7, @6, @2) */
   arg1[0]=w3;
   arg1[1]=(&w4);
@@ -8102,7 +7551,7 @@ static int casadi_f77(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #10: @4 = 0.0416667 */
   w4 = 4.1666666666666664e-02;
   /* #11: @4 = (@4*@5) */
@@ -8114,7 +7563,7 @@ static int casadi_f77(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #13: @4 = 0.0833333 */
   w4 = 8.3333333333333329e-02;
   /* #14: @4 = (@4*@5) */
@@ -8126,7 +7575,7 @@ static int casadi_f77(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #16: @4 = 0.125 */
   w4 = 1.2500000000000000e-01;
   /* #17: @4 = (@4*@5) */
@@ -8138,7 +7587,7 @@ static int casadi_f77(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #19: @4 = 0.166667 */
   w4 = 1.6666666666666666e-01;
   /* #20: @4 = (@4*@5) */
@@ -8150,7 +7599,7 @@ static int casadi_f77(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #22: @4 = 0.208333 */
   w4 = 2.0833333333333334e-01;
   /* #23: @4 = (@4*@5) */
@@ -8162,7 +7611,7 @@ static int casadi_f77(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #25: @4 = 0.25 */
   w4 = 2.5000000000000000e-01;
   /* #26: @4 = (@4*@5) */
@@ -8174,7 +7623,7 @@ static int casadi_f77(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #28: @4 = 0.291667 */
   w4 = 2.9166666666666669e-01;
   /* #29: @4 = (@4*@5) */
@@ -8186,7 +7635,7 @@ static int casadi_f77(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #31: @4 = 0.333333 */
   w4 = 3.3333333333333331e-01;
   /* #32: @4 = (@4*@5) */
@@ -8198,7 +7647,7 @@ static int casadi_f77(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #34: @4 = 0.375 */
   w4 = 3.7500000000000000e-01;
   /* #35: @4 = (@4*@5) */
@@ -8210,7 +7659,7 @@ static int casadi_f77(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #37: @4 = 0.416667 */
   w4 = 4.1666666666666669e-01;
   /* #38: @4 = (@4*@5) */
@@ -8222,7 +7671,7 @@ static int casadi_f77(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #40: @4 = 0.458333 */
   w4 = 4.5833333333333331e-01;
   /* #41: @4 = (@4*@5) */
@@ -8234,7 +7683,7 @@ static int casadi_f77(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #43: @4 = 0.5 */
   w4 = 5.0000000000000000e-01;
   /* #44: @4 = (@4*@5) */
@@ -8246,7 +7695,7 @@ static int casadi_f77(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #46: @4 = 0.541667 */
   w4 = 5.4166666666666663e-01;
   /* #47: @4 = (@4*@5) */
@@ -8258,7 +7707,7 @@ static int casadi_f77(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #49: @4 = 0.583333 */
   w4 = 5.8333333333333337e-01;
   /* #50: @4 = (@4*@5) */
@@ -8270,7 +7719,7 @@ static int casadi_f77(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #52: @4 = 0.625 */
   w4 = 6.2500000000000000e-01;
   /* #53: @4 = (@4*@5) */
@@ -8282,7 +7731,7 @@ static int casadi_f77(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #55: @4 = 0.666667 */
   w4 = 6.6666666666666663e-01;
   /* #56: @4 = (@4*@5) */
@@ -8294,7 +7743,7 @@ static int casadi_f77(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #58: @4 = 0.708333 */
   w4 = 7.0833333333333337e-01;
   /* #59: @4 = (@4*@5) */
@@ -8306,7 +7755,7 @@ static int casadi_f77(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #61: @4 = 0.75 */
   w4 = 7.5000000000000000e-01;
   /* #62: @4 = (@4*@5) */
@@ -8318,7 +7767,7 @@ static int casadi_f77(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #64: @4 = 0.791667 */
   w4 = 7.9166666666666663e-01;
   /* #65: @4 = (@4*@5) */
@@ -8330,7 +7779,7 @@ static int casadi_f77(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #67: @4 = 0.833333 */
   w4 = 8.3333333333333337e-01;
   /* #68: @4 = (@4*@5) */
@@ -8342,7 +7791,7 @@ static int casadi_f77(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #70: @4 = 0.875 */
   w4 = 8.7500000000000000e-01;
   /* #71: @4 = (@4*@5) */
@@ -8354,7 +7803,7 @@ static int casadi_f77(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #73: @4 = 0.916667 */
   w4 = 9.1666666666666663e-01;
   /* #74: @4 = (@4*@5) */
@@ -8366,7 +7815,7 @@ static int casadi_f77(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #76: @4 = 0.958333 */
   w4 = 9.5833333333333337e-01;
   /* #77: @4 = (@4*@5) */
@@ -8378,20 +7827,20 @@ static int casadi_f77(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #79: @0 = landing(@3, @1, @2) */
   arg1[0]=w3;
   arg1[1]=w1;
   arg1[2]=(&w2);
   res1[0]=w0;
-  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #80: output[0][0] = @0 */
   casadi_copy(w0, 3, res[0]);
   return 0;
 }
 
 /* coarse_jacobian_288:(u[3],p)->(J[3x3],R[3]) */
-static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f54(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+344, w1, *w2=w+347, *w3=w+356;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
@@ -8403,54 +7852,21 @@ static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w1);
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f46(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 9, res[0]);
   /* #4: @3 = simplest_walker_residual_288(@0, @1) */
   arg1[0]=w0;
   arg1[1]=(&w1);
   res1[0]=w3;
-  if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f55(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 3, res[1]);
   return 0;
 }
 
-/* scaled_jacobian_288:(u[3],p)->(J[3x3],R[3]) */
-static int casadi_f75(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_int i;
-  casadi_real **res1=res+2, *rr, *w0=w+360, *w1=w+369, w2, *w3=w+372, *w4=w+381;
-  const casadi_real **arg1=arg+2, *cr, *cs, *wr0;
-  /* #0: @0 = 
-  [[1, 1, 1], 
-   [1, 1, 1], 
-   [0.5, 0.5, 0.5]] */
-  wr0 = casadi_c0;
-  /* #1: @1 = input[0][0] */
-  casadi_copy(arg[0], 3, w1);
-  /* #2: @2 = input[1][0] */
-  w2 = arg[1] ? arg[1][0] : 0;
-  /* #3: {@3, @4} = coarse_jacobian_288(@1, @2) */
-  arg1[0]=w1;
-  arg1[1]=(&w2);
-  res1[0]=w3;
-  res1[1]=w4;
-  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
-  /* #4: @0 = (@0*@3) */
-  for (i=0, rr=w0, cr=wr0, cs=w3; i<9; ++i) (*rr++)  = ((*cr++)*(*cs++));
-  /* #5: output[0][0] = @0 */
-  casadi_copy(w0, 9, res[0]);
-  /* #6: @1 = [1, 1, 2] */
-  casadi_copy(casadi_c1, 3, w1);
-  /* #7: @4 = (@4/@1) */
-  for (i=0, rr=w4, cs=w1; i<3; ++i) (*rr++) /= (*cs++);
-  /* #8: output[1][0] = @4 */
-  casadi_copy(w4, 3, res[1]);
-  return 0;
-}
-
 /* newton_288:(u0[3],p)->(u[3]) */
-static int casadi_f74(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f53(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 3;
@@ -8476,7 +7892,7 @@ static int casadi_f74(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f75(arg+2, res+1, iw, w+36, 0)) return 1;
+    if (casadi_f54(arg+2, res+1, iw, w+36, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -8484,26 +7900,8 @@ static int casadi_f74(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* scaled_newton_288:(i0[3],i1)->(o0[3]) */
-static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+1, *w0=w+427, w1, *w2=w+430;
-  const casadi_real **arg1=arg+2;
-  /* #0: @0 = input[0][0] */
-  casadi_copy(arg[0], 3, w0);
-  /* #1: @1 = input[1][0] */
-  w1 = arg[1] ? arg[1][0] : 0;
-  /* #2: @2 = newton_288(@0, @1) */
-  arg1[0]=w0;
-  arg1[1]=(&w1);
-  res1[0]=w2;
-  if (casadi_f74(arg1, res1, iw, w, 0)) return 1;
-  /* #3: output[0][0] = @2 */
-  casadi_copy(w2, 3, res[0]);
-  return 0;
-}
-
 /* simplest_walker_jacobian_288:(u[3],p)->(J[3x3],R[3]) */
-static int casadi_f78(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+266, *w01=w+269, w02, *w03=w+271, *w04=w+275, *w05=w+283, w06, w07, w08, *w09=w+295;
   casadi_real *w10=w+319, *w11=w+331;
@@ -8519,7 +7917,7 @@ static int casadi_f78(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w02);
   res1[0]=w03;
   res1[1]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
   /* #4: @5 = horzcat(@3, @4) */
   rr=w05;
   for (i=0, cs=w03; i<4; ++i) *rr++ = *cs++;
@@ -8536,7 +7934,7 @@ static int casadi_f78(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w08);
   arg1[1]=(&w02);
   res1[0]=w09;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
   /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
   arg1[0]=w05;
   arg1[1]=(&w06);
@@ -8544,7 +7942,7 @@ static int casadi_f78(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #11: @6 = 0.0416667 */
   w06 = 4.1666666666666664e-02;
   /* #12: @6 = (@6*@7) */
@@ -8556,7 +7954,7 @@ static int casadi_f78(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #14: @6 = 0.0833333 */
   w06 = 8.3333333333333329e-02;
   /* #15: @6 = (@6*@7) */
@@ -8568,7 +7966,7 @@ static int casadi_f78(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #17: @6 = 0.125 */
   w06 = 1.2500000000000000e-01;
   /* #18: @6 = (@6*@7) */
@@ -8580,7 +7978,7 @@ static int casadi_f78(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #20: @6 = 0.166667 */
   w06 = 1.6666666666666666e-01;
   /* #21: @6 = (@6*@7) */
@@ -8592,7 +7990,7 @@ static int casadi_f78(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #23: @6 = 0.208333 */
   w06 = 2.0833333333333334e-01;
   /* #24: @6 = (@6*@7) */
@@ -8604,7 +8002,7 @@ static int casadi_f78(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #26: @6 = 0.25 */
   w06 = 2.5000000000000000e-01;
   /* #27: @6 = (@6*@7) */
@@ -8616,7 +8014,7 @@ static int casadi_f78(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #29: @6 = 0.291667 */
   w06 = 2.9166666666666669e-01;
   /* #30: @6 = (@6*@7) */
@@ -8628,7 +8026,7 @@ static int casadi_f78(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #32: @6 = 0.333333 */
   w06 = 3.3333333333333331e-01;
   /* #33: @6 = (@6*@7) */
@@ -8640,7 +8038,7 @@ static int casadi_f78(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #35: @6 = 0.375 */
   w06 = 3.7500000000000000e-01;
   /* #36: @6 = (@6*@7) */
@@ -8652,7 +8050,7 @@ static int casadi_f78(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #38: @6 = 0.416667 */
   w06 = 4.1666666666666669e-01;
   /* #39: @6 = (@6*@7) */
@@ -8664,7 +8062,7 @@ static int casadi_f78(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #41: @6 = 0.458333 */
   w06 = 4.5833333333333331e-01;
   /* #42: @6 = (@6*@7) */
@@ -8676,7 +8074,7 @@ static int casadi_f78(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #44: @6 = 0.5 */
   w06 = 5.0000000000000000e-01;
   /* #45: @6 = (@6*@7) */
@@ -8688,7 +8086,7 @@ static int casadi_f78(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #47: @6 = 0.541667 */
   w06 = 5.4166666666666663e-01;
   /* #48: @6 = (@6*@7) */
@@ -8700,7 +8098,7 @@ static int casadi_f78(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #50: @6 = 0.583333 */
   w06 = 5.8333333333333337e-01;
   /* #51: @6 = (@6*@7) */
@@ -8712,7 +8110,7 @@ static int casadi_f78(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #53: @6 = 0.625 */
   w06 = 6.2500000000000000e-01;
   /* #54: @6 = (@6*@7) */
@@ -8724,7 +8122,7 @@ static int casadi_f78(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #56: @6 = 0.666667 */
   w06 = 6.6666666666666663e-01;
   /* #57: @6 = (@6*@7) */
@@ -8736,7 +8134,7 @@ static int casadi_f78(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #59: @6 = 0.708333 */
   w06 = 7.0833333333333337e-01;
   /* #60: @6 = (@6*@7) */
@@ -8748,7 +8146,7 @@ static int casadi_f78(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #62: @6 = 0.75 */
   w06 = 7.5000000000000000e-01;
   /* #63: @6 = (@6*@7) */
@@ -8760,7 +8158,7 @@ static int casadi_f78(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #65: @6 = 0.791667 */
   w06 = 7.9166666666666663e-01;
   /* #66: @6 = (@6*@7) */
@@ -8772,7 +8170,7 @@ static int casadi_f78(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #68: @6 = 0.833333 */
   w06 = 8.3333333333333337e-01;
   /* #69: @6 = (@6*@7) */
@@ -8784,7 +8182,7 @@ static int casadi_f78(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #71: @6 = 0.875 */
   w06 = 8.7500000000000000e-01;
   /* #72: @6 = (@6*@7) */
@@ -8796,7 +8194,7 @@ static int casadi_f78(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #74: @6 = 0.916667 */
   w06 = 9.1666666666666663e-01;
   /* #75: @6 = (@6*@7) */
@@ -8808,7 +8206,7 @@ static int casadi_f78(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #77: @6 = 0.958333 */
   w06 = 9.5833333333333337e-01;
   /* #78: @6 = (@6*@7) */
@@ -8820,7 +8218,7 @@ static int casadi_f78(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #80: {@11, @0} = landing_with_derivative(@5, @1, @7, @2) */
   arg1[0]=w05;
   arg1[1]=w01;
@@ -8828,7 +8226,7 @@ static int casadi_f78(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w02);
   res1[0]=w11;
   res1[1]=w00;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #81: output[0][0] = @11 */
   casadi_copy(w11, 9, res[0]);
   /* #82: output[1][0] = @0 */
@@ -8837,18 +8235,18 @@ static int casadi_f78(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* simplest_walker_limit_cycle_288:(u0[3],p)->(u[3],J[3x3],R[3]) */
-static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+3, *w0=w+434, w1, *w2=w+437, *w3=w+440;
+static int casadi_f52(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+3, *w0=w+402, w1, *w2=w+405, *w3=w+408;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 3, w0);
   /* #1: @1 = input[1][0] */
   w1 = arg[1] ? arg[1][0] : 0;
-  /* #2: @2 = scaled_newton_288(@0, @1) */
+  /* #2: @2 = newton_288(@0, @1) */
   arg1[0]=w0;
   arg1[1]=(&w1);
   res1[0]=w2;
-  if (casadi_f73(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f53(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 3, res[0]);
   /* #4: {@3, @0} = simplest_walker_jacobian_288(@2, @1) */
@@ -8856,7 +8254,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w1);
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f56(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 9, res[1]);
   /* #6: output[2][0] = @0 */
@@ -8865,7 +8263,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_288(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f72(arg, res, iw, w, mem);
+  return casadi_f52(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_288_checkout(void) {
@@ -8926,23 +8324,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* simplest_walker_limit_cycle_288_sparsity_
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_288_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 22;
-  if (sz_res) *sz_res = 13;
+  if (sz_arg) *sz_arg = 18;
+  if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 449;
+  if (sz_w) *sz_w = 417;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_288_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 22*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 13*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 18*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 449*sizeof(casadi_real);
+  if (sz_w) *sz_w = 417*sizeof(casadi_real);
   return 0;
 }
 
 /* simplest_walker_residual_384:(u[3],p)->(R[3]) */
-static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+155, *w1=w+158, w2, *w3=w+160, w4, w5, w6, *w7=w+164, *w8=w+188;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
@@ -8956,7 +8354,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w2);
   res1[0]=w3;
   res1[1]=0;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = 0 */
   w4 = 0.;
   /* #5: @5 = @0[2] */
@@ -8969,7 +8367,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w6);
   arg1[1]=(&w2);
   res1[0]=w7;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
   /* #9: @8 = plain_steps(@3, @4, @7, @6, @2) */
   arg1[0]=w3;
   arg1[1]=(&w4);
@@ -8977,7 +8375,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #10: @4 = 0.03125 */
   w4 = 3.1250000000000000e-02;
   /* #11: @4 = (@4*@5) */
@@ -8989,7 +8387,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #13: @4 = 0.0625 */
   w4 = 6.2500000000000000e-02;
   /* #14: @4 = (@4*@5) */
@@ -9001,7 +8399,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #16: @4 = 0.09375 */
   w4 = 9.3750000000000000e-02;
   /* #17: @4 = (@4*@5) */
@@ -9013,7 +8411,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #19: @4 = 0.125 */
   w4 = 1.2500000000000000e-01;
   /* #20: @4 = (@4*@5) */
@@ -9025,7 +8423,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #22: @4 = 0.15625 */
   w4 = 1.5625000000000000e-01;
   /* #23: @4 = (@4*@5) */
@@ -9037,7 +8435,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #25: @4 = 0.1875 */
   w4 = 1.8750000000000000e-01;
   /* #26: @4 = (@4*@5) */
@@ -9049,7 +8447,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #28: @4 = 0.21875 */
   w4 = 2.1875000000000000e-01;
   /* #29: @4 = (@4*@5) */
@@ -9061,7 +8459,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #31: @4 = 0.25 */
   w4 = 2.5000000000000000e-01;
   /* #32: @4 = (@4*@5) */
@@ -9073,7 +8471,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #34: @4 = 0.28125 */
   w4 = 2.8125000000000000e-01;
   /* #35: @4 = (@4*@5) */
@@ -9085,7 +8483,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #37: @4 = 0.3125 */
   w4 = 3.1250000000000000e-01;
   /* #38: @4 = (@4*@5) */
@@ -9097,7 +8495,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #40: @4 = 0.34375 */
   w4 = 3.4375000000000000e-01;
   /* #41: @4 = (@4*@5) */
@@ -9109,7 +8507,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #43: @4 = 0.375 */
   w4 = 3.7500000000000000e-01;
   /* #44: @4 = (@4*@5) */
@@ -9121,7 +8519,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #46: @4 = 0.40625 */
   w4 = 4.0625000000000000e-01;
   /* #47: @4 = (@4*@5) */
@@ -9133,7 +8531,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #49: @4 = 0.4375 */
   w4 = 4.3750000000000000e-01;
   /* #50: @4 = (@4*@5) */
@@ -9145,7 +8543,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #52: @4 = 0.46875 */
   w4 = 4.6875000000000000e-01;
   /* #53: @4 = (@4*@5) */
@@ -9157,7 +8555,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #55: @4 = 0.5 */
   w4 = 5.0000000000000000e-01;
   /* #56: @4 = (@4*@5) */
@@ -9169,7 +8567,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #58: @4 = 0.53125 */
   w4 = 5.3125000000000000e-01;
   /* #59: @4 = (@4*@5) */
@@ -9181,7 +8579,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #61: @4 = 0.5625 */
   w4 = 5.6250000000000000e-01;
   /* #62: @4 = (@4*@5) */
@@ -9193,7 +8591,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #64: @4 = 0.59375 */
   w4 = 5.9375000000000000e-01;
   /* #65: @4 = (@4*@5) */
@@ -9205,7 +8603,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #67: @4 = 0.625 */
   w4 = 6.2500000000000000e-01;
   /* #68: @4 = (@4*@5) */
@@ -9217,7 +8615,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #70: @4 = 0.65625 */
   w4 = 6.5625000000000000e-01;
   /* #71: @4 = (@4*@5) */
@@ -9229,7 +8627,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #73: @4 = 0.6875 */
   w4 = 6.8750000000000000e-01;
   /* #74: @4 = (@4*@5) */
@@ -9241,7 +8639,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #76: @4 = 0.71875 */
   w4 = 7.1875000000000000e-01;
   /* #77: @4 = (@4*@5) */
@@ -9253,7 +8651,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #79: @4 = 0.75 */
   w4 = 7.5000000000000000e-01;
   /* #80: @4 = (@4*@5) */
@@ -9265,7 +8663,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #82: @4 = 0.78125 */
   w4 = 7.8125000000000000e-01;
   /* #83: @4 = (@4*@5) */
@@ -9277,7 +8675,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #85: @4 = 0.8125 */
   w4 = 8.1250000000000000e-01;
   /* #86: @4 = (@4*@5) */
@@ -9289,7 +8687,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #88: @4 = 0.84375 */
   w4 = 8.4375000000000000e-01;
   /* #89: @4 = (@4*@5) */
@@ -9301,7 +8699,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #91: @4 = 0.875 */
   w4 = 8.7500000000000000e-01;
   /* #92: @4 = (@4*@5) */
@@ -9313,7 +8711,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #94: @4 = 0.90625 */
   w4 = 9.0625000000000000e-01;
   /* #95: @4 = (@4*@5) */
@@ -9325,7 +8723,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #97: @4 = 0.9375 */
   w4 = 9.3750000000000000e-01;
   /* #98: @4 = (@4*@5) */
@@ -9337,7 +8735,7 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #100: @4 = 0.96875 */
   w4 = 9.6875000000000000e-01;
   /* #101: @4 = (@4*@5) */
@@ -9349,20 +8747,20 @@ static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #103: @0 = landing(@3, @1, @2) */
   arg1[0]=w3;
   arg1[1]=w1;
   arg1[2]=(&w2);
   res1[0]=w0;
-  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #104: output[0][0] = @0 */
   casadi_copy(w0, 3, res[0]);
   return 0;
 }
 
 /* coarse_jacobian_384:(u[3],p)->(J[3x3],R[3]) */
-static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f59(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+344, w1, *w2=w+347, *w3=w+356;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
@@ -9374,54 +8772,21 @@ static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w1);
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f71(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f51(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 9, res[0]);
   /* #4: @3 = simplest_walker_residual_384(@0, @1) */
   arg1[0]=w0;
   arg1[1]=(&w1);
   res1[0]=w3;
-  if (casadi_f84(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f60(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 3, res[1]);
   return 0;
 }
 
-/* scaled_jacobian_384:(u[3],p)->(J[3x3],R[3]) */
-static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_int i;
-  casadi_real **res1=res+2, *rr, *w0=w+360, *w1=w+369, w2, *w3=w+372, *w4=w+381;
-  const casadi_real **arg1=arg+2, *cr, *cs, *wr0;
-  /* #0: @0 = 
-  [[1, 1, 1], 
-   [1, 1, 1], 
-   [0.5, 0.5, 0.5]] */
-  wr0 = casadi_c0;
-  /* #1: @1 = input[0][0] */
-  casadi_copy(arg[0], 3, w1);
-  /* #2: @2 = input[1][0] */
-  w2 = arg[1] ? arg[1][0] : 0;
-  /* #3: {@3, @4} = coarse_jacobian_384(@1, @2) */
-  arg1[0]=w1;
-  arg1[1]=(&w2);
-  res1[0]=w3;
-  res1[1]=w4;
-  if (casadi_f83(arg1, res1, iw, w, 0)) return 1;
-  /* #4: @0 = (@0*@3) */
-  for (i=0, rr=w0, cr=wr0, cs=w3; i<9; ++i) (*rr++)  = ((*cr++)*(*cs++));
-  /* #5: output[0][0] = @0 */
-  casadi_copy(w0, 9, res[0]);
-  /* #6: @1 = [1, 1, 2] */
-  casadi_copy(casadi_c1, 3, w1);
-  /* #7: @4 = (@4/@1) */
-  for (i=0, rr=w4, cs=w1; i<3; ++i) (*rr++) /= (*cs++);
-  /* #8: output[1][0] = @4 */
-  casadi_copy(w4, 3, res[1]);
-  return 0;
-}
-
 /* newton_384:(u0[3],p)->(u[3]) */
-static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f58(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 3;
@@ -9447,7 +8812,7 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f82(arg+2, res+1, iw, w+36, 0)) return 1;
+    if (casadi_f59(arg+2, res+1, iw, w+36, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -9455,26 +8820,8 @@ static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* scaled_newton_384:(i0[3],i1)->(o0[3]) */
-static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+1, *w0=w+427, w1, *w2=w+430;
-  const casadi_real **arg1=arg+2;
-  /* #0: @0 = input[0][0] */
-  casadi_copy(arg[0], 3, w0);
-  /* #1: @1 = input[1][0] */
-  w1 = arg[1] ? arg[1][0] : 0;
-  /* #2: @2 = newton_384(@0, @1) */
-  arg1[0]=w0;
-  arg1[1]=(&w1);
-  res1[0]=w2;
-  if (casadi_f81(arg1, res1, iw, w, 0)) return 1;
-  /* #3: output[0][0] = @2 */
-  casadi_copy(w2, 3, res[0]);
-  return 0;
-}
-
 /* simplest_walker_jacobian_384:(u[3],p)->(J[3x3],R[3]) */
-static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+266, *w01=w+269, w02, *w03=w+271, *w04=w+275, *w05=w+283, w06, w07, w08, *w09=w+295;
   casadi_real *w10=w+319, *w11=w+331;
@@ -9490,7 +8837,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w02);
   res1[0]=w03;
   res1[1]=w04;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
   /* #4: @5 = horzcat(@3, @4) */
   rr=w05;
   for (i=0, cs=w03; i<4; ++i) *rr++ = *cs++;
@@ -9507,7 +8854,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w08);
   arg1[1]=(&w02);
   res1[0]=w09;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
   /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
   arg1[0]=w05;
   arg1[1]=(&w06);
@@ -9515,7 +8862,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #11: @6 = 0.03125 */
   w06 = 3.1250000000000000e-02;
   /* #12: @6 = (@6*@7) */
@@ -9527,7 +8874,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #14: @6 = 0.0625 */
   w06 = 6.2500000000000000e-02;
   /* #15: @6 = (@6*@7) */
@@ -9539,7 +8886,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #17: @6 = 0.09375 */
   w06 = 9.3750000000000000e-02;
   /* #18: @6 = (@6*@7) */
@@ -9551,7 +8898,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #20: @6 = 0.125 */
   w06 = 1.2500000000000000e-01;
   /* #21: @6 = (@6*@7) */
@@ -9563,7 +8910,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #23: @6 = 0.15625 */
   w06 = 1.5625000000000000e-01;
   /* #24: @6 = (@6*@7) */
@@ -9575,7 +8922,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #26: @6 = 0.1875 */
   w06 = 1.8750000000000000e-01;
   /* #27: @6 = (@6*@7) */
@@ -9587,7 +8934,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #29: @6 = 0.21875 */
   w06 = 2.1875000000000000e-01;
   /* #30: @6 = (@6*@7) */
@@ -9599,7 +8946,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #32: @6 = 0.25 */
   w06 = 2.5000000000000000e-01;
   /* #33: @6 = (@6*@7) */
@@ -9611,7 +8958,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #35: @6 = 0.28125 */
   w06 = 2.8125000000000000e-01;
   /* #36: @6 = (@6*@7) */
@@ -9623,7 +8970,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #38: @6 = 0.3125 */
   w06 = 3.1250000000000000e-01;
   /* #39: @6 = (@6*@7) */
@@ -9635,7 +8982,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #41: @6 = 0.34375 */
   w06 = 3.4375000000000000e-01;
   /* #42: @6 = (@6*@7) */
@@ -9647,7 +8994,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #44: @6 = 0.375 */
   w06 = 3.7500000000000000e-01;
   /* #45: @6 = (@6*@7) */
@@ -9659,7 +9006,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #47: @6 = 0.40625 */
   w06 = 4.0625000000000000e-01;
   /* #48: @6 = (@6*@7) */
@@ -9671,7 +9018,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #50: @6 = 0.4375 */
   w06 = 4.3750000000000000e-01;
   /* #51: @6 = (@6*@7) */
@@ -9683,7 +9030,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #53: @6 = 0.46875 */
   w06 = 4.6875000000000000e-01;
   /* #54: @6 = (@6*@7) */
@@ -9695,7 +9042,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #56: @6 = 0.5 */
   w06 = 5.0000000000000000e-01;
   /* #57: @6 = (@6*@7) */
@@ -9707,7 +9054,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #59: @6 = 0.53125 */
   w06 = 5.3125000000000000e-01;
   /* #60: @6 = (@6*@7) */
@@ -9719,7 +9066,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #62: @6 = 0.5625 */
   w06 = 5.6250000000000000e-01;
   /* #63: @6 = (@6*@7) */
@@ -9731,7 +9078,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #65: @6 = 0.59375 */
   w06 = 5.9375000000000000e-01;
   /* #66: @6 = (@6*@7) */
@@ -9743,7 +9090,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #68: @6 = 0.625 */
   w06 = 6.2500000000000000e-01;
   /* #69: @6 = (@6*@7) */
@@ -9755,7 +9102,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #71: @6 = 0.65625 */
   w06 = 6.5625000000000000e-01;
   /* #72: @6 = (@6*@7) */
@@ -9767,7 +9114,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #74: @6 = 0.6875 */
   w06 = 6.8750000000000000e-01;
   /* #75: @6 = (@6*@7) */
@@ -9779,7 +9126,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #77: @6 = 0.71875 */
   w06 = 7.1875000000000000e-01;
   /* #78: @6 = (@6*@7) */
@@ -9791,7 +9138,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #80: @6 = 0.75 */
   w06 = 7.5000000000000000e-01;
   /* #81: @6 = (@6*@7) */
@@ -9803,7 +9150,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #83: @6 = 0.78125 */
   w06 = 7.8125000000000000e-01;
   /* #84: @6 = (@6*@7) */
@@ -9815,7 +9162,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #86: @6 = 0.8125 */
   w06 = 8.1250000000000000e-01;
   /* #87: @6 = (@6*@7) */
@@ -9827,7 +9174,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #89: @6 = 0.84375 */
   w06 = 8.4375000000000000e-01;
   /* #90: @6 = (@6*@7) */
@@ -9839,7 +9186,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #92: @6 = 0.875 */
   w06 = 8.7500000000000000e-01;
   /* #93: @6 = (@6*@7) */
@@ -9851,7 +9198,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #95: @6 = 0.90625 */
   w06 = 9.0625000000000000e-01;
   /* #96: @6 = (@6*@7) */
@@ -9863,7 +9210,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #98: @6 = 0.9375 */
   w06 = 9.3750000000000000e-01;
   /* #99: @6 = (@6*@7) */
@@ -9875,7 +9222,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #101: @6 = 0.96875 */
   w06 = 9.6875000000000000e-01;
   /* #102: @6 = (@6*@7) */
@@ -9887,7 +9234,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #104: {@11, @0} = landing_with_derivative(@5, @1, @7, @2) */
   arg1[0]=w05;
   arg1[1]=w01;
@@ -9895,7 +9242,7 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w02);
   res1[0]=w11;
   res1[1]=w00;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #105: output[0][0] = @11 */
   casadi_copy(w11, 9, res[0]);
   /* #106: output[1][0] = @0 */
@@ -9904,18 +9251,18 @@ static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* simplest_walker_limit_cycle_384:(u0[3],p)->(u[3],J[3x3],R[3]) */
-static int casadi_f79(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+3, *w0=w+434, w1, *w2=w+437, *w3=w+440;
+static int casadi_f57(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+3, *w0=w+402, w1, *w2=w+405, *w3=w+408;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 3, w0);
   /* #1: @1 = input[1][0] */
   w1 = arg[1] ? arg[1][0] : 0;
-  /* #2: @2 = scaled_newton_384(@0, @1) */
+  /* #2: @2 = newton_384(@0, @1) */
   arg1[0]=w0;
   arg1[1]=(&w1);
   res1[0]=w2;
-  if (casadi_f80(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f58(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 3, res[0]);
   /* #4: {@3, @0} = simplest_walker_jacobian_384(@2, @1) */
@@ -9923,7 +9270,7 @@ static int casadi_f79(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w1);
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f85(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f61(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 9, res[1]);
   /* #6: output[2][0] = @0 */
@@ -9932,7 +9279,7 @@ static int casadi_f79(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_384(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f79(arg, res, iw, w, mem);
+  return casadi_f57(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_384_checkout(void) {
@@ -9993,23 +9340,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* simplest_walker_limit_cycle_384_sparsity_
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_384_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 22;
-  if (sz_res) *sz_res = 13;
+  if (sz_arg) *sz_arg = 18;
+  if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 449;
+  if (sz_w) *sz_w = 417;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_384_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 22*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 13*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 18*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 449*sizeof(casadi_real);
+  if (sz_w) *sz_w = 417*sizeof(casadi_real);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_residual_12(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f11(arg, res, iw, w, mem);
+  return casadi_f9(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_residual_12_checkout(void) {
@@ -10082,7 +9429,7 @@ CASADI_SYMBOL_EXPORT int simplest_walker_residual_12_work_bytes(casadi_int *sz_a
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_residual_24(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f20(arg, res, iw, w, mem);
+  return casadi_f16(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_residual_24_checkout(void) {
@@ -10155,7 +9502,7 @@ CASADI_SYMBOL_EXPORT int simplest_walker_residual_24_work_bytes(casadi_int *sz_a
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_residual_36(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f37(arg, res, iw, w, mem);
+  return casadi_f27(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_residual_36_checkout(void) {
@@ -10228,7 +9575,7 @@ CASADI_SYMBOL_EXPORT int simplest_walker_residual_36_work_bytes(casadi_int *sz_a
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_residual_48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f26(arg, res, iw, w, mem);
+  return casadi_f20(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_residual_48_checkout(void) {
@@ -10301,7 +9648,7 @@ CASADI_SYMBOL_EXPORT int simplest_walker_residual_48_work_bytes(casadi_int *sz_a
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_residual_72(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f49(arg, res, iw, w, mem);
+  return casadi_f35(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_residual_72_checkout(void) {
@@ -10374,7 +9721,7 @@ CASADI_SYMBOL_EXPORT int simplest_walker_residual_72_work_bytes(casadi_int *sz_a
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_residual_96(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f56(arg, res, iw, w, mem);
+  return casadi_f40(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_residual_96_checkout(void) {
@@ -10447,7 +9794,7 @@ CASADI_SYMBOL_EXPORT int simplest_walker_residual_96_work_bytes(casadi_int *sz_a
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_residual_144(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f63(arg, res, iw, w, mem);
+  return casadi_f45(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_residual_144_checkout(void) {
@@ -10520,7 +9867,7 @@ CASADI_SYMBOL_EXPORT int simplest_walker_residual_144_work_bytes(casadi_int *sz_
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_residual_192(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f70(arg, res, iw, w, mem);
+  return casadi_f50(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_residual_192_checkout(void) {
@@ -10593,7 +9940,7 @@ CASADI_SYMBOL_EXPORT int simplest_walker_residual_192_work_bytes(casadi_int *sz_
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_residual_288(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f77(arg, res, iw, w, mem);
+  return casadi_f55(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_residual_288_checkout(void) {
@@ -10666,7 +10013,7 @@ CASADI_SYMBOL_EXPORT int simplest_walker_residual_288_work_bytes(casadi_int *sz_
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_residual_384(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f84(arg, res, iw, w, mem);
+  return casadi_f60(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_residual_384_checkout(void) {
@@ -10739,7 +10086,7 @@ CASADI_SYMBOL_EXPORT int simplest_walker_residual_384_work_bytes(casadi_int *sz_
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_jacobian_12(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f4(arg, res, iw, w, mem);
+  return casadi_f2(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_jacobian_12_checkout(void) {
@@ -10814,7 +10161,7 @@ CASADI_SYMBOL_EXPORT int simplest_walker_jacobian_12_work_bytes(casadi_int *sz_a
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_jacobian_24(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f19(arg, res, iw, w, mem);
+  return casadi_f15(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_jacobian_24_checkout(void) {
@@ -10889,7 +10236,7 @@ CASADI_SYMBOL_EXPORT int simplest_walker_jacobian_24_work_bytes(casadi_int *sz_a
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_jacobian_36(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f38(arg, res, iw, w, mem);
+  return casadi_f28(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_jacobian_36_checkout(void) {
@@ -10964,7 +10311,7 @@ CASADI_SYMBOL_EXPORT int simplest_walker_jacobian_36_work_bytes(casadi_int *sz_a
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_jacobian_48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f25(arg, res, iw, w, mem);
+  return casadi_f19(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_jacobian_48_checkout(void) {
@@ -11039,7 +10386,7 @@ CASADI_SYMBOL_EXPORT int simplest_walker_jacobian_48_work_bytes(casadi_int *sz_a
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_jacobian_72(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f50(arg, res, iw, w, mem);
+  return casadi_f36(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_jacobian_72_checkout(void) {
@@ -11114,7 +10461,7 @@ CASADI_SYMBOL_EXPORT int simplest_walker_jacobian_72_work_bytes(casadi_int *sz_a
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_jacobian_96(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f57(arg, res, iw, w, mem);
+  return casadi_f41(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_jacobian_96_checkout(void) {
@@ -11189,7 +10536,7 @@ CASADI_SYMBOL_EXPORT int simplest_walker_jacobian_96_work_bytes(casadi_int *sz_a
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_jacobian_144(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f64(arg, res, iw, w, mem);
+  return casadi_f46(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_jacobian_144_checkout(void) {
@@ -11264,7 +10611,7 @@ CASADI_SYMBOL_EXPORT int simplest_walker_jacobian_144_work_bytes(casadi_int *sz_
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_jacobian_192(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f71(arg, res, iw, w, mem);
+  return casadi_f51(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_jacobian_192_checkout(void) {
@@ -11339,7 +10686,7 @@ CASADI_SYMBOL_EXPORT int simplest_walker_jacobian_192_work_bytes(casadi_int *sz_
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_jacobian_288(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f78(arg, res, iw, w, mem);
+  return casadi_f56(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_jacobian_288_checkout(void) {
@@ -11414,7 +10761,7 @@ CASADI_SYMBOL_EXPORT int simplest_walker_jacobian_288_work_bytes(casadi_int *sz_
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_jacobian_384(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f85(arg, res, iw, w, mem);
+  return casadi_f61(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_jacobian_384_checkout(void) {
@@ -11489,7 +10836,7 @@ CASADI_SYMBOL_EXPORT int simplest_walker_jacobian_384_work_bytes(casadi_int *sz_
 }
 
 /* working_step:(y[4],phase[2],turns[2x12],h,p)->(y_end[4]) */
-static int casadi_f88(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f64(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a000, a001, a002, a003, a004, a005, a006, a007, a008, a009, a010, a011;
   casadi_real a012, a013, a014, a015, a016, a017, a018, a019, a020, a021, a022, a023;
   casadi_real a024, a025, a026, a027, a028, a029, a030, a031, a032, a033, a034, a035;
@@ -12325,7 +11672,7 @@ static int casadi_f88(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* observe:(t,y[4],p)->(g[7],dg[7]) */
-static int casadi_f89(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f65(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17;
   a00=arg[1]? arg[1][0] : 0;
@@ -12416,7 +11763,7 @@ static int casadi_f89(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* working_steps:(t,turns[2x12],w[4],h,p)->(w_end[4],nodes[4x12],g[7x12],dg[7x12]) */
-static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+4, *w00=w+117, w01, w02, *w03=w+121, w05, *w06=w+123, w07, *w08=w+127, *w09=w+131, *w10=w+135, *w11=w+139;
   casadi_real *w12=w+143, *w13=w+147, *w14=w+151, *w15=w+155, *w16=w+159, *w17=w+163, *w18=w+167, *w19=w+171, *w20=w+178, *w21=w+185, *w22=w+192, *w23=w+199;
   casadi_real *w24=w+206, *w25=w+213, *w26=w+220, *w27=w+227, *w28=w+234, *w29=w+241, *w30=w+248, *w31=w+255;
@@ -12431,7 +11778,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w01);
   arg1[1]=(&w02);
   res1[0]=w03;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = input[1][0] */
   wr04 = arg[1] ? arg[1] : casadi_zeros;
   /* #5: @5 = input[3][0] */
@@ -12443,14 +11790,14 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=(&w02);
   res1[0]=w06;
-  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #7: @7 = (@1+@5) */
   w07  = (w01+w05);
   /* #8: @3 = phase(@7, @2) */
   arg1[0]=(&w07);
   arg1[1]=(&w02);
   res1[0]=w03;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #9: @8 = working_step(@6, @3, @4, @5, @2) */
   arg1[0]=w06;
   arg1[1]=w03;
@@ -12458,7 +11805,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=(&w02);
   res1[0]=w08;
-  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #10: @7 = (2.*@5) */
   w07 = (2.* w05 );
   /* #11: @7 = (@1+@7) */
@@ -12467,7 +11814,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w07);
   arg1[1]=(&w02);
   res1[0]=w03;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #13: @9 = working_step(@8, @3, @4, @5, @2) */
   arg1[0]=w08;
   arg1[1]=w03;
@@ -12475,7 +11822,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=(&w02);
   res1[0]=w09;
-  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #14: @7 = 3 */
   w07 = 3.;
   /* #15: @7 = (@7*@5) */
@@ -12486,7 +11833,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w07);
   arg1[1]=(&w02);
   res1[0]=w03;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #18: @10 = working_step(@9, @3, @4, @5, @2) */
   arg1[0]=w09;
   arg1[1]=w03;
@@ -12494,7 +11841,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #19: @7 = 4 */
   w07 = 4.;
   /* #20: @7 = (@7*@5) */
@@ -12505,7 +11852,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w07);
   arg1[1]=(&w02);
   res1[0]=w03;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #23: @11 = working_step(@10, @3, @4, @5, @2) */
   arg1[0]=w10;
   arg1[1]=w03;
@@ -12513,7 +11860,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=(&w02);
   res1[0]=w11;
-  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #24: @7 = 5 */
   w07 = 5.;
   /* #25: @7 = (@7*@5) */
@@ -12524,7 +11871,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w07);
   arg1[1]=(&w02);
   res1[0]=w03;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #28: @12 = working_step(@11, @3, @4, @5, @2) */
   arg1[0]=w11;
   arg1[1]=w03;
@@ -12532,7 +11879,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=(&w02);
   res1[0]=w12;
-  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #29: @7 = 6 */
   w07 = 6.;
   /* #30: @7 = (@7*@5) */
@@ -12543,7 +11890,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w07);
   arg1[1]=(&w02);
   res1[0]=w03;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #33: @13 = working_step(@12, @3, @4, @5, @2) */
   arg1[0]=w12;
   arg1[1]=w03;
@@ -12551,7 +11898,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=(&w02);
   res1[0]=w13;
-  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #34: @7 = 7 */
   w07 = 7.;
   /* #35: @7 = (@7*@5) */
@@ -12562,7 +11909,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w07);
   arg1[1]=(&w02);
   res1[0]=w03;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #38: @14 = working_step(@13, @3, @4, @5, @2) */
   arg1[0]=w13;
   arg1[1]=w03;
@@ -12570,7 +11917,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=(&w02);
   res1[0]=w14;
-  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #39: @7 = 8 */
   w07 = 8.;
   /* #40: @7 = (@7*@5) */
@@ -12581,7 +11928,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w07);
   arg1[1]=(&w02);
   res1[0]=w03;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #43: @15 = working_step(@14, @3, @4, @5, @2) */
   arg1[0]=w14;
   arg1[1]=w03;
@@ -12589,7 +11936,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=(&w02);
   res1[0]=w15;
-  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #44: @7 = 9 */
   w07 = 9.;
   /* #45: @7 = (@7*@5) */
@@ -12600,7 +11947,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w07);
   arg1[1]=(&w02);
   res1[0]=w03;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #48: @16 = working_step(@15, @3, @4, @5, @2) */
   arg1[0]=w15;
   arg1[1]=w03;
@@ -12608,7 +11955,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=(&w02);
   res1[0]=w16;
-  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #49: @7 = 10 */
   w07 = 10.;
   /* #50: @7 = (@7*@5) */
@@ -12619,7 +11966,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w07);
   arg1[1]=(&w02);
   res1[0]=w03;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #53: @17 = working_step(@16, @3, @4, @5, @2) */
   arg1[0]=w16;
   arg1[1]=w03;
@@ -12627,7 +11974,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=(&w02);
   res1[0]=w17;
-  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #54: @7 = 11 */
   w07 = 11.;
   /* #55: @7 = (@7*@5) */
@@ -12638,7 +11985,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w07);
   arg1[1]=(&w02);
   res1[0]=w03;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #58: @18 = working_step(@17, @3, @4, @5, @2) */
   arg1[0]=w17;
   arg1[1]=w03;
@@ -12646,7 +11993,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=(&w02);
   res1[0]=w18;
-  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #59: output[0][0] = @18 */
   casadi_copy(w18, 4, res[0]);
   /* #60: output[1][0] = @0 */
@@ -12679,7 +12026,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=(&w02);
   res1[0]=w19;
   res1[1]=w20;
-  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #73: output[2][0] = @19 */
   casadi_copy(w19, 7, res[2]);
   /* #74: @7 = (@1+@5) */
@@ -12690,7 +12037,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=(&w02);
   res1[0]=w19;
   res1[1]=w21;
-  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #76: output[2][1] = @19 */
   if (res[2]) casadi_copy(w19, 7, res[2]+7);
   /* #77: @7 = (2.*@5) */
@@ -12703,7 +12050,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=(&w02);
   res1[0]=w19;
   res1[1]=w22;
-  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #80: output[2][2] = @19 */
   if (res[2]) casadi_copy(w19, 7, res[2]+14);
   /* #81: @7 = 3 */
@@ -12718,7 +12065,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=(&w02);
   res1[0]=w19;
   res1[1]=w23;
-  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #85: output[2][3] = @19 */
   if (res[2]) casadi_copy(w19, 7, res[2]+21);
   /* #86: @7 = 4 */
@@ -12733,7 +12080,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=(&w02);
   res1[0]=w19;
   res1[1]=w24;
-  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #90: output[2][4] = @19 */
   if (res[2]) casadi_copy(w19, 7, res[2]+28);
   /* #91: @7 = 5 */
@@ -12748,7 +12095,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=(&w02);
   res1[0]=w19;
   res1[1]=w25;
-  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #95: output[2][5] = @19 */
   if (res[2]) casadi_copy(w19, 7, res[2]+35);
   /* #96: @7 = 6 */
@@ -12763,7 +12110,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=(&w02);
   res1[0]=w19;
   res1[1]=w26;
-  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #100: output[2][6] = @19 */
   if (res[2]) casadi_copy(w19, 7, res[2]+42);
   /* #101: @7 = 7 */
@@ -12778,7 +12125,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=(&w02);
   res1[0]=w19;
   res1[1]=w27;
-  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #105: output[2][7] = @19 */
   if (res[2]) casadi_copy(w19, 7, res[2]+49);
   /* #106: @7 = 8 */
@@ -12793,7 +12140,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=(&w02);
   res1[0]=w19;
   res1[1]=w28;
-  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #110: output[2][8] = @19 */
   if (res[2]) casadi_copy(w19, 7, res[2]+56);
   /* #111: @7 = 9 */
@@ -12808,7 +12155,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=(&w02);
   res1[0]=w19;
   res1[1]=w29;
-  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #115: output[2][9] = @19 */
   if (res[2]) casadi_copy(w19, 7, res[2]+63);
   /* #116: @7 = 10 */
@@ -12823,7 +12170,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=(&w02);
   res1[0]=w19;
   res1[1]=w30;
-  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #120: output[2][10] = @19 */
   if (res[2]) casadi_copy(w19, 7, res[2]+70);
   /* #121: @7 = 11 */
@@ -12838,7 +12185,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=(&w02);
   res1[0]=w19;
   res1[1]=w31;
-  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #125: output[2][11] = @19 */
   if (res[2]) casadi_copy(w19, 7, res[2]+77);
   /* #126: output[3][0] = @20 */
@@ -12869,7 +12216,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* simplest_walker_trace_48:(u[3],p)->(w[4x49],g[7x49],dg[7x49],R[3]) */
-static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+4, *rr, w00, *w01=w+290, w02, w03, w04, *w05=w+293, *w06=w+317, *w07=w+319, *w08=w+323, *w09=w+327;
   casadi_real *w10=w+375, *w11=w+459, *w12=w+543, *w13=w+627, *w14=w+711, *w15=w+795, *w16=w+879, *w17=w+963, *w18=w+1047, *w19=w+1054;
   const casadi_real **arg1=arg+2, *cs;
@@ -12889,7 +12236,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w03);
   arg1[1]=(&w04);
   res1[0]=w05;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:2] */
   for (rr=w06, cs=w01+0; cs!=w01+2; cs+=1) *rr++ = *cs;
   /* #8: {@7, NULL} = start(@6, @4) */
@@ -12897,7 +12244,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w04);
   res1[0]=w07;
   res1[1]=0;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
   /* #9: {@8, @9, @10, @11} = working_steps(@0, @5, @7, @3, @4) */
   arg1[0]=(&w00);
   arg1[1]=w05;
@@ -12908,7 +12255,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w10;
   res1[3]=w11;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #10: output[0][0] = @9 */
   casadi_copy(w09, 48, res[0]);
   /* #11: @0 = 0.25 */
@@ -12925,7 +12272,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w12;
   res1[3]=w13;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #14: output[0][1] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+48);
   /* #15: @0 = 0.5 */
@@ -12942,7 +12289,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w14;
   res1[3]=w15;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #18: output[0][2] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+96);
   /* #19: @0 = 0.75 */
@@ -12959,7 +12306,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w16;
   res1[3]=w17;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #22: output[0][3] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+144);
   /* #23: output[0][4] = @7 */
@@ -12978,7 +12325,7 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=(&w04);
   res1[0]=w18;
   res1[1]=w19;
-  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #29: output[1][4] = @18 */
   if (res[1]) casadi_copy(w18, 7, res[1]+336);
   /* #30: output[2][0] = @11 */
@@ -12996,14 +12343,14 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w06;
   arg1[2]=(&w04);
   res1[0]=w01;
-  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[3][0] = @1 */
   casadi_copy(w01, 3, res[3]);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_trace_48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f86(arg, res, iw, w, mem);
+  return casadi_f62(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_trace_48_checkout(void) {
@@ -13082,7 +12429,7 @@ CASADI_SYMBOL_EXPORT int simplest_walker_trace_48_work_bytes(casadi_int *sz_arg,
 }
 
 /* simplest_walker_trace_72:(u[3],p)->(w[4x73],g[7x73],dg[7x73],R[3]) */
-static int casadi_f90(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+4, *rr, w00, *w01=w+290, w02, w03, w04, *w05=w+293, *w06=w+317, *w07=w+319, *w08=w+323, *w09=w+327;
   casadi_real *w10=w+375, *w11=w+459, *w12=w+543, *w13=w+627, *w14=w+711, *w15=w+795, *w16=w+879, *w17=w+963, *w18=w+1047, *w19=w+1131, *w20=w+1215, *w21=w+1299;
   casadi_real *w22=w+1383, *w23=w+1390;
@@ -13103,7 +12450,7 @@ static int casadi_f90(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w03);
   arg1[1]=(&w04);
   res1[0]=w05;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:2] */
   for (rr=w06, cs=w01+0; cs!=w01+2; cs+=1) *rr++ = *cs;
   /* #8: {@7, NULL} = start(@6, @4) */
@@ -13111,7 +12458,7 @@ static int casadi_f90(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w04);
   res1[0]=w07;
   res1[1]=0;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
   /* #9: {@8, @9, @10, @11} = working_steps(@0, @5, @7, @3, @4) */
   arg1[0]=(&w00);
   arg1[1]=w05;
@@ -13122,7 +12469,7 @@ static int casadi_f90(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w10;
   res1[3]=w11;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #10: output[0][0] = @9 */
   casadi_copy(w09, 48, res[0]);
   /* #11: @0 = 0.166667 */
@@ -13139,7 +12486,7 @@ static int casadi_f90(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w12;
   res1[3]=w13;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #14: output[0][1] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+48);
   /* #15: @0 = 0.333333 */
@@ -13156,7 +12503,7 @@ static int casadi_f90(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w14;
   res1[3]=w15;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #18: output[0][2] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+96);
   /* #19: @0 = 0.5 */
@@ -13173,7 +12520,7 @@ static int casadi_f90(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w16;
   res1[3]=w17;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #22: output[0][3] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+144);
   /* #23: @0 = 0.666667 */
@@ -13190,7 +12537,7 @@ static int casadi_f90(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w18;
   res1[3]=w19;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #26: output[0][4] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+192);
   /* #27: @0 = 0.833333 */
@@ -13207,7 +12554,7 @@ static int casadi_f90(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w20;
   res1[3]=w21;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #30: output[0][5] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+240);
   /* #31: output[0][6] = @7 */
@@ -13230,7 +12577,7 @@ static int casadi_f90(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=(&w04);
   res1[0]=w22;
   res1[1]=w23;
-  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #39: output[1][6] = @22 */
   if (res[1]) casadi_copy(w22, 7, res[1]+504);
   /* #40: output[2][0] = @11 */
@@ -13252,14 +12599,14 @@ static int casadi_f90(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w06;
   arg1[2]=(&w04);
   res1[0]=w01;
-  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #48: output[3][0] = @1 */
   casadi_copy(w01, 3, res[3]);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_trace_72(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f90(arg, res, iw, w, mem);
+  return casadi_f66(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_trace_72_checkout(void) {
@@ -13338,7 +12685,7 @@ CASADI_SYMBOL_EXPORT int simplest_walker_trace_72_work_bytes(casadi_int *sz_arg,
 }
 
 /* simplest_walker_trace_96:(u[3],p)->(w[4x97],g[7x97],dg[7x97],R[3]) */
-static int casadi_f91(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+4, *rr, w00, *w01=w+290, w02, w03, w04, *w05=w+293, *w06=w+317, *w07=w+319, *w08=w+323, *w09=w+327;
   casadi_real *w10=w+375, *w11=w+459, *w12=w+543, *w13=w+627, *w14=w+711, *w15=w+795, *w16=w+879, *w17=w+963, *w18=w+1047, *w19=w+1131, *w20=w+1215, *w21=w+1299;
   casadi_real *w22=w+1383, *w23=w+1467, *w24=w+1551, *w25=w+1635, *w26=w+1719, *w27=w+1726;
@@ -13359,7 +12706,7 @@ static int casadi_f91(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w03);
   arg1[1]=(&w04);
   res1[0]=w05;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:2] */
   for (rr=w06, cs=w01+0; cs!=w01+2; cs+=1) *rr++ = *cs;
   /* #8: {@7, NULL} = start(@6, @4) */
@@ -13367,7 +12714,7 @@ static int casadi_f91(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w04);
   res1[0]=w07;
   res1[1]=0;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
   /* #9: {@8, @9, @10, @11} = working_steps(@0, @5, @7, @3, @4) */
   arg1[0]=(&w00);
   arg1[1]=w05;
@@ -13378,7 +12725,7 @@ static int casadi_f91(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w10;
   res1[3]=w11;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #10: output[0][0] = @9 */
   casadi_copy(w09, 48, res[0]);
   /* #11: @0 = 0.125 */
@@ -13395,7 +12742,7 @@ static int casadi_f91(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w12;
   res1[3]=w13;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #14: output[0][1] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+48);
   /* #15: @0 = 0.25 */
@@ -13412,7 +12759,7 @@ static int casadi_f91(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w14;
   res1[3]=w15;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #18: output[0][2] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+96);
   /* #19: @0 = 0.375 */
@@ -13429,7 +12776,7 @@ static int casadi_f91(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w16;
   res1[3]=w17;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #22: output[0][3] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+144);
   /* #23: @0 = 0.5 */
@@ -13446,7 +12793,7 @@ static int casadi_f91(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w18;
   res1[3]=w19;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #26: output[0][4] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+192);
   /* #27: @0 = 0.625 */
@@ -13463,7 +12810,7 @@ static int casadi_f91(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w20;
   res1[3]=w21;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #30: output[0][5] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+240);
   /* #31: @0 = 0.75 */
@@ -13480,7 +12827,7 @@ static int casadi_f91(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w22;
   res1[3]=w23;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #34: output[0][6] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+288);
   /* #35: @0 = 0.875 */
@@ -13497,7 +12844,7 @@ static int casadi_f91(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w24;
   res1[3]=w25;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #38: output[0][7] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+336);
   /* #39: output[0][8] = @7 */
@@ -13524,7 +12871,7 @@ static int casadi_f91(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=(&w04);
   res1[0]=w26;
   res1[1]=w27;
-  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #49: output[1][8] = @26 */
   if (res[1]) casadi_copy(w26, 7, res[1]+672);
   /* #50: output[2][0] = @11 */
@@ -13550,14 +12897,14 @@ static int casadi_f91(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w06;
   arg1[2]=(&w04);
   res1[0]=w01;
-  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #60: output[3][0] = @1 */
   casadi_copy(w01, 3, res[3]);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_trace_96(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f91(arg, res, iw, w, mem);
+  return casadi_f67(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_trace_96_checkout(void) {
@@ -13636,7 +12983,7 @@ CASADI_SYMBOL_EXPORT int simplest_walker_trace_96_work_bytes(casadi_int *sz_arg,
 }
 
 /* simplest_walker_trace_144:(u[3],p)->(w[4x145],g[7x145],dg[7x145],R[3]) */
-static int casadi_f92(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+4, *rr, w00, *w01=w+290, w02, w03, w04, *w05=w+293, *w06=w+317, *w07=w+319, *w08=w+323, *w09=w+327;
   casadi_real *w10=w+375, *w11=w+459, *w12=w+543, *w13=w+627, *w14=w+711, *w15=w+795, *w16=w+879, *w17=w+963, *w18=w+1047, *w19=w+1131, *w20=w+1215, *w21=w+1299;
   casadi_real *w22=w+1383, *w23=w+1467, *w24=w+1551, *w25=w+1635, *w26=w+1719, *w27=w+1803, *w28=w+1887, *w29=w+1971, *w30=w+2055, *w31=w+2139, *w32=w+2223, *w33=w+2307;
@@ -13658,7 +13005,7 @@ static int casadi_f92(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w03);
   arg1[1]=(&w04);
   res1[0]=w05;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:2] */
   for (rr=w06, cs=w01+0; cs!=w01+2; cs+=1) *rr++ = *cs;
   /* #8: {@7, NULL} = start(@6, @4) */
@@ -13666,7 +13013,7 @@ static int casadi_f92(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w04);
   res1[0]=w07;
   res1[1]=0;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
   /* #9: {@8, @9, @10, @11} = working_steps(@0, @5, @7, @3, @4) */
   arg1[0]=(&w00);
   arg1[1]=w05;
@@ -13677,7 +13024,7 @@ static int casadi_f92(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w10;
   res1[3]=w11;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #10: output[0][0] = @9 */
   casadi_copy(w09, 48, res[0]);
   /* #11: @0 = 0.0833333 */
@@ -13694,7 +13041,7 @@ static int casadi_f92(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w12;
   res1[3]=w13;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #14: output[0][1] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+48);
   /* #15: @0 = 0.166667 */
@@ -13711,7 +13058,7 @@ static int casadi_f92(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w14;
   res1[3]=w15;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #18: output[0][2] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+96);
   /* #19: @0 = 0.25 */
@@ -13728,7 +13075,7 @@ static int casadi_f92(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w16;
   res1[3]=w17;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #22: output[0][3] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+144);
   /* #23: @0 = 0.333333 */
@@ -13745,7 +13092,7 @@ static int casadi_f92(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w18;
   res1[3]=w19;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #26: output[0][4] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+192);
   /* #27: @0 = 0.416667 */
@@ -13762,7 +13109,7 @@ static int casadi_f92(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w20;
   res1[3]=w21;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #30: output[0][5] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+240);
   /* #31: @0 = 0.5 */
@@ -13779,7 +13126,7 @@ static int casadi_f92(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w22;
   res1[3]=w23;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #34: output[0][6] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+288);
   /* #35: @0 = 0.583333 */
@@ -13796,7 +13143,7 @@ static int casadi_f92(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w24;
   res1[3]=w25;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #38: output[0][7] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+336);
   /* #39: @0 = 0.666667 */
@@ -13813,7 +13160,7 @@ static int casadi_f92(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w26;
   res1[3]=w27;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #42: output[0][8] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+384);
   /* #43: @0 = 0.75 */
@@ -13830,7 +13177,7 @@ static int casadi_f92(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w28;
   res1[3]=w29;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #46: output[0][9] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+432);
   /* #47: @0 = 0.833333 */
@@ -13847,7 +13194,7 @@ static int casadi_f92(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w30;
   res1[3]=w31;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #50: output[0][10] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+480);
   /* #51: @0 = 0.916667 */
@@ -13864,7 +13211,7 @@ static int casadi_f92(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w32;
   res1[3]=w33;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #54: output[0][11] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+528);
   /* #55: output[0][12] = @7 */
@@ -13899,7 +13246,7 @@ static int casadi_f92(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=(&w04);
   res1[0]=w34;
   res1[1]=w35;
-  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #69: output[1][12] = @34 */
   if (res[1]) casadi_copy(w34, 7, res[1]+1008);
   /* #70: output[2][0] = @11 */
@@ -13933,14 +13280,14 @@ static int casadi_f92(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w06;
   arg1[2]=(&w04);
   res1[0]=w01;
-  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #84: output[3][0] = @1 */
   casadi_copy(w01, 3, res[3]);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_trace_144(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f92(arg, res, iw, w, mem);
+  return casadi_f68(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_trace_144_checkout(void) {
@@ -14019,7 +13366,7 @@ CASADI_SYMBOL_EXPORT int simplest_walker_trace_144_work_bytes(casadi_int *sz_arg
 }
 
 /* simplest_walker_trace_192:(u[3],p)->(w[4x193],g[7x193],dg[7x193],R[3]) */
-static int casadi_f93(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+4, *rr, w00, *w01=w+290, w02, w03, w04, *w05=w+293, *w06=w+317, *w07=w+319, *w08=w+323, *w09=w+327;
   casadi_real *w10=w+375, *w11=w+459, *w12=w+543, *w13=w+627, *w14=w+711, *w15=w+795, *w16=w+879, *w17=w+963, *w18=w+1047, *w19=w+1131, *w20=w+1215, *w21=w+1299;
   casadi_real *w22=w+1383, *w23=w+1467, *w24=w+1551, *w25=w+1635, *w26=w+1719, *w27=w+1803, *w28=w+1887, *w29=w+1971, *w30=w+2055, *w31=w+2139, *w32=w+2223, *w33=w+2307;
@@ -14041,7 +13388,7 @@ static int casadi_f93(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w03);
   arg1[1]=(&w04);
   res1[0]=w05;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:2] */
   for (rr=w06, cs=w01+0; cs!=w01+2; cs+=1) *rr++ = *cs;
   /* #8: {@7, NULL} = start(@6, @4) */
@@ -14049,7 +13396,7 @@ static int casadi_f93(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w04);
   res1[0]=w07;
   res1[1]=0;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
   /* #9: {@8, @9, @10, @11} = working_steps(@0, @5, @7, @3, @4) */
   arg1[0]=(&w00);
   arg1[1]=w05;
@@ -14060,7 +13407,7 @@ static int casadi_f93(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w10;
   res1[3]=w11;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #10: output[0][0] = @9 */
   casadi_copy(w09, 48, res[0]);
   /* #11: @0 = 0.0625 */
@@ -14077,7 +13424,7 @@ static int casadi_f93(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w12;
   res1[3]=w13;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #14: output[0][1] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+48);
   /* #15: @0 = 0.125 */
@@ -14094,7 +13441,7 @@ static int casadi_f93(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w14;
   res1[3]=w15;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #18: output[0][2] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+96);
   /* #19: @0 = 0.1875 */
@@ -14111,7 +13458,7 @@ static int casadi_f93(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w16;
   res1[3]=w17;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #22: output[0][3] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+144);
   /* #23: @0 = 0.25 */
@@ -14128,7 +13475,7 @@ static int casadi_f93(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w18;
   res1[3]=w19;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #26: output[0][4] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+192);
   /* #27: @0 = 0.3125 */
@@ -14145,7 +13492,7 @@ static int casadi_f93(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w20;
   res1[3]=w21;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #30: output[0][5] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+240);
   /* #31: @0 = 0.375 */
@@ -14162,7 +13509,7 @@ static int casadi_f93(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w22;
   res1[3]=w23;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #34: output[0][6] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+288);
   /* #35: @0 = 0.4375 */
@@ -14179,7 +13526,7 @@ static int casadi_f93(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w24;
   res1[3]=w25;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #38: output[0][7] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+336);
   /* #39: @0 = 0.5 */
@@ -14196,7 +13543,7 @@ static int casadi_f93(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w26;
   res1[3]=w27;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #42: output[0][8] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+384);
   /* #43: @0 = 0.5625 */
@@ -14213,7 +13560,7 @@ static int casadi_f93(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w28;
   res1[3]=w29;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #46: output[0][9] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+432);
   /* #47: @0 = 0.625 */
@@ -14230,7 +13577,7 @@ static int casadi_f93(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w30;
   res1[3]=w31;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #50: output[0][10] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+480);
   /* #51: @0 = 0.6875 */
@@ -14247,7 +13594,7 @@ static int casadi_f93(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w32;
   res1[3]=w33;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #54: output[0][11] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+528);
   /* #55: @0 = 0.75 */
@@ -14264,7 +13611,7 @@ static int casadi_f93(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w34;
   res1[3]=w35;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #58: output[0][12] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+576);
   /* #59: @0 = 0.8125 */
@@ -14281,7 +13628,7 @@ static int casadi_f93(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w36;
   res1[3]=w37;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #62: output[0][13] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+624);
   /* #63: @0 = 0.875 */
@@ -14298,7 +13645,7 @@ static int casadi_f93(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w38;
   res1[3]=w39;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #66: output[0][14] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+672);
   /* #67: @0 = 0.9375 */
@@ -14315,7 +13662,7 @@ static int casadi_f93(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w40;
   res1[3]=w41;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #70: output[0][15] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+720);
   /* #71: output[0][16] = @7 */
@@ -14358,7 +13705,7 @@ static int casadi_f93(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=(&w04);
   res1[0]=w42;
   res1[1]=w43;
-  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #89: output[1][16] = @42 */
   if (res[1]) casadi_copy(w42, 7, res[1]+1344);
   /* #90: output[2][0] = @11 */
@@ -14400,14 +13747,14 @@ static int casadi_f93(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w06;
   arg1[2]=(&w04);
   res1[0]=w01;
-  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #108: output[3][0] = @1 */
   casadi_copy(w01, 3, res[3]);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_trace_192(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f93(arg, res, iw, w, mem);
+  return casadi_f69(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_trace_192_checkout(void) {
@@ -14486,7 +13833,7 @@ CASADI_SYMBOL_EXPORT int simplest_walker_trace_192_work_bytes(casadi_int *sz_arg
 }
 
 /* simplest_walker_trace_288:(u[3],p)->(w[4x289],g[7x289],dg[7x289],R[3]) */
-static int casadi_f94(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+4, *rr, w00, *w01=w+290, w02, w03, w04, *w05=w+293, *w06=w+317, *w07=w+319, *w08=w+323, *w09=w+327;
   casadi_real *w10=w+375, *w11=w+459, *w12=w+543, *w13=w+627, *w14=w+711, *w15=w+795, *w16=w+879, *w17=w+963, *w18=w+1047, *w19=w+1131, *w20=w+1215, *w21=w+1299;
   casadi_real *w22=w+1383, *w23=w+1467, *w24=w+1551, *w25=w+1635, *w26=w+1719, *w27=w+1803, *w28=w+1887, *w29=w+1971, *w30=w+2055, *w31=w+2139, *w32=w+2223, *w33=w+2307;
@@ -14510,7 +13857,7 @@ static int casadi_f94(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w03);
   arg1[1]=(&w04);
   res1[0]=w05;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:2] */
   for (rr=w06, cs=w01+0; cs!=w01+2; cs+=1) *rr++ = *cs;
   /* #8: {@7, NULL} = start(@6, @4) */
@@ -14518,7 +13865,7 @@ static int casadi_f94(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w04);
   res1[0]=w07;
   res1[1]=0;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
   /* #9: {@8, @9, @10, @11} = working_steps(@0, @5, @7, @3, @4) */
   arg1[0]=(&w00);
   arg1[1]=w05;
@@ -14529,7 +13876,7 @@ static int casadi_f94(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w10;
   res1[3]=w11;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #10: output[0][0] = @9 */
   casadi_copy(w09, 48, res[0]);
   /* #11: @0 = 0.0416667 */
@@ -14546,7 +13893,7 @@ static int casadi_f94(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w12;
   res1[3]=w13;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #14: output[0][1] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+48);
   /* #15: @0 = 0.0833333 */
@@ -14563,7 +13910,7 @@ static int casadi_f94(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w14;
   res1[3]=w15;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #18: output[0][2] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+96);
   /* #19: @0 = 0.125 */
@@ -14580,7 +13927,7 @@ static int casadi_f94(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w16;
   res1[3]=w17;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #22: output[0][3] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+144);
   /* #23: @0 = 0.166667 */
@@ -14597,7 +13944,7 @@ static int casadi_f94(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w18;
   res1[3]=w19;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #26: output[0][4] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+192);
   /* #27: @0 = 0.208333 */
@@ -14614,7 +13961,7 @@ static int casadi_f94(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w20;
   res1[3]=w21;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #30: output[0][5] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+240);
   /* #31: @0 = 0.25 */
@@ -14631,7 +13978,7 @@ static int casadi_f94(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w22;
   res1[3]=w23;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #34: output[0][6] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+288);
   /* #35: @0 = 0.291667 */
@@ -14648,7 +13995,7 @@ static int casadi_f94(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w24;
   res1[3]=w25;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #38: output[0][7] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+336);
   /* #39: @0 = 0.333333 */
@@ -14665,7 +14012,7 @@ static int casadi_f94(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w26;
   res1[3]=w27;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #42: output[0][8] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+384);
   /* #43: @0 = 0.375 */
@@ -14682,7 +14029,7 @@ static int casadi_f94(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w28;
   res1[3]=w29;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #46: output[0][9] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+432);
   /* #47: @0 = 0.416667 */
@@ -14699,7 +14046,7 @@ static int casadi_f94(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w30;
   res1[3]=w31;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #50: output[0][10] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+480);
   /* #51: @0 = 0.458333 */
@@ -14716,7 +14063,7 @@ static int casadi_f94(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w32;
   res1[3]=w33;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #54: output[0][11] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+528);
   /* #55: @0 = 0.5 */
@@ -14733,7 +14080,7 @@ static int casadi_f94(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w34;
   res1[3]=w35;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #58: output[0][12] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+576);
   /* #59: @0 = 0.541667 */
@@ -14750,7 +14097,7 @@ static int casadi_f94(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w36;
   res1[3]=w37;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #62: output[0][13] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+624);
   /* #63: @0 = 0.583333 */
@@ -14767,7 +14114,7 @@ static int casadi_f94(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w38;
   res1[3]=w39;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #66: output[0][14] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+672);
   /* #67: @0 = 0.625 */
@@ -14784,7 +14131,7 @@ static int casadi_f94(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w40;
   res1[3]=w41;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #70: output[0][15] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+720);
   /* #71: @0 = 0.666667 */
@@ -14801,7 +14148,7 @@ static int casadi_f94(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w42;
   res1[3]=w43;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #74: output[0][16] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+768);
   /* #75: @0 = 0.708333 */
@@ -14818,7 +14165,7 @@ static int casadi_f94(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w44;
   res1[3]=w45;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #78: output[0][17] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+816);
   /* #79: @0 = 0.75 */
@@ -14835,7 +14182,7 @@ static int casadi_f94(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w46;
   res1[3]=w47;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #82: output[0][18] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+864);
   /* #83: @0 = 0.791667 */
@@ -14852,7 +14199,7 @@ static int casadi_f94(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w48;
   res1[3]=w49;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #86: output[0][19] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+912);
   /* #87: @0 = 0.833333 */
@@ -14869,7 +14216,7 @@ static int casadi_f94(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w50;
   res1[3]=w51;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #90: output[0][20] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+960);
   /* #91: @0 = 0.875 */
@@ -14886,7 +14233,7 @@ static int casadi_f94(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w52;
   res1[3]=w53;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #94: output[0][21] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+1008);
   /* #95: @0 = 0.916667 */
@@ -14903,7 +14250,7 @@ static int casadi_f94(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w54;
   res1[3]=w55;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #98: output[0][22] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+1056);
   /* #99: @0 = 0.958333 */
@@ -14920,7 +14267,7 @@ static int casadi_f94(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w56;
   res1[3]=w57;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #102: output[0][23] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+1104);
   /* #103: output[0][24] = @7 */
@@ -14979,7 +14326,7 @@ static int casadi_f94(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=(&w04);
   res1[0]=w58;
   res1[1]=w59;
-  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #129: output[1][24] = @58 */
   if (res[1]) casadi_copy(w58, 7, res[1]+2016);
   /* #130: output[2][0] = @11 */
@@ -15037,14 +14384,14 @@ static int casadi_f94(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w06;
   arg1[2]=(&w04);
   res1[0]=w01;
-  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #156: output[3][0] = @1 */
   casadi_copy(w01, 3, res[3]);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_trace_288(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f94(arg, res, iw, w, mem);
+  return casadi_f70(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_trace_288_checkout(void) {
@@ -15123,7 +14470,7 @@ CASADI_SYMBOL_EXPORT int simplest_walker_trace_288_work_bytes(casadi_int *sz_arg
 }
 
 /* simplest_walker_trace_384:(u[3],p)->(w[4x385],g[7x385],dg[7x385],R[3]) */
-static int casadi_f95(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+4, *rr, w00, *w01=w+290, w02, w03, w04, *w05=w+293, *w06=w+317, *w07=w+319, *w08=w+323, *w09=w+327;
   casadi_real *w10=w+375, *w11=w+459, *w12=w+543, *w13=w+627, *w14=w+711, *w15=w+795, *w16=w+879, *w17=w+963, *w18=w+1047, *w19=w+1131, *w20=w+1215, *w21=w+1299;
   casadi_real *w22=w+1383, *w23=w+1467, *w24=w+1551, *w25=w+1635, *w26=w+1719, *w27=w+1803, *w28=w+1887, *w29=w+1971, *w30=w+2055, *w31=w+2139, *w32=w+2223, *w33=w+2307;
@@ -15148,7 +14495,7 @@ static int casadi_f95(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w03);
   arg1[1]=(&w04);
   res1[0]=w05;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:2] */
   for (rr=w06, cs=w01+0; cs!=w01+2; cs+=1) *rr++ = *cs;
   /* #8: {@7, NULL} = start(@6, @4) */
@@ -15156,7 +14503,7 @@ static int casadi_f95(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w04);
   res1[0]=w07;
   res1[1]=0;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
   /* #9: {@8, @9, @10, @11} = working_steps(@0, @5, @7, @3, @4) */
   arg1[0]=(&w00);
   arg1[1]=w05;
@@ -15167,7 +14514,7 @@ static int casadi_f95(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w10;
   res1[3]=w11;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #10: output[0][0] = @9 */
   casadi_copy(w09, 48, res[0]);
   /* #11: @0 = 0.03125 */
@@ -15184,7 +14531,7 @@ static int casadi_f95(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w12;
   res1[3]=w13;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #14: output[0][1] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+48);
   /* #15: @0 = 0.0625 */
@@ -15201,7 +14548,7 @@ static int casadi_f95(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w14;
   res1[3]=w15;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #18: output[0][2] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+96);
   /* #19: @0 = 0.09375 */
@@ -15218,7 +14565,7 @@ static int casadi_f95(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w16;
   res1[3]=w17;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #22: output[0][3] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+144);
   /* #23: @0 = 0.125 */
@@ -15235,7 +14582,7 @@ static int casadi_f95(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w18;
   res1[3]=w19;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #26: output[0][4] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+192);
   /* #27: @0 = 0.15625 */
@@ -15252,7 +14599,7 @@ static int casadi_f95(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w20;
   res1[3]=w21;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #30: output[0][5] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+240);
   /* #31: @0 = 0.1875 */
@@ -15269,7 +14616,7 @@ static int casadi_f95(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w22;
   res1[3]=w23;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #34: output[0][6] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+288);
   /* #35: @0 = 0.21875 */
@@ -15286,7 +14633,7 @@ static int casadi_f95(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w24;
   res1[3]=w25;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #38: output[0][7] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+336);
   /* #39: @0 = 0.25 */
@@ -15303,7 +14650,7 @@ static int casadi_f95(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w26;
   res1[3]=w27;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #42: output[0][8] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+384);
   /* #43: @0 = 0.28125 */
@@ -15320,7 +14667,7 @@ static int casadi_f95(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w28;
   res1[3]=w29;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #46: output[0][9] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+432);
   /* #47: @0 = 0.3125 */
@@ -15337,7 +14684,7 @@ static int casadi_f95(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w30;
   res1[3]=w31;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #50: output[0][10] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+480);
   /* #51: @0 = 0.34375 */
@@ -15354,7 +14701,7 @@ static int casadi_f95(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w32;
   res1[3]=w33;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #54: output[0][11] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+528);
   /* #55: @0 = 0.375 */
@@ -15371,7 +14718,7 @@ static int casadi_f95(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w34;
   res1[3]=w35;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #58: output[0][12] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+576);
   /* #59: @0 = 0.40625 */
@@ -15388,7 +14735,7 @@ static int casadi_f95(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w36;
   res1[3]=w37;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #62: output[0][13] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+624);
   /* #63: @0 = 0.4375 */
@@ -15405,7 +14752,7 @@ static int casadi_f95(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w38;
   res1[3]=w39;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #66: output[0][14] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+672);
   /* #67: @0 = 0.46875 */
@@ -15422,7 +14769,7 @@ static int casadi_f95(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w40;
   res1[3]=w41;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #70: output[0][15] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+720);
   /* #71: @0 = 0.5 */
@@ -15439,7 +14786,7 @@ static int casadi_f95(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w42;
   res1[3]=w43;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #74: output[0][16] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+768);
   /* #75: @0 = 0.53125 */
@@ -15456,7 +14803,7 @@ static int casadi_f95(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w44;
   res1[3]=w45;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #78: output[0][17] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+816);
   /* #79: @0 = 0.5625 */
@@ -15473,7 +14820,7 @@ static int casadi_f95(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w46;
   res1[3]=w47;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #82: output[0][18] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+864);
   /* #83: @0 = 0.59375 */
@@ -15490,7 +14837,7 @@ static int casadi_f95(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w48;
   res1[3]=w49;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #86: output[0][19] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+912);
   /* #87: @0 = 0.625 */
@@ -15507,7 +14854,7 @@ static int casadi_f95(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w50;
   res1[3]=w51;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #90: output[0][20] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+960);
   /* #91: @0 = 0.65625 */
@@ -15524,7 +14871,7 @@ static int casadi_f95(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w52;
   res1[3]=w53;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #94: output[0][21] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+1008);
   /* #95: @0 = 0.6875 */
@@ -15541,7 +14888,7 @@ static int casadi_f95(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w54;
   res1[3]=w55;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #98: output[0][22] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+1056);
   /* #99: @0 = 0.71875 */
@@ -15558,7 +14905,7 @@ static int casadi_f95(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w56;
   res1[3]=w57;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #102: output[0][23] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+1104);
   /* #103: @0 = 0.75 */
@@ -15575,7 +14922,7 @@ static int casadi_f95(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w58;
   res1[3]=w59;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #106: output[0][24] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+1152);
   /* #107: @0 = 0.78125 */
@@ -15592,7 +14939,7 @@ static int casadi_f95(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w60;
   res1[3]=w61;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #110: output[0][25] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+1200);
   /* #111: @0 = 0.8125 */
@@ -15609,7 +14956,7 @@ static int casadi_f95(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w62;
   res1[3]=w63;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #114: output[0][26] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+1248);
   /* #115: @0 = 0.84375 */
@@ -15626,7 +14973,7 @@ static int casadi_f95(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w64;
   res1[3]=w65;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #118: output[0][27] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+1296);
   /* #119: @0 = 0.875 */
@@ -15643,7 +14990,7 @@ static int casadi_f95(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w66;
   res1[3]=w67;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #122: output[0][28] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+1344);
   /* #123: @0 = 0.90625 */
@@ -15660,7 +15007,7 @@ static int casadi_f95(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w68;
   res1[3]=w69;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #126: output[0][29] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+1392);
   /* #127: @0 = 0.9375 */
@@ -15677,7 +15024,7 @@ static int casadi_f95(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w70;
   res1[3]=w71;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #130: output[0][30] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+1440);
   /* #131: @0 = 0.96875 */
@@ -15694,7 +15041,7 @@ static int casadi_f95(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w72;
   res1[3]=w73;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #134: output[0][31] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+1488);
   /* #135: output[0][32] = @7 */
@@ -15769,7 +15116,7 @@ static int casadi_f95(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=(&w04);
   res1[0]=w74;
   res1[1]=w75;
-  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #169: output[1][32] = @74 */
   if (res[1]) casadi_copy(w74, 7, res[1]+2688);
   /* #170: output[2][0] = @11 */
@@ -15843,14 +15190,14 @@ static int casadi_f95(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w06;
   arg1[2]=(&w04);
   res1[0]=w01;
-  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #204: output[3][0] = @1 */
   casadi_copy(w01, 3, res[3]);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_trace_384(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f95(arg, res, iw, w, mem);
+  return casadi_f71(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_trace_384_checkout(void) {
@@ -15929,7 +15276,7 @@ CASADI_SYMBOL_EXPORT int simplest_walker_trace_384_work_bytes(casadi_int *sz_arg
 }
 
 /* simplest_walker_trace_576:(u[3],p)->(w[4x577],g[7x577],dg[7x577],R[3]) */
-static int casadi_f96(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+4, *rr, w000, *w001=w+290, w002, w003, w004, *w005=w+293, *w006=w+317, *w007=w+319, *w008=w+323, *w009=w+327;
   casadi_real *w010=w+375, *w011=w+459, *w012=w+543, *w013=w+627, *w014=w+711, *w015=w+795, *w016=w+879, *w017=w+963, *w018=w+1047, *w019=w+1131, *w020=w+1215, *w021=w+1299;
   casadi_real *w022=w+1383, *w023=w+1467, *w024=w+1551, *w025=w+1635, *w026=w+1719, *w027=w+1803, *w028=w+1887, *w029=w+1971, *w030=w+2055, *w031=w+2139, *w032=w+2223, *w033=w+2307;
@@ -15957,7 +15304,7 @@ static int casadi_f96(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w003);
   arg1[1]=(&w004);
   res1[0]=w005;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:2] */
   for (rr=w006, cs=w001+0; cs!=w001+2; cs+=1) *rr++ = *cs;
   /* #8: {@7, NULL} = start(@6, @4) */
@@ -15965,7 +15312,7 @@ static int casadi_f96(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w004);
   res1[0]=w007;
   res1[1]=0;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
   /* #9: {@8, @9, @10, @11} = working_steps(@0, @5, @7, @3, @4) */
   arg1[0]=(&w000);
   arg1[1]=w005;
@@ -15976,7 +15323,7 @@ static int casadi_f96(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w010;
   res1[3]=w011;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #10: output[0][0] = @9 */
   casadi_copy(w009, 48, res[0]);
   /* #11: @0 = 0.0208333 */
@@ -15993,7 +15340,7 @@ static int casadi_f96(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w012;
   res1[3]=w013;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #14: output[0][1] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+48);
   /* #15: @0 = 0.0416667 */
@@ -16010,7 +15357,7 @@ static int casadi_f96(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w014;
   res1[3]=w015;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #18: output[0][2] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+96);
   /* #19: @0 = 0.0625 */
@@ -16027,7 +15374,7 @@ static int casadi_f96(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w016;
   res1[3]=w017;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #22: output[0][3] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+144);
   /* #23: @0 = 0.0833333 */
@@ -16044,7 +15391,7 @@ static int casadi_f96(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w018;
   res1[3]=w019;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #26: output[0][4] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+192);
   /* #27: @0 = 0.104167 */
@@ -16061,7 +15408,7 @@ static int casadi_f96(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w020;
   res1[3]=w021;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #30: output[0][5] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+240);
   /* #31: @0 = 0.125 */
@@ -16078,7 +15425,7 @@ static int casadi_f96(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w022;
   res1[3]=w023;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #34: output[0][6] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+288);
   /* #35: @0 = 0.145833 */
@@ -16095,7 +15442,7 @@ static int casadi_f96(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w024;
   res1[3]=w025;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #38: output[0][7] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+336);
   /* #39: @0 = 0.166667 */
@@ -16112,7 +15459,7 @@ static int casadi_f96(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w026;
   res1[3]=w027;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #42: output[0][8] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+384);
   /* #43: @0 = 0.1875 */
@@ -16129,7 +15476,7 @@ static int casadi_f96(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w028;
   res1[3]=w029;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #46: output[0][9] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+432);
   /* #47: @0 = 0.208333 */
@@ -16146,7 +15493,7 @@ static int casadi_f96(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w030;
   res1[3]=w031;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #50: output[0][10] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+480);
   /* #51: @0 = 0.229167 */
@@ -16163,7 +15510,7 @@ static int casadi_f96(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w032;
   res1[3]=w033;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #54: output[0][11] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+528);
   /* #55: @0 = 0.25 */
@@ -16180,7 +15527,7 @@ static int casadi_f96(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w034;
   res1[3]=w035;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #58: output[0][12] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+576);
   /* #59: @0 = 0.270833 */
@@ -16197,7 +15544,7 @@ static int casadi_f96(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w036;
   res1[3]=w037;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #62: output[0][13] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+624);
   /* #63: @0 = 0.291667 */
@@ -16214,7 +15561,7 @@ static int casadi_f96(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w038;
   res1[3]=w039;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #66: output[0][14] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+672);
   /* #67: @0 = 0.3125 */
@@ -16231,7 +15578,7 @@ static int casadi_f96(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w040;
   res1[3]=w041;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #70: output[0][15] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+720);
   /* #71: @0 = 0.333333 */
@@ -16248,7 +15595,7 @@ static int casadi_f96(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w042;
   res1[3]=w043;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #74: output[0][16] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+768);
   /* #75: @0 = 0.354167 */
@@ -16265,7 +15612,7 @@ static int casadi_f96(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w044;
   res1[3]=w045;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #78: output[0][17] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+816);
   /* #79: @0 = 0.375 */
@@ -16282,7 +15629,7 @@ static int casadi_f96(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w046;
   res1[3]=w047;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #82: output[0][18] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+864);
   /* #83: @0 = 0.395833 */
@@ -16299,7 +15646,7 @@ static int casadi_f96(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w048;
   res1[3]=w049;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #86: output[0][19] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+912);
   /* #87: @0 = 0.416667 */
@@ -16316,7 +15663,7 @@ static int casadi_f96(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w050;
   res1[3]=w051;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #90: output[0][20] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+960);
   /* #91: @0 = 0.4375 */
@@ -16333,7 +15680,7 @@ static int casadi_f96(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w052;
   res1[3]=w053;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #94: output[0][21] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1008);
   /* #95: @0 = 0.458333 */
@@ -16350,7 +15697,7 @@ static int casadi_f96(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w054;
   res1[3]=w055;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #98: output[0][22] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1056);
   /* #99: @0 = 0.479167 */
@@ -16367,7 +15714,7 @@ static int casadi_f96(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w056;
   res1[3]=w057;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #102: output[0][23] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1104);
   /* #103: @0 = 0.5 */
@@ -16384,7 +15731,7 @@ static int casadi_f96(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w058;
   res1[3]=w059;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #106: output[0][24] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1152);
   /* #107: @0 = 0.520833 */
@@ -16401,7 +15748,7 @@ static int casadi_f96(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w060;
   res1[3]=w061;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #110: output[0][25] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1200);
   /* #111: @0 = 0.541667 */
@@ -16418,7 +15765,7 @@ static int casadi_f96(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w062;
   res1[3]=w063;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #114: output[0][26] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1248);
   /* #115: @0 = 0.5625 */
@@ -16435,7 +15782,7 @@ static int casadi_f96(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w064;
   res1[3]=w065;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #118: output[0][27] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1296);
   /* #119: @0 = 0.583333 */
@@ -16452,7 +15799,7 @@ static int casadi_f96(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w066;
   res1[3]=w067;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #122: output[0][28] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1344);
   /* #123: @0 = 0.604167 */
@@ -16469,7 +15816,7 @@ static int casadi_f96(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w068;
   res1[3]=w069;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #126: output[0][29] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1392);
   /* #127: @0 = 0.625 */
@@ -16486,7 +15833,7 @@ static int casadi_f96(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w070;
   res1[3]=w071;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #130: output[0][30] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1440);
   /* #131: @0 = 0.645833 */
@@ -16503,7 +15850,7 @@ static int casadi_f96(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w072;
   res1[3]=w073;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #134: output[0][31] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1488);
   /* #135: @0 = 0.666667 */
@@ -16520,7 +15867,7 @@ static int casadi_f96(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w074;
   res1[3]=w075;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #138: output[0][32] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1536);
   /* #139: @0 = 0.6875 */
@@ -16537,7 +15884,7 @@ static int casadi_f96(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w076;
   res1[3]=w077;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #142: output[0][33] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1584);
   /* #143: @0 = 0.708333 */
@@ -16554,7 +15901,7 @@ static int casadi_f96(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w078;
   res1[3]=w079;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #146: output[0][34] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1632);
   /* #147: @0 = 0.729167 */
@@ -16571,7 +15918,7 @@ static int casadi_f96(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w080;
   res1[3]=w081;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #150: output[0][35] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1680);
   /* #151: @0 = 0.75 */
@@ -16588,7 +15935,7 @@ static int casadi_f96(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w082;
   res1[3]=w083;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #154: output[0][36] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1728);
   /* #155: @0 = 0.770833 */
@@ -16605,7 +15952,7 @@ static int casadi_f96(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w084;
   res1[3]=w085;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #158: output[0][37] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1776);
   /* #159: @0 = 0.791667 */
@@ -16622,7 +15969,7 @@ static int casadi_f96(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w086;
   res1[3]=w087;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #162: output[0][38] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1824);
   /* #163: @0 = 0.8125 */
@@ -16639,7 +15986,7 @@ static int casadi_f96(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w088;
   res1[3]=w089;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #166: output[0][39] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1872);
   /* #167: @0 = 0.833333 */
@@ -16656,7 +16003,7 @@ static int casadi_f96(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w090;
   res1[3]=w091;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #170: output[0][40] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1920);
   /* #171: @0 = 0.854167 */
@@ -16673,7 +16020,7 @@ static int casadi_f96(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w092;
   res1[3]=w093;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #174: output[0][41] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1968);
   /* #175: @0 = 0.875 */
@@ -16690,7 +16037,7 @@ static int casadi_f96(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w094;
   res1[3]=w095;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #178: output[0][42] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+2016);
   /* #179: @0 = 0.895833 */
@@ -16707,7 +16054,7 @@ static int casadi_f96(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w096;
   res1[3]=w097;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #182: output[0][43] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+2064);
   /* #183: @0 = 0.916667 */
@@ -16724,7 +16071,7 @@ static int casadi_f96(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w098;
   res1[3]=w099;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #186: output[0][44] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+2112);
   /* #187: @0 = 0.9375 */
@@ -16741,7 +16088,7 @@ static int casadi_f96(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w100;
   res1[3]=w101;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #190: output[0][45] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+2160);
   /* #191: @0 = 0.958333 */
@@ -16758,7 +16105,7 @@ static int casadi_f96(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w102;
   res1[3]=w103;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #194: output[0][46] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+2208);
   /* #195: @0 = 0.979167 */
@@ -16775,7 +16122,7 @@ static int casadi_f96(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w104;
   res1[3]=w105;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #198: output[0][47] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+2256);
   /* #199: output[0][48] = @7 */
@@ -16882,7 +16229,7 @@ static int casadi_f96(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=(&w004);
   res1[0]=w106;
   res1[1]=w107;
-  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #249: output[1][48] = @106 */
   if (res[1]) casadi_copy(w106, 7, res[1]+4032);
   /* #250: output[2][0] = @11 */
@@ -16988,14 +16335,14 @@ static int casadi_f96(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w006;
   arg1[2]=(&w004);
   res1[0]=w001;
-  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #300: output[3][0] = @1 */
   casadi_copy(w001, 3, res[3]);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_trace_576(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f96(arg, res, iw, w, mem);
+  return casadi_f72(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_trace_576_checkout(void) {
@@ -17074,7 +16421,7 @@ CASADI_SYMBOL_EXPORT int simplest_walker_trace_576_work_bytes(casadi_int *sz_arg
 }
 
 /* simplest_walker_trace_768:(u[3],p)->(w[4x769],g[7x769],dg[7x769],R[3]) */
-static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+4, *rr, w000, *w001=w+290, w002, w003, w004, *w005=w+293, *w006=w+317, *w007=w+319, *w008=w+323, *w009=w+327;
   casadi_real *w010=w+375, *w011=w+459, *w012=w+543, *w013=w+627, *w014=w+711, *w015=w+795, *w016=w+879, *w017=w+963, *w018=w+1047, *w019=w+1131, *w020=w+1215, *w021=w+1299;
   casadi_real *w022=w+1383, *w023=w+1467, *w024=w+1551, *w025=w+1635, *w026=w+1719, *w027=w+1803, *w028=w+1887, *w029=w+1971, *w030=w+2055, *w031=w+2139, *w032=w+2223, *w033=w+2307;
@@ -17104,7 +16451,7 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w003);
   arg1[1]=(&w004);
   res1[0]=w005;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:2] */
   for (rr=w006, cs=w001+0; cs!=w001+2; cs+=1) *rr++ = *cs;
   /* #8: {@7, NULL} = start(@6, @4) */
@@ -17112,7 +16459,7 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w004);
   res1[0]=w007;
   res1[1]=0;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
   /* #9: {@8, @9, @10, @11} = working_steps(@0, @5, @7, @3, @4) */
   arg1[0]=(&w000);
   arg1[1]=w005;
@@ -17123,7 +16470,7 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w010;
   res1[3]=w011;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #10: output[0][0] = @9 */
   casadi_copy(w009, 48, res[0]);
   /* #11: @0 = 0.015625 */
@@ -17140,7 +16487,7 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w012;
   res1[3]=w013;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #14: output[0][1] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+48);
   /* #15: @0 = 0.03125 */
@@ -17157,7 +16504,7 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w014;
   res1[3]=w015;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #18: output[0][2] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+96);
   /* #19: @0 = 0.046875 */
@@ -17174,7 +16521,7 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w016;
   res1[3]=w017;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #22: output[0][3] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+144);
   /* #23: @0 = 0.0625 */
@@ -17191,7 +16538,7 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w018;
   res1[3]=w019;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #26: output[0][4] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+192);
   /* #27: @0 = 0.078125 */
@@ -17208,7 +16555,7 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w020;
   res1[3]=w021;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #30: output[0][5] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+240);
   /* #31: @0 = 0.09375 */
@@ -17225,7 +16572,7 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w022;
   res1[3]=w023;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #34: output[0][6] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+288);
   /* #35: @0 = 0.109375 */
@@ -17242,7 +16589,7 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w024;
   res1[3]=w025;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #38: output[0][7] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+336);
   /* #39: @0 = 0.125 */
@@ -17259,7 +16606,7 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w026;
   res1[3]=w027;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #42: output[0][8] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+384);
   /* #43: @0 = 0.140625 */
@@ -17276,7 +16623,7 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w028;
   res1[3]=w029;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #46: output[0][9] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+432);
   /* #47: @0 = 0.15625 */
@@ -17293,7 +16640,7 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w030;
   res1[3]=w031;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #50: output[0][10] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+480);
   /* #51: @0 = 0.171875 */
@@ -17310,7 +16657,7 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w032;
   res1[3]=w033;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #54: output[0][11] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+528);
   /* #55: @0 = 0.1875 */
@@ -17327,7 +16674,7 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w034;
   res1[3]=w035;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #58: output[0][12] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+576);
   /* #59: @0 = 0.203125 */
@@ -17344,7 +16691,7 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w036;
   res1[3]=w037;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #62: output[0][13] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+624);
   /* #63: @0 = 0.21875 */
@@ -17361,7 +16708,7 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w038;
   res1[3]=w039;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #66: output[0][14] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+672);
   /* #67: @0 = 0.234375 */
@@ -17378,7 +16725,7 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w040;
   res1[3]=w041;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #70: output[0][15] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+720);
   /* #71: @0 = 0.25 */
@@ -17395,7 +16742,7 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w042;
   res1[3]=w043;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #74: output[0][16] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+768);
   /* #75: @0 = 0.265625 */
@@ -17412,7 +16759,7 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w044;
   res1[3]=w045;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #78: output[0][17] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+816);
   /* #79: @0 = 0.28125 */
@@ -17429,7 +16776,7 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w046;
   res1[3]=w047;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #82: output[0][18] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+864);
   /* #83: @0 = 0.296875 */
@@ -17446,7 +16793,7 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w048;
   res1[3]=w049;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #86: output[0][19] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+912);
   /* #87: @0 = 0.3125 */
@@ -17463,7 +16810,7 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w050;
   res1[3]=w051;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #90: output[0][20] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+960);
   /* #91: @0 = 0.328125 */
@@ -17480,7 +16827,7 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w052;
   res1[3]=w053;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #94: output[0][21] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1008);
   /* #95: @0 = 0.34375 */
@@ -17497,7 +16844,7 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w054;
   res1[3]=w055;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #98: output[0][22] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1056);
   /* #99: @0 = 0.359375 */
@@ -17514,7 +16861,7 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w056;
   res1[3]=w057;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #102: output[0][23] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1104);
   /* #103: @0 = 0.375 */
@@ -17531,7 +16878,7 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w058;
   res1[3]=w059;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #106: output[0][24] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1152);
   /* #107: @0 = 0.390625 */
@@ -17548,7 +16895,7 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w060;
   res1[3]=w061;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #110: output[0][25] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1200);
   /* #111: @0 = 0.40625 */
@@ -17565,7 +16912,7 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w062;
   res1[3]=w063;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #114: output[0][26] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1248);
   /* #115: @0 = 0.421875 */
@@ -17582,7 +16929,7 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w064;
   res1[3]=w065;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #118: output[0][27] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1296);
   /* #119: @0 = 0.4375 */
@@ -17599,7 +16946,7 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w066;
   res1[3]=w067;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #122: output[0][28] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1344);
   /* #123: @0 = 0.453125 */
@@ -17616,7 +16963,7 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w068;
   res1[3]=w069;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #126: output[0][29] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1392);
   /* #127: @0 = 0.46875 */
@@ -17633,7 +16980,7 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w070;
   res1[3]=w071;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #130: output[0][30] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1440);
   /* #131: @0 = 0.484375 */
@@ -17650,7 +16997,7 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w072;
   res1[3]=w073;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #134: output[0][31] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1488);
   /* #135: @0 = 0.5 */
@@ -17667,7 +17014,7 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w074;
   res1[3]=w075;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #138: output[0][32] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1536);
   /* #139: @0 = 0.515625 */
@@ -17684,7 +17031,7 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w076;
   res1[3]=w077;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #142: output[0][33] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1584);
   /* #143: @0 = 0.53125 */
@@ -17701,7 +17048,7 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w078;
   res1[3]=w079;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #146: output[0][34] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1632);
   /* #147: @0 = 0.546875 */
@@ -17718,7 +17065,7 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w080;
   res1[3]=w081;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #150: output[0][35] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1680);
   /* #151: @0 = 0.5625 */
@@ -17735,7 +17082,7 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w082;
   res1[3]=w083;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #154: output[0][36] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1728);
   /* #155: @0 = 0.578125 */
@@ -17752,7 +17099,7 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w084;
   res1[3]=w085;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #158: output[0][37] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1776);
   /* #159: @0 = 0.59375 */
@@ -17769,7 +17116,7 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w086;
   res1[3]=w087;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #162: output[0][38] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1824);
   /* #163: @0 = 0.609375 */
@@ -17786,7 +17133,7 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w088;
   res1[3]=w089;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #166: output[0][39] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1872);
   /* #167: @0 = 0.625 */
@@ -17803,7 +17150,7 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w090;
   res1[3]=w091;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #170: output[0][40] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1920);
   /* #171: @0 = 0.640625 */
@@ -17820,7 +17167,7 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w092;
   res1[3]=w093;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #174: output[0][41] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1968);
   /* #175: @0 = 0.65625 */
@@ -17837,7 +17184,7 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w094;
   res1[3]=w095;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #178: output[0][42] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+2016);
   /* #179: @0 = 0.671875 */
@@ -17854,7 +17201,7 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w096;
   res1[3]=w097;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #182: output[0][43] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+2064);
   /* #183: @0 = 0.6875 */
@@ -17871,7 +17218,7 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w098;
   res1[3]=w099;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #186: output[0][44] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+2112);
   /* #187: @0 = 0.703125 */
@@ -17888,7 +17235,7 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w100;
   res1[3]=w101;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #190: output[0][45] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+2160);
   /* #191: @0 = 0.71875 */
@@ -17905,7 +17252,7 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w102;
   res1[3]=w103;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #194: output[0][46] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+2208);
   /* #195: @0 = 0.734375 */
@@ -17922,7 +17269,7 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w104;
   res1[3]=w105;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #198: output[0][47] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+2256);
   /* #199: @0 = 0.75 */
@@ -17939,7 +17286,7 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w106;
   res1[3]=w107;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #202: output[0][48] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+2304);
   /* #203: @0 = 0.765625 */
@@ -17956,7 +17303,7 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w108;
   res1[3]=w109;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #206: output[0][49] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+2352);
   /* #207: @0 = 0.78125 */
@@ -17973,7 +17320,7 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w110;
   res1[3]=w111;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #210: output[0][50] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+2400);
   /* #211: @0 = 0.796875 */
@@ -17990,7 +17337,7 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w112;
   res1[3]=w113;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #214: output[0][51] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+2448);
   /* #215: @0 = 0.8125 */
@@ -18007,7 +17354,7 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w114;
   res1[3]=w115;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #218: output[0][52] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+2496);
   /* #219: @0 = 0.828125 */
@@ -18024,7 +17371,7 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w116;
   res1[3]=w117;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #222: output[0][53] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+2544);
   /* #223: @0 = 0.84375 */
@@ -18041,7 +17388,7 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w118;
   res1[3]=w119;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #226: output[0][54] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+2592);
   /* #227: @0 = 0.859375 */
@@ -18058,7 +17405,7 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w120;
   res1[3]=w121;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #230: output[0][55] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+2640);
   /* #231: @0 = 0.875 */
@@ -18075,7 +17422,7 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w122;
   res1[3]=w123;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #234: output[0][56] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+2688);
   /* #235: @0 = 0.890625 */
@@ -18092,7 +17439,7 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w124;
   res1[3]=w125;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #238: output[0][57] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+2736);
   /* #239: @0 = 0.90625 */
@@ -18109,7 +17456,7 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w126;
   res1[3]=w127;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #242: output[0][58] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+2784);
   /* #243: @0 = 0.921875 */
@@ -18126,7 +17473,7 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w128;
   res1[3]=w129;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #246: output[0][59] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+2832);
   /* #247: @0 = 0.9375 */
@@ -18143,7 +17490,7 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w130;
   res1[3]=w131;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #250: output[0][60] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+2880);
   /* #251: @0 = 0.953125 */
@@ -18160,7 +17507,7 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w132;
   res1[3]=w133;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #254: output[0][61] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+2928);
   /* #255: @0 = 0.96875 */
@@ -18177,7 +17524,7 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w134;
   res1[3]=w135;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #258: output[0][62] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+2976);
   /* #259: @0 = 0.984375 */
@@ -18194,7 +17541,7 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w136;
   res1[3]=w137;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #262: output[0][63] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+3024);
   /* #263: output[0][64] = @7 */
@@ -18333,7 +17680,7 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=(&w004);
   res1[0]=w138;
   res1[1]=w139;
-  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #329: output[1][64] = @138 */
   if (res[1]) casadi_copy(w138, 7, res[1]+5376);
   /* #330: output[2][0] = @11 */
@@ -18471,14 +17818,14 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w006;
   arg1[2]=(&w004);
   res1[0]=w001;
-  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #396: output[3][0] = @1 */
   casadi_copy(w001, 3, res[3]);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_trace_768(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f97(arg, res, iw, w, mem);
+  return casadi_f73(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_trace_768_checkout(void) {
@@ -18557,7 +17904,7 @@ CASADI_SYMBOL_EXPORT int simplest_walker_trace_768_work_bytes(casadi_int *sz_arg
 }
 
 /* simplest_walker_advance:(t,w[4],h,p)->(w_end[4],g[7],dg[7]) */
-static int casadi_f98(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f74(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+3, *w0=w+117, w1, w2, *w3=w+121, w4, *w5=w+123, *w6=w+147, *w7=w+151, *w8=w+158;
   const casadi_real **arg1=arg+4;
   /* #0: @0 = input[1][0] */
@@ -18570,14 +17917,14 @@ static int casadi_f98(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w1);
   arg1[1]=(&w2);
   res1[0]=w3;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = input[2][0] */
   w4 = arg[2] ? arg[2][0] : 0;
   /* #5: @5 = turns(@4, @2) */
   arg1[0]=(&w4);
   arg1[1]=(&w2);
   res1[0]=w5;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
   /* #6: @6 = working_step(@0, @3, @5, @4, @2) */
   arg1[0]=w0;
   arg1[1]=w3;
@@ -18585,7 +17932,7 @@ static int casadi_f98(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w4);
   arg1[4]=(&w2);
   res1[0]=w6;
-  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #7: output[0][0] = @6 */
   casadi_copy(w6, 4, res[0]);
   /* #8: @1 = (@1+@4) */
@@ -18596,7 +17943,7 @@ static int casadi_f98(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=(&w2);
   res1[0]=w7;
   res1[1]=w8;
-  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #10: output[1][0] = @7 */
   casadi_copy(w7, 7, res[1]);
   /* #11: output[2][0] = @8 */
@@ -18605,7 +17952,7 @@ static int casadi_f98(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_advance(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f98(arg, res, iw, w, mem);
+  return casadi_f74(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_advance_checkout(void) {
@@ -18682,437 +18029,6 @@ CASADI_SYMBOL_EXPORT int simplest_walker_advance_work_bytes(casadi_int *sz_arg, 
   if (sz_res) *sz_res = 5*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
   if (sz_w) *sz_w = 165*sizeof(casadi_real);
-  return 0;
-}
-
-/* simplest_walker_begin:(u[3],p)->(y[4x3]) */
-static int casadi_f99(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+1, *rr, *w0=w+5, *w1=w+8, w2, *w3=w+10, *w4=w+14;
-  const casadi_real **arg1=arg+2, *cs;
-  /* #0: @0 = input[0][0] */
-  casadi_copy(arg[0], 3, w0);
-  /* #1: @1 = @0[:2] */
-  for (rr=w1, cs=w0+0; cs!=w0+2; cs+=1) *rr++ = *cs;
-  /* #2: @2 = input[1][0] */
-  w2 = arg[1] ? arg[1][0] : 0;
-  /* #3: {@3, @4} = start(@1, @2) */
-  arg1[0]=w1;
-  arg1[1]=(&w2);
-  res1[0]=w3;
-  res1[1]=w4;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
-  /* #4: output[0][0] = @3 */
-  casadi_copy(w3, 4, res[0]);
-  /* #5: output[0][1] = @4 */
-  if (res[0]) casadi_copy(w4, 8, res[0]+4);
-  return 0;
-}
-
-CASADI_SYMBOL_EXPORT int simplest_walker_begin(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f99(arg, res, iw, w, mem);
-}
-
-CASADI_SYMBOL_EXPORT int simplest_walker_begin_checkout(void) {
-  return 0;
-}
-
-CASADI_SYMBOL_EXPORT void simplest_walker_begin_release(int mem) {
-}
-
-CASADI_SYMBOL_EXPORT void simplest_walker_begin_incref(void) {
-}
-
-CASADI_SYMBOL_EXPORT void simplest_walker_begin_decref(void) {
-}
-
-CASADI_SYMBOL_EXPORT casadi_int simplest_walker_begin_n_in(void) { return 2;}
-
-CASADI_SYMBOL_EXPORT casadi_int simplest_walker_begin_n_out(void) { return 1;}
-
-CASADI_SYMBOL_EXPORT casadi_real simplest_walker_begin_default_in(casadi_int i) {
-  switch (i) {
-    default: return 0;
-  }
-}
-
-CASADI_SYMBOL_EXPORT const char* simplest_walker_begin_name_in(casadi_int i) {
-  switch (i) {
-    case 0: return "u";
-    case 1: return "p";
-    default: return 0;
-  }
-}
-
-CASADI_SYMBOL_EXPORT const char* simplest_walker_begin_name_out(casadi_int i) {
-  switch (i) {
-    case 0: return "y";
-    default: return 0;
-  }
-}
-
-CASADI_SYMBOL_EXPORT const casadi_int* simplest_walker_begin_sparsity_in(casadi_int i) {
-  switch (i) {
-    case 0: return casadi_s4;
-    case 1: return casadi_s5;
-    default: return 0;
-  }
-}
-
-CASADI_SYMBOL_EXPORT const casadi_int* simplest_walker_begin_sparsity_out(casadi_int i) {
-  switch (i) {
-    case 0: return casadi_s27;
-    default: return 0;
-  }
-}
-
-CASADI_SYMBOL_EXPORT int simplest_walker_begin_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 4;
-  if (sz_res) *sz_res = 3;
-  if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 22;
-  return 0;
-}
-
-CASADI_SYMBOL_EXPORT int simplest_walker_begin_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 4*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 3*sizeof(casadi_real*);
-  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 22*sizeof(casadi_real);
-  return 0;
-}
-
-/* simplest_walker_swing:(t,h,y[4x3],p)->(y_end[4x3]) */
-static int casadi_f100(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+1, w1, w2, w3, *w4=w+266, *w5=w+290;
-  const casadi_real **arg1=arg+4, *wr0;
-  /* #0: @0 = input[2][0] */
-  wr0 = arg[2] ? arg[2] : casadi_zeros;
-  /* #1: @1 = input[0][0] */
-  w1 = arg[0] ? arg[0][0] : 0;
-  /* #2: @2 = input[1][0] */
-  w2 = arg[1] ? arg[1][0] : 0;
-  /* #3: @3 = input[3][0] */
-  w3 = arg[3] ? arg[3][0] : 0;
-  /* #4: @4 = turns(@2, @3) */
-  arg1[0]=(&w2);
-  arg1[1]=(&w3);
-  res1[0]=w4;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
-  /* #5: @5 = variational_steps(@0, @1, @4, @2, @3) */
-  arg1[0]=wr0;
-  arg1[1]=(&w1);
-  arg1[2]=w4;
-  arg1[3]=(&w2);
-  arg1[4]=(&w3);
-  res1[0]=w5;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
-  /* #6: output[0][0] = @5 */
-  casadi_copy(w5, 12, res[0]);
-  return 0;
-}
-
-CASADI_SYMBOL_EXPORT int simplest_walker_swing(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f100(arg, res, iw, w, mem);
-}
-
-CASADI_SYMBOL_EXPORT int simplest_walker_swing_checkout(void) {
-  return 0;
-}
-
-CASADI_SYMBOL_EXPORT void simplest_walker_swing_release(int mem) {
-}
-
-CASADI_SYMBOL_EXPORT void simplest_walker_swing_incref(void) {
-}
-
-CASADI_SYMBOL_EXPORT void simplest_walker_swing_decref(void) {
-}
-
-CASADI_SYMBOL_EXPORT casadi_int simplest_walker_swing_n_in(void) { return 4;}
-
-CASADI_SYMBOL_EXPORT casadi_int simplest_walker_swing_n_out(void) { return 1;}
-
-CASADI_SYMBOL_EXPORT casadi_real simplest_walker_swing_default_in(casadi_int i) {
-  switch (i) {
-    default: return 0;
-  }
-}
-
-CASADI_SYMBOL_EXPORT const char* simplest_walker_swing_name_in(casadi_int i) {
-  switch (i) {
-    case 0: return "t";
-    case 1: return "h";
-    case 2: return "y";
-    case 3: return "p";
-    default: return 0;
-  }
-}
-
-CASADI_SYMBOL_EXPORT const char* simplest_walker_swing_name_out(casadi_int i) {
-  switch (i) {
-    case 0: return "y_end";
-    default: return 0;
-  }
-}
-
-CASADI_SYMBOL_EXPORT const casadi_int* simplest_walker_swing_sparsity_in(casadi_int i) {
-  switch (i) {
-    case 0: return casadi_s5;
-    case 1: return casadi_s5;
-    case 2: return casadi_s27;
-    case 3: return casadi_s5;
-    default: return 0;
-  }
-}
-
-CASADI_SYMBOL_EXPORT const casadi_int* simplest_walker_swing_sparsity_out(casadi_int i) {
-  switch (i) {
-    case 0: return casadi_s27;
-    default: return 0;
-  }
-}
-
-CASADI_SYMBOL_EXPORT int simplest_walker_swing_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 14;
-  if (sz_res) *sz_res = 3;
-  if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 302;
-  return 0;
-}
-
-CASADI_SYMBOL_EXPORT int simplest_walker_swing_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 14*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 3*sizeof(casadi_real*);
-  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 302*sizeof(casadi_real);
-  return 0;
-}
-
-/* simplest_walker_end:(y[4x3],u[3],p)->(J[3x3],R[3]) */
-static int casadi_f101(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+2, *rr, *w1=w+10, *w2=w+13, w3, w4, *w5=w+15;
-  const casadi_real **arg1=arg+3, *cs, *wr0;
-  /* #0: @0 = input[0][0] */
-  wr0 = arg[0] ? arg[0] : casadi_zeros;
-  /* #1: @1 = input[1][0] */
-  casadi_copy(arg[1], 3, w1);
-  /* #2: @2 = @1[:2] */
-  for (rr=w2, cs=w1+0; cs!=w1+2; cs+=1) *rr++ = *cs;
-  /* #3: @3 = @1[2] */
-  for (rr=(&w3), cs=w1+2; cs!=w1+3; cs+=1) *rr++ = *cs;
-  /* #4: @4 = input[2][0] */
-  w4 = arg[2] ? arg[2][0] : 0;
-  /* #5: {@5, @1} = landing_with_derivative(@0, @2, @3, @4) */
-  arg1[0]=wr0;
-  arg1[1]=w2;
-  arg1[2]=(&w3);
-  arg1[3]=(&w4);
-  res1[0]=w5;
-  res1[1]=w1;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
-  /* #6: output[0][0] = @5 */
-  casadi_copy(w5, 9, res[0]);
-  /* #7: output[1][0] = @1 */
-  casadi_copy(w1, 3, res[1]);
-  return 0;
-}
-
-CASADI_SYMBOL_EXPORT int simplest_walker_end(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f101(arg, res, iw, w, mem);
-}
-
-CASADI_SYMBOL_EXPORT int simplest_walker_end_checkout(void) {
-  return 0;
-}
-
-CASADI_SYMBOL_EXPORT void simplest_walker_end_release(int mem) {
-}
-
-CASADI_SYMBOL_EXPORT void simplest_walker_end_incref(void) {
-}
-
-CASADI_SYMBOL_EXPORT void simplest_walker_end_decref(void) {
-}
-
-CASADI_SYMBOL_EXPORT casadi_int simplest_walker_end_n_in(void) { return 3;}
-
-CASADI_SYMBOL_EXPORT casadi_int simplest_walker_end_n_out(void) { return 2;}
-
-CASADI_SYMBOL_EXPORT casadi_real simplest_walker_end_default_in(casadi_int i) {
-  switch (i) {
-    default: return 0;
-  }
-}
-
-CASADI_SYMBOL_EXPORT const char* simplest_walker_end_name_in(casadi_int i) {
-  switch (i) {
-    case 0: return "y";
-    case 1: return "u";
-    case 2: return "p";
-    default: return 0;
-  }
-}
-
-CASADI_SYMBOL_EXPORT const char* simplest_walker_end_name_out(casadi_int i) {
-  switch (i) {
-    case 0: return "J";
-    case 1: return "R";
-    default: return 0;
-  }
-}
-
-CASADI_SYMBOL_EXPORT const casadi_int* simplest_walker_end_sparsity_in(casadi_int i) {
-  switch (i) {
-    case 0: return casadi_s27;
-    case 1: return casadi_s4;
-    case 2: return casadi_s5;
-    default: return 0;
-  }
-}
-
-CASADI_SYMBOL_EXPORT const casadi_int* simplest_walker_end_sparsity_out(casadi_int i) {
-  switch (i) {
-    case 0: return casadi_s6;
-    case 1: return casadi_s4;
-    default: return 0;
-  }
-}
-
-CASADI_SYMBOL_EXPORT int simplest_walker_end_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 7;
-  if (sz_res) *sz_res = 4;
-  if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 24;
-  return 0;
-}
-
-CASADI_SYMBOL_EXPORT int simplest_walker_end_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 7*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 4*sizeof(casadi_real*);
-  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 24*sizeof(casadi_real);
-  return 0;
-}
-
-/* simplest_walker_observed_swing:(t,h,w[4],p)->(w_end[4],nodes[4x12],g[7x12],dg[7x12]) */
-static int casadi_f102(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+4, w0, w1, w2, *w3=w+290, *w4=w+314, *w5=w+318, *w6=w+322, *w7=w+370, *w8=w+454;
-  const casadi_real **arg1=arg+4;
-  /* #0: @0 = input[0][0] */
-  w0 = arg[0] ? arg[0][0] : 0;
-  /* #1: @1 = input[1][0] */
-  w1 = arg[1] ? arg[1][0] : 0;
-  /* #2: @2 = input[3][0] */
-  w2 = arg[3] ? arg[3][0] : 0;
-  /* #3: @3 = turns(@1, @2) */
-  arg1[0]=(&w1);
-  arg1[1]=(&w2);
-  res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
-  /* #4: @4 = input[2][0] */
-  casadi_copy(arg[2], 4, w4);
-  /* #5: {@5, @6, @7, @8} = working_steps(@0, @3, @4, @1, @2) */
-  arg1[0]=(&w0);
-  arg1[1]=w3;
-  arg1[2]=w4;
-  arg1[3]=(&w1);
-  arg1[4]=(&w2);
-  res1[0]=w5;
-  res1[1]=w6;
-  res1[2]=w7;
-  res1[3]=w8;
-  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
-  /* #6: output[0][0] = @5 */
-  casadi_copy(w5, 4, res[0]);
-  /* #7: output[1][0] = @6 */
-  casadi_copy(w6, 48, res[1]);
-  /* #8: output[2][0] = @7 */
-  casadi_copy(w7, 84, res[2]);
-  /* #9: output[3][0] = @8 */
-  casadi_copy(w8, 84, res[3]);
-  return 0;
-}
-
-CASADI_SYMBOL_EXPORT int simplest_walker_observed_swing(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f102(arg, res, iw, w, mem);
-}
-
-CASADI_SYMBOL_EXPORT int simplest_walker_observed_swing_checkout(void) {
-  return 0;
-}
-
-CASADI_SYMBOL_EXPORT void simplest_walker_observed_swing_release(int mem) {
-}
-
-CASADI_SYMBOL_EXPORT void simplest_walker_observed_swing_incref(void) {
-}
-
-CASADI_SYMBOL_EXPORT void simplest_walker_observed_swing_decref(void) {
-}
-
-CASADI_SYMBOL_EXPORT casadi_int simplest_walker_observed_swing_n_in(void) { return 4;}
-
-CASADI_SYMBOL_EXPORT casadi_int simplest_walker_observed_swing_n_out(void) { return 4;}
-
-CASADI_SYMBOL_EXPORT casadi_real simplest_walker_observed_swing_default_in(casadi_int i) {
-  switch (i) {
-    default: return 0;
-  }
-}
-
-CASADI_SYMBOL_EXPORT const char* simplest_walker_observed_swing_name_in(casadi_int i) {
-  switch (i) {
-    case 0: return "t";
-    case 1: return "h";
-    case 2: return "w";
-    case 3: return "p";
-    default: return 0;
-  }
-}
-
-CASADI_SYMBOL_EXPORT const char* simplest_walker_observed_swing_name_out(casadi_int i) {
-  switch (i) {
-    case 0: return "w_end";
-    case 1: return "nodes";
-    case 2: return "g";
-    case 3: return "dg";
-    default: return 0;
-  }
-}
-
-CASADI_SYMBOL_EXPORT const casadi_int* simplest_walker_observed_swing_sparsity_in(casadi_int i) {
-  switch (i) {
-    case 0: return casadi_s5;
-    case 1: return casadi_s5;
-    case 2: return casadi_s25;
-    case 3: return casadi_s5;
-    default: return 0;
-  }
-}
-
-CASADI_SYMBOL_EXPORT const casadi_int* simplest_walker_observed_swing_sparsity_out(casadi_int i) {
-  switch (i) {
-    case 0: return casadi_s25;
-    case 1: return casadi_s28;
-    case 2: return casadi_s29;
-    case 3: return casadi_s29;
-    default: return 0;
-  }
-}
-
-CASADI_SYMBOL_EXPORT int simplest_walker_observed_swing_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 14;
-  if (sz_res) *sz_res = 10;
-  if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 538;
-  return 0;
-}
-
-CASADI_SYMBOL_EXPORT int simplest_walker_observed_swing_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 14*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
-  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 538*sizeof(casadi_real);
   return 0;
 }
 

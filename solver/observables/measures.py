@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from stridemap.quantities import MEASURED
+from stridemap.quantities import LIMIT_USE, MEASURED
 from stridemap.solver.kernels.observation import declared, power, torque
 from stridemap.solver.model.model import Model
 from stridemap.solver.observables import peak_power as powers
@@ -101,6 +101,13 @@ class Cycles:
         return np.stack(columns, axis=1) if columns else np.zeros((len(self.u), 0))
 
     @cached_property
+    def limit_use(self) -> Array:
+        """Largest ratio of a motor's torque to its limit; 0 without limits."""
+        limits = [np.inf if motor.limit is None else motor.limit for motor in self.model.spec.motors]
+        used: Array = (self.torques / limits).max(axis=1, initial=0.0)
+        return used
+
+    @cached_property
     def drawn(self) -> Array:
         """Energy that the motors draw: nothing of the work that is done on them is recovered."""
         share = np.array([motor.efficiency for motor in self.model.spec.motors])
@@ -147,7 +154,7 @@ def _of_each_motor(cycles: Cycles) -> dict[str, Any]:
     columns |= {"work_net": cycles.works.net, "peak_power": cycles.powers}
     columns |= {"peak_torque": cycles.torques, "peak_force": cycles.torques}
     names = cycles.model.actuated
-    return {
+    return {LIMIT_USE.name: cycles.limit_use} | {
         f"{what}_{name}": column[:, i] for what, column in columns.items() for i, name in enumerate(names)
     }
 
@@ -319,16 +326,6 @@ def peak_torque(cycles: Cycles) -> Array:
 def peak_power(cycles: Cycles) -> Array:
     """Largest sum of the motors' absolute powers."""
     return powers.peak_power(cycles.trace)
-
-
-@_measure
-def limit_use(cycles: Cycles) -> Array | None:
-    """Largest ratio of a motor's torque to its limit; None without limits."""
-    limits = [np.inf if motor.limit is None else motor.limit for motor in cycles.model.spec.motors]
-    if not np.isfinite(limits).any():
-        return None
-    used: Array = (cycles.torques / limits).max(axis=1)
-    return used
 
 
 @_measure

@@ -166,7 +166,8 @@ def test_each_motor_and_all_of_them():
     assert orbit.peak_power >= both - 1e-12
     assert orbit.peak_power < orbit.peak_power_hip + orbit.peak_power_push
     names = list(orbit.measures)
-    assert names[-10:] == [
+    assert names[-11:] == [
+        "limit_use",
         "work_hip", "work_positive_hip", "work_net_hip", "peak_torque_hip", "peak_power_hip",
         "work_push", "work_positive_push", "work_net_push", "peak_force_push", "peak_power_push",
     ]  # fmt: skip
@@ -195,7 +196,7 @@ def test_the_manifest_lists_motors():
     assert model.actuated == ("winch",)
     read = ModelSpec.from_manifest(json.loads(json.dumps(model.spec.to_manifest())))
     assert read.motors == model.spec.motors
-    assert list(model.measured)[-1] == "peak_force_winch"
+    assert list(model.measured)[-2:] == ["limit_use", "peak_force_winch"]
     assert model.measured["peak_force_winch"].kind == "force"
 
 
