@@ -74,7 +74,7 @@ def _simplified(expr: sp.Expr) -> sp.Expr:
     candidates = [expr, found, sp.factor_terms(found)]
     if sp.count_ops(found) <= COLLECTED and not _denominators(found):
         candidates += [sp.collect(found, s) for s in sorted(found.free_symbols, key=lambda s: s.name)]
-    return _shortest(candidates)
+    return min(candidates, key=sp.count_ops)
 
 
 def _readable(expr: sp.Expr) -> sp.Expr:
