@@ -1,7 +1,7 @@
 """What a controller needs of the mechanics: mass matrix, bias forces, energies, Jacobians, as short terms.
 
 A controller that uses the model (feedback linearisation, virtual constraints, energy shaping) is written with
-these instead of with expressions that were worked out by hand. They are `Term`s: a torque that is made of them
+these instead of with expressions that were worked out by hand. They are `Term`s: a torque made of them
 stays short however long they are when written out.
 """
 
@@ -23,7 +23,7 @@ class Derived(Declaration):
     """The derived quantities of a declaration, for its torques."""
 
     @cached_property
-    def M(self) -> sp.Matrix:  # noqa: N802
+    def M(self) -> sp.Matrix:
         """Mass matrix of the swing phase, shape (n, n): ``M ddq + h = Q`` with generalised torques ``Q``.
 
         Raises
@@ -170,14 +170,16 @@ def solve(matrix: sp.Matrix, right: sp.Matrix, name: str = "") -> sp.Matrix:
     rows, columns = matrix.shape
     if rows != columns or right.rows != rows:
         raise InputError(
-            f"solve was given matrices of shapes {matrix.shape} and {right.shape}; the first must be square, and "
-            "the second must have as many rows"
+            f"solve was given matrices of shapes {matrix.shape} and {right.shape}; the first must be square, "
+            "and the second must have as many rows"
         )
     a, b = sp.Matrix(matrix), sp.Matrix(right)
     for j in range(rows):
         pivot = next((i for i in range(j, rows) if a[i, j] != 0), None)
         if pivot is None:
-            raise InputError(f"solve was given a matrix without an inverse: column {j + 1} is zero below the others")
+            raise InputError(
+                f"solve was given a matrix without an inverse: column {j + 1} is zero below the others"
+            )
         a.row_swap(j, pivot)
         b.row_swap(j, pivot)
         for i in range(j + 1, rows):

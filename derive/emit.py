@@ -69,9 +69,7 @@ def emit(
         raise InputError(f"model {walker.name}: {error}") from error
 
 
-def _printed(
-    walker: Walker, generator: str, progress: Progress | None
-) -> tuple[dict[str, str], ModelSpec]:
+def _printed(walker: Walker, generator: str, progress: Progress | None) -> tuple[dict[str, str], ModelSpec]:
     written = equations(walker, generator, progress)
     files = {pattern.format(model=walker.name): text(written) for pattern, text in PRINTERS.items()}
     return files, specification(written)

@@ -5,7 +5,7 @@ cancels is gone. The work is a number of products of polynomials, which is bound
 """
 
 from collections.abc import Callable, Iterable
-from functools import lru_cache
+from functools import cache
 
 import sympy as sp
 from sympy.polys.rings import PolyElement, PolyRing
@@ -23,7 +23,10 @@ class TooLargeError(Exception):
 
 
 def normal_form(
-    expr: sp.Expr, largest: int, constants: Iterable[sp.Symbol] = (), name: Callable[[sp.Expr], sp.Expr] | None = None
+    expr: sp.Expr,
+    largest: int,
+    constants: Iterable[sp.Symbol] = (),
+    name: Callable[[sp.Expr], sp.Expr] | None = None,
 ) -> sp.Expr | None:
     """An expression as a sum of sines and cosines with coefficients; None where it is too large.
 
@@ -161,6 +164,6 @@ class _Transform:
             total.pop(key, None)
 
 
-@lru_cache(maxsize=None)
+@cache
 def _sum(a: sp.Expr, b: sp.Expr) -> sp.Expr:
     return sp.expand(a + b)

@@ -262,9 +262,7 @@ def _under_their_names(
     return terms, [e.xreplace(alias) for e in reduced[len(named) :]]
 
 
-def _terms_by_name(
-    raw: list[sp.Expr], taken: set[str]
-) -> tuple[dict[sp.Symbol, sp.Expr], list[sp.Expr]]:
+def _terms_by_name(raw: list[sp.Expr], taken: set[str]) -> tuple[dict[sp.Symbol, sp.Expr], list[sp.Expr]]:
     """The terms in expressions as statements, and the expressions with the terms' symbols in them."""
     known = set(taken)
     numbers = count(FIRST_TERM)

@@ -2,8 +2,8 @@
 
 `simplified` gives short expressions the form that reads best. What would take long is brought into a normal
 form instead, in which products of sines and cosines are sums of sines and cosines; and what is too large even
-for that, or has sums in denominators, is left as it is. Bounds are numbers of terms and not of seconds, so that
-the result is the same on every machine.
+for that, or has sums in denominators, stays as it is. Bounds are numbers of terms and not of seconds, so
+that the result is the same on every machine.
 """
 
 from math import comb
@@ -17,7 +17,7 @@ READABLE = 64
 """Terms that an expression may have, when it is multiplied out, to be given its most readable form."""
 
 TRIED = 300
-"""Terms, when it is multiplied out, times different symbols and functions, up to which it is given that form."""
+"""Terms when multiplied out, times different symbols and functions, up to which it is given that form."""
 
 GENERATORS = 14
 """Different symbols and functions up to which it is given that form."""

@@ -1,4 +1,4 @@
-"""Long expressions of a declaration as terms, so that whatever is derived from them grows with their length only.
+"""Long expressions of a declaration as terms, so that what is derived from them grows with their length.
 
 A controller that uses the model (feedback linearisation, virtual constraints) is a quotient of sums of sines.
 Written out, its derivatives are far longer than itself; step by step they are a few times as long.
@@ -18,7 +18,17 @@ from stridemap.derive.terms import Term, short, terms_in
 STEP = 6
 """Operations of one step that are left together; a longer part becomes a term of its own."""
 
-GEOMETRY = ("bodies", "swing_foot", "gravity", "stance", "touchdown", "relabel", "section", "drawing", "locks")
+GEOMETRY = (
+    "bodies",
+    "swing_foot",
+    "gravity",
+    "stance",
+    "touchdown",
+    "relabel",
+    "section",
+    "drawing",
+    "locks",
+)
 """Fields that stay as they are declared: they are short, and what follows from them is to be readable."""
 
 

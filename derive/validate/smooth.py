@@ -1,4 +1,4 @@
-"""Functions that generated code has no form for, or that are not smooth, are refused before anything is derived."""
+"""Functions that generated code has no form for, or that are not smooth, are refused before a derivation."""
 
 from collections.abc import Iterable, Iterator
 from typing import Any
@@ -100,6 +100,6 @@ def _power(part: sp.Pow) -> str | None:
     if (2 * exponent).is_Integer and LOWEST_POWER <= exponent <= HIGHEST_POWER:
         return None
     return (
-        f"has the power {part}; exponents are integers or halves from {LOWEST_POWER} to {HIGHEST_POWER}; write "
-        "exp(a*log(x)) for any other power of a positive x"
+        f"has the power {part}; exponents are integers or halves from {LOWEST_POWER} to {HIGHEST_POWER}; "
+        "write exp(a*log(x)) for any other power of a positive x"
     )

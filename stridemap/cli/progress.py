@@ -109,7 +109,12 @@ def show_deriving(model: str) -> "Iterator[Callable[[int, int, str], None]]":
     if not console.is_terminal:
         yield lines
         return
-    columns = (TextColumn(f"deriving {model}"), BarColumn(), MofNCompleteColumn(), TextColumn("{task.fields[what]}"))
+    columns = (
+        TextColumn(f"deriving {model}"),
+        BarColumn(),
+        MofNCompleteColumn(),
+        TextColumn("{task.fields[what]}"),
+    )
     with Progress(*columns, console=console, transient=True) as bar:
         task = bar.add_task("", total=None, what="")
 

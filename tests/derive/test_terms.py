@@ -1,4 +1,4 @@
-"""Long expressions in steps: values, derivatives and substitutions are those of the expression written out."""
+"""Long expressions in steps: values, derivatives and substitutions are those of the whole expression."""
 
 import pickle
 import random
@@ -60,6 +60,7 @@ def test_derivatives_step_by_step_are_those_of_the_whole_at_high_precision(seed)
 
 def test_a_chain_of_steps_grows_by_its_length_when_it_is_differentiated():
     """Written out, 60 squarings would have more operations than there are atoms."""
+
     def chain(length):
         expr = X
         for _ in range(length):
@@ -86,7 +87,9 @@ def test_terms_are_values():
 def test_the_normal_form_is_equal_and_what_cancels_is_gone(seed):
     rng = random.Random(seed)
     waves = [sp.sin(X), sp.cos(X - Y), sp.sin(2 * Y + sp.pi / 3), sp.cos(Z), Z, sp.tanh(X), sp.Rational(2, 3)]
-    expr = sum(sp.Mul(*rng.choices(waves, k=3)) for _ in range(6)) * (rng.choice(waves) + rng.choice(waves)) ** 2
+    expr = (
+        sum(sp.Mul(*rng.choices(waves, k=3)) for _ in range(6)) * (rng.choice(waves) + rng.choice(waves)) ** 2
+    )
     assert abs(value(normal_form(expr, 10**5) - expr)) < 1e-25
     assert normal_form(expr - sp.expand(expr), 10**5) == 0
     assert normal_form(Z * (sp.sin(X) ** 2 + sp.cos(X) ** 2), 100) == Z

@@ -56,12 +56,17 @@ def test_every_field_is_looked_at():
         ({"potentials": {"spring": bad}}, "the potential spring"),
         ({"dissipation": sp.Abs(y)}, "the dissipation"),
         ({"swing_foot": COMPASS.swing_foot + sp.Matrix([bad, 0])}, "swing_foot"),
-        ({"bodies": (*COMPASS.bodies, Body("bag", sp.Abs(x), COMPASS.swing_foot))}, "the mass of the body bag"),
+        (
+            {"bodies": (*COMPASS.bodies, Body("bag", sp.Abs(x), COMPASS.swing_foot))},
+            "the mass of the body bag",
+        ),
     ):
         with pytest.raises(InputError, match=f"{place} has the function Abs"):
             COMPASS.with_(name="rough", **changes)
 
 
 def test_smooth_functions_are_let_through():
-    smooth = sp.tanh(50 * y) + sp.sqrt(x**2 + 1) + sp.atan(x) + sp.exp(-(x**2)) + sp.cosh(x) ** -3 + sp.pi * x**8
+    smooth = (
+        sp.tanh(50 * y) + sp.sqrt(x**2 + 1) + sp.atan(x) + sp.exp(-(x**2)) + sp.cosh(x) ** -3 + sp.pi * x**8
+    )
     COMPASS.with_(name="smooth", torques={THETA2: smooth})
