@@ -1,4 +1,4 @@
-"""Every name that appears in generated code, used as the name of a parameter: refused at once, or the same numbers."""
+"""Each name in generated code, as the name of a parameter: refused at once, or the same numbers."""
 
 import re
 import time
@@ -37,6 +37,7 @@ def with_parameters(names):
     return WHEEL.with_(
         name="clashing",
         parameters=(*WHEEL.parameters, *extra),
+        drawing=(),
         potentials={"spring": stiffness * (1 - sp.cos(theta.symbol)) + extra[0].symbol * theta.symbol**2},
     )
 
