@@ -1,8 +1,8 @@
 """What a controller needs of the mechanics: mass matrix, bias forces, energies, Jacobians, as short terms.
 
 A controller that uses the model (feedback linearisation, virtual constraints, energy shaping) is written with
-these instead of with expressions that were worked out by hand. They are `Term`s: a torque that is made of
-them stays short however long they are when written out.
+these instead of with expressions that were worked out by hand. They are `Term`s: a torque made of them
+stays short however long they are when written out.
 """
 
 from collections.abc import Callable

@@ -2,7 +2,7 @@
 
 `simplified` gives short expressions the form that reads best. What would take long is brought into a normal
 form instead, in which products of sines and cosines are sums of sines and cosines; and what is too large even
-for that, or has sums in denominators, is left as it is. Bounds are numbers of terms and not of seconds, so
+for that, or has sums in denominators, stays as it is. Bounds are numbers of terms and not of seconds, so
 that the result is the same on every machine.
 """
 
@@ -17,7 +17,7 @@ READABLE = 64
 """Terms that an expression may have, when it is multiplied out, to be given its most readable form."""
 
 TRIED = 300
-"""Terms, when it is multiplied out, times its symbols and functions, up to which it is given that form."""
+"""Terms when multiplied out, times different symbols and functions, up to which it is given that form."""
 
 GENERATORS = 14
 """Different symbols and functions up to which it is given that form."""
@@ -74,7 +74,7 @@ def _simplified(expr: sp.Expr) -> sp.Expr:
     candidates = [expr, found, sp.factor_terms(found)]
     if sp.count_ops(found) <= COLLECTED and not _denominators(found):
         candidates += [sp.collect(found, s) for s in sorted(found.free_symbols, key=lambda s: s.name)]
-    return _shortest(candidates)
+    return min(candidates, key=sp.count_ops)
 
 
 def _readable(expr: sp.Expr) -> sp.Expr:

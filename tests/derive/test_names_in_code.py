@@ -1,0 +1,80 @@
+"""Each name in generated code, as the name of a parameter: refused at once, or the same numbers."""
+
+import re
+import time
+
+import numpy as np
+import pytest
+import sympy as sp
+
+from stridemap.codegen import generated_folder
+from stridemap.derive import Parameter
+from stridemap.derive.emit import emit
+from stridemap.derive.models import WALKERS
+from stridemap.derive.validate.reserved import meaning
+from stridemap.errors import InputError
+from tests.derive.test_clashes import evaluated, point
+
+WHEEL = WALKERS["rimless_wheel"]
+WORD = re.compile(r"[A-Za-z_]\w*")
+
+
+def words():
+    """Identifiers of all generated files of small models, comments included, and terms of larger ones."""
+    found = set()
+    for model in ("rimless_wheel", "compass"):
+        for path in (generated_folder() / model).iterdir():
+            if path.suffix in (".c", ".h", ".py", ".js", ".json") and "_kernels" not in path.name:
+                found |= set(WORD.findall(path.read_text()))
+    return sorted(found | {f"t{i}" for i in range(1, 9)} | {f"held_{i}" for i in range(1, 4)})
+
+
+def with_parameters(names):
+    """The wheel with a spring whose stiffness is a sum of parameters of these names."""
+    (theta,) = WHEEL.coordinates
+    extra = tuple(Parameter(name, 0.1 + 0.01 * i, "1", "a parameter") for i, name in enumerate(names))
+    stiffness = sp.Add(*(sp.Rational(i + 2, 7) * a.symbol for i, a in enumerate(extra)))
+    return WHEEL.with_(
+        name="clashing",
+        parameters=(*WHEEL.parameters, *extra),
+        drawing=(),
+        potentials={"spring": stiffness * (1 - sp.cos(theta.symbol)) + extra[0].symbol * theta.symbol**2},
+    )
+
+
+def test_no_name_collides_with_what_the_generator_writes(monkeypatch):
+    own = {"theta", "dtheta", *(a.name for a in WHEEL.parameters)}
+    found = [word for word in words() if not word.startswith("_")]
+    free = [word for word in found if meaning(word) is None and word not in own]
+    for name in [word for word in found if word not in free][::25]:
+        begun = time.process_time()
+        with pytest.raises(InputError, match=f"{name}.*(rename|choose another name)"):
+            with_parameters([name])
+        assert time.process_time() - begun < 1, name
+    assert {"M", "h", "u", "mass", "length", "com", "foot", "weight", "c_theta", "M_11", "t1"} <= set(free)
+    values = [0.2, 6.0, 2 / 3, *np.linspace(0.3, 2, len(free))]
+    monkeypatch.setattr("tests.derive.test_clashes.point", lambda: {**point_of_wheel(), "p": values})
+    found = evaluated(emit(with_parameters(free), "test")[0])
+    plain = evaluated(emit(with_parameters([f"plain_{i}" for i in range(len(free))]), "test")[0])
+    assert found.keys() == plain.keys()
+    for key in plain:
+        np.testing.assert_allclose(found[key], plain[key], rtol=1e-12, atol=1e-13, err_msg=str(key))
+
+
+point_of_wheel = point
+
+
+def test_terms_of_the_users_may_be_called_like_those_of_the_generator():
+    from stridemap.derive import Term
+
+    theta = WHEEL.coordinates[0]
+    named = [
+        Term(name, sp.sin(i + theta.symbol) * theta.rate) for i, name in enumerate(["M_11", "u", "t1", "h"])
+    ]
+    torque = sp.Add(*named) / (2 + named[0] ** 2)
+    walker = WHEEL.with_(name="clashing", torques={theta: torque})
+    found = evaluated(emit(walker, "test")[0])
+    q, v = point()["q"][0], point()["v"][0]
+    parts = [np.sin(i + q) * v for i in range(4)]
+    wanted = sum(parts) / (2 + parts[0] ** 2)
+    assert found["controller_torque", "u"] == pytest.approx(wanted, rel=1e-13)
