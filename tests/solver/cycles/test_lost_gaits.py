@@ -197,8 +197,11 @@ def test_the_search_box_can_be_given_and_widened():
 def test_the_command_line_reports_the_search(run):
     words = ["orbit", "--model", "compass", "--search-box", "theta1=0.05:0.2", "--search", "widen=2"]
     status, _, err = run(*words)
+    assert (status, err) == (0, "")
+    status, _, err = run("orbit", "--k", "6", "--starts", "1", "--search", "max_starts=1")
     assert status == 0
-    assert "512 starts ended: " in err
+    assert "1 starts ended: 1 in a limit cycle" in err
+    assert "warning: 1 limit cycle reached from one start of 1 only" in err
     status, out, err = run(*words, "--json")
     assert (status, err) == (0, "")
     assert json.loads(out)["search"]["starts"] == 512
