@@ -71,7 +71,7 @@ def test_no_sharpness_loses_a_gait(friction, sharp):
 
 
 def test_what_the_finest_resolution_does_not_resolve_is_reported(friction, monkeypatch):
-    monkeypatch.setattr(solver_module, "LEVELS", CYCLE_N_RK[:2])
+    monkeypatch.setattr(solver_module, "LEVELS", CYCLE_N_RK)
     orbits = find_orbits(friction, sharp=5000)
     assert len(orbits) == 1
     assert orbits.search.unresolved > 0
