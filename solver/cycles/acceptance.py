@@ -214,7 +214,7 @@ class Candidates:
         # In a fold itself every correction is half of the one before: what is left is their sum.
         with np.errstate(divide="ignore", invalid="ignore"):
             ratio = np.minimum(size(second, scale) / size(self.change, scale), 0.6)
-        ratio[~(size(self.change, scale) > 3 * again.rounding)] = 0.0
+        ratio[~(size(self.change, scale) > 100 * again.rounding)] = 0.0  # or it is rounding
         rest = 1 / (1 - ratio)
         state = np.hypot(size(self.change + rest[:, None] * second, scale), again.rounding)
         return state, rest * multiplier_error(self.jacobian, jacobian, scale)

@@ -26,7 +26,9 @@ def print_orbits(orbits: Orbits, varied: str | None = None) -> None:
 
 
 def print_search(report: SearchReport) -> None:
-    """Print on standard error how many starts ended where, and what a search may have missed."""
+    """Print on standard error what a search may have missed, and then how many starts ended where."""
+    if not report.warnings:
+        return
     ended = (f"{count:,} {ENDS[word]}" for word, count in report.ended.items() if count)
     print(f"{report.starts:,} starts ended: {'; '.join(ended)}", file=sys.stderr)
     for warning in report.warnings:
@@ -46,7 +48,7 @@ def _complex(value: complex) -> str:
 
 
 def _cell(value: Any) -> str:
-    if value is None:
+    if value is None or value == "":
         return "-"
     if isinstance(value, bool):
         return "yes" if value else "no"

@@ -71,7 +71,7 @@ def test_no_sharpness_loses_a_gait(friction, sharp):
 
 
 def test_what_the_finest_resolution_does_not_resolve_is_reported(friction, monkeypatch):
-    monkeypatch.setattr(solver_module, "LEVELS", CYCLE_N_RK[:2])
+    monkeypatch.setattr(solver_module, "LEVELS", CYCLE_N_RK)
     orbits = find_orbits(friction, sharp=5000)
     assert len(orbits) == 1
     assert orbits.search.unresolved > 0
@@ -197,8 +197,11 @@ def test_the_search_box_can_be_given_and_widened():
 def test_the_command_line_reports_the_search(run):
     words = ["orbit", "--model", "compass", "--search-box", "theta1=0.05:0.2", "--search", "widen=2"]
     status, _, err = run(*words)
+    assert (status, err) == (0, "")
+    status, _, err = run("orbit", "--k", "6", "--starts", "1", "--search", "max_starts=1")
     assert status == 0
-    assert "512 starts ended: " in err
+    assert "1 starts ended: 1 in a limit cycle" in err
+    assert "warning: 1 limit cycle reached from one start of 1 only" in err
     status, out, err = run(*words, "--json")
     assert (status, err) == (0, "")
     assert json.loads(out)["search"]["starts"] == 512
