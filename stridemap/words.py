@@ -53,7 +53,7 @@ ATTRIBUTES = frozenset(
 
 OPTION_WORDS = frozenset(
     # options of the command line
-    "acceptance backend check claims config cycle folder fps group help json magnify model only out "
+    "acceptance backend check claims config cycle folder fps from group help json magnify model only out "
     "range rate resume search set size start starts state steps sweeps target thin trajectory vary workers "
     # arguments of public functions
     "data executor options orbit orbits params path progress samples source tile_cells titles".split()

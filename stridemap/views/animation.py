@@ -112,7 +112,8 @@ def _check_range(name: str, value: int, allowed: tuple[int, int], what: str) -> 
 
 def _titles(orbits: Sequence[Orbit]) -> list[str]:
     """What distinguishes the walkers: model, group, stability, and the parameters that differ."""
-    names = dict.fromkeys(name for orbit in orbits for name in orbit.params)
+    alike = len({orbit.model for orbit in orbits}) == 1
+    names = dict.fromkeys(name for orbit in orbits if alike for name in orbit.params)
     differing = [n for n in names if len({orbit.params.get(n) for orbit in orbits}) > 1]
     out = []
     for orbit in orbits:
@@ -120,6 +121,9 @@ def _titles(orbits: Sequence[Orbit]) -> list[str]:
         words = [textwrap.fill(orbit.model.title, TITLE_WIDTH)]
         words += [f"{group}{'stable' if orbit.stable else 'unstable'}"]
         shown = differing or [n for n in orbit.params if n in ("k", "alpha", "omega")]
-        words += [", ".join(f"{n} = {orbit.params[n]:g}" for n in shown if n in orbit.params)]
+        values = ", ".join(f"{n} = {orbit.params[n]:g}" for n in shown)
+        words += [
+            textwrap.fill(textwrap.shorten(values, 2 * TITLE_WIDTH - 8, placeholder=" ..."), TITLE_WIDTH)
+        ]
         out.append("\n".join(word for word in words if word))
     return out
