@@ -15,9 +15,9 @@ extern "C" {
  *
  *  in   q[0]   q1       [rad] angle of the stance leg from the ground's normal, positive leaning back
  *  in   q[1]   q2       [rad] angle from the stance leg to the swing leg
- *  in   p[0]   hip_mass [m] mass at the hip
- *  in   p[1]   leg_mass [m] mass of a leg
- *  in   p[2]   inertia  [m L^2] moment of inertia of a leg about its centre of mass
+ *  in   p[0]   hip_mass [M] mass at the hip
+ *  in   p[1]   leg_mass [M] mass of a leg
+ *  in   p[2]   inertia  [M L^2] moment of inertia of a leg about its centre of mass
  *  in   p[3]   com_distance [L] from the hip to a leg's centre of mass, along the leg
  *  in   p[4]   com_offset [L] of a leg's centre of mass from the leg, ahead of it
  *  in   p[5]   radius   [L] radius of the feet
@@ -33,8 +33,8 @@ void round_feet_mass_matrix(const double q[2], const double p[7], double M[4]);
  *  in   q[1]   q2       [rad] angle from the stance leg to the swing leg
  *  in   v[0]   dq1      [rad sqrt(g/L)] rate of q1
  *  in   v[1]   dq2      [rad sqrt(g/L)] rate of q2
- *  in   p[0]   hip_mass [m] mass at the hip
- *  in   p[1]   leg_mass [m] mass of a leg
+ *  in   p[0]   hip_mass [M] mass at the hip
+ *  in   p[1]   leg_mass [M] mass of a leg
  *  in   p[3]   com_distance [L] from the hip to a leg's centre of mass, along the leg
  *  in   p[4]   com_offset [L] of a leg's centre of mass from the leg, ahead of it
  *  in   p[5]   radius   [L] radius of the feet
@@ -53,9 +53,9 @@ void round_feet_bias_forces(const double q[2], const double v[2], const double p
  *  in   q[1]   q2       [rad] angle from the stance leg to the swing leg
  *  in   v[0]   dq1      [rad sqrt(g/L)] rate of q1
  *  in   v[1]   dq2      [rad sqrt(g/L)] rate of q2
- *  in   p[0]   hip_mass [m] mass at the hip
- *  in   p[1]   leg_mass [m] mass of a leg
- *  in   p[2]   inertia  [m L^2] moment of inertia of a leg about its centre of mass
+ *  in   p[0]   hip_mass [M] mass at the hip
+ *  in   p[1]   leg_mass [M] mass of a leg
+ *  in   p[2]   inertia  [M L^2] moment of inertia of a leg about its centre of mass
  *  in   p[3]   com_distance [L] from the hip to a leg's centre of mass, along the leg
  *  in   p[4]   com_offset [L] of a leg's centre of mass from the leg, ahead of it
  *  in   p[5]   radius   [L] radius of the feet
@@ -74,9 +74,9 @@ void round_feet_state_derivative(const double q[2], const double v[2], const dou
  *  in   q[1]   q2       [rad] angle from the stance leg to the swing leg
  *  in   v[0]   dq1      [rad sqrt(g/L)] rate of q1
  *  in   v[1]   dq2      [rad sqrt(g/L)] rate of q2
- *  in   p[0]   hip_mass [m] mass at the hip
- *  in   p[1]   leg_mass [m] mass of a leg
- *  in   p[2]   inertia  [m L^2] moment of inertia of a leg about its centre of mass
+ *  in   p[0]   hip_mass [M] mass at the hip
+ *  in   p[1]   leg_mass [M] mass of a leg
+ *  in   p[2]   inertia  [M L^2] moment of inertia of a leg about its centre of mass
  *  in   p[3]   com_distance [L] from the hip to a leg's centre of mass, along the leg
  *  in   p[4]   com_offset [L] of a leg's centre of mass from the leg, ahead of it
  *  in   p[5]   radius   [L] radius of the feet
@@ -93,9 +93,9 @@ void round_feet_state_derivative_dq(const double q[2], const double v[2], const 
  *  in   q[1]   q2       [rad] angle from the stance leg to the swing leg
  *  in   v[0]   dq1      [rad sqrt(g/L)] rate of q1
  *  in   v[1]   dq2      [rad sqrt(g/L)] rate of q2
- *  in   p[0]   hip_mass [m] mass at the hip
- *  in   p[1]   leg_mass [m] mass of a leg
- *  in   p[2]   inertia  [m L^2] moment of inertia of a leg about its centre of mass
+ *  in   p[0]   hip_mass [M] mass at the hip
+ *  in   p[1]   leg_mass [M] mass of a leg
+ *  in   p[2]   inertia  [M L^2] moment of inertia of a leg about its centre of mass
  *  in   p[3]   com_distance [L] from the hip to a leg's centre of mass, along the leg
  *  in   p[4]   com_offset [L] of a leg's centre of mass from the leg, ahead of it
  *  in   p[5]   radius   [L] radius of the feet
@@ -134,9 +134,9 @@ void round_feet_touchdown_condition_dq(double h_dq[2]);
  *  in   q[1]   q2       [rad] angle from the stance leg to the swing leg
  *  in   v[0]   dq1      [rad sqrt(g/L)] rate of q1
  *  in   v[1]   dq2      [rad sqrt(g/L)] rate of q2
- *  in   p[0]   hip_mass [m] mass at the hip
- *  in   p[1]   leg_mass [m] mass of a leg
- *  in   p[2]   inertia  [m L^2] moment of inertia of a leg about its centre of mass
+ *  in   p[0]   hip_mass [M] mass at the hip
+ *  in   p[1]   leg_mass [M] mass of a leg
+ *  in   p[2]   inertia  [M L^2] moment of inertia of a leg about its centre of mass
  *  in   p[3]   com_distance [L] from the hip to a leg's centre of mass, along the leg
  *  in   p[4]   com_offset [L] of a leg's centre of mass from the leg, ahead of it
  *  in   p[5]   radius   [L] radius of the feet
@@ -155,9 +155,9 @@ void round_feet_impact_map(const double q[2], const double v[2], const double p[
  *  in   q[1]   q2       [rad] angle from the stance leg to the swing leg
  *  in   v[0]   dq1      [rad sqrt(g/L)] rate of q1
  *  in   v[1]   dq2      [rad sqrt(g/L)] rate of q2
- *  in   p[0]   hip_mass [m] mass at the hip
- *  in   p[1]   leg_mass [m] mass of a leg
- *  in   p[2]   inertia  [m L^2] moment of inertia of a leg about its centre of mass
+ *  in   p[0]   hip_mass [M] mass at the hip
+ *  in   p[1]   leg_mass [M] mass of a leg
+ *  in   p[2]   inertia  [M L^2] moment of inertia of a leg about its centre of mass
  *  in   p[3]   com_distance [L] from the hip to a leg's centre of mass, along the leg
  *  in   p[4]   com_offset [L] of a leg's centre of mass from the leg, ahead of it
  *  in   p[5]   radius   [L] radius of the feet
@@ -172,9 +172,9 @@ void round_feet_impact_map_dq(const double q[2], const double v[2], const double
  *
  *  in   q[0]   q1       [rad] angle of the stance leg from the ground's normal, positive leaning back
  *  in   q[1]   q2       [rad] angle from the stance leg to the swing leg
- *  in   p[0]   hip_mass [m] mass at the hip
- *  in   p[1]   leg_mass [m] mass of a leg
- *  in   p[2]   inertia  [m L^2] moment of inertia of a leg about its centre of mass
+ *  in   p[0]   hip_mass [M] mass at the hip
+ *  in   p[1]   leg_mass [M] mass of a leg
+ *  in   p[2]   inertia  [M L^2] moment of inertia of a leg about its centre of mass
  *  in   p[3]   com_distance [L] from the hip to a leg's centre of mass, along the leg
  *  in   p[4]   com_offset [L] of a leg's centre of mass from the leg, ahead of it
  *  in   p[5]   radius   [L] radius of the feet
@@ -190,9 +190,9 @@ void round_feet_impact_map_dv(const double q[2], const double p[7], double v_plu
  *  in   q[1]   q2       [rad] angle from the stance leg to the swing leg
  *  in   v[0]   dq1      [rad sqrt(g/L)] rate of q1
  *  in   v[1]   dq2      [rad sqrt(g/L)] rate of q2
- *  in   p[0]   hip_mass [m] mass at the hip
- *  in   p[1]   leg_mass [m] mass of a leg
- *  in   p[2]   inertia  [m L^2] moment of inertia of a leg about its centre of mass
+ *  in   p[0]   hip_mass [M] mass at the hip
+ *  in   p[1]   leg_mass [M] mass of a leg
+ *  in   p[2]   inertia  [M L^2] moment of inertia of a leg about its centre of mass
  *  in   p[3]   com_distance [L] from the hip to a leg's centre of mass, along the leg
  *  in   p[4]   com_offset [L] of a leg's centre of mass from the leg, ahead of it
  *  in   p[5]   radius   [L] radius of the feet
@@ -208,13 +208,13 @@ void round_feet_impact_impulse(const double q[2], const double v[2], const doubl
  *  in   q[1]   q2       [rad] angle from the stance leg to the swing leg
  *  in   v[0]   dq1      [rad sqrt(g/L)] rate of q1
  *  in   v[1]   dq2      [rad sqrt(g/L)] rate of q2
- *  in   p[0]   hip_mass [m] mass at the hip
- *  in   p[1]   leg_mass [m] mass of a leg
- *  in   p[2]   inertia  [m L^2] moment of inertia of a leg about its centre of mass
+ *  in   p[0]   hip_mass [M] mass at the hip
+ *  in   p[1]   leg_mass [M] mass of a leg
+ *  in   p[2]   inertia  [M L^2] moment of inertia of a leg about its centre of mass
  *  in   p[3]   com_distance [L] from the hip to a leg's centre of mass, along the leg
  *  in   p[4]   com_offset [L] of a leg's centre of mass from the leg, ahead of it
  *  in   p[5]   radius   [L] radius of the feet
- *  out  kinetic         kinetic energy, in m g L (scalar)
+ *  out  kinetic         kinetic energy, in M g L (scalar)
  */
 void round_feet_kinetic_energy(const double q[2], const double v[2], const double p[7], double kinetic[1]);
 
@@ -224,13 +224,13 @@ void round_feet_kinetic_energy(const double q[2], const double v[2], const doubl
  *
  *  in   q[0]   q1       [rad] angle of the stance leg from the ground's normal, positive leaning back
  *  in   q[1]   q2       [rad] angle from the stance leg to the swing leg
- *  in   p[0]   hip_mass [m] mass at the hip
- *  in   p[1]   leg_mass [m] mass of a leg
+ *  in   p[0]   hip_mass [M] mass at the hip
+ *  in   p[1]   leg_mass [M] mass of a leg
  *  in   p[3]   com_distance [L] from the hip to a leg's centre of mass, along the leg
  *  in   p[4]   com_offset [L] of a leg's centre of mass from the leg, ahead of it
  *  in   p[5]   radius   [L] radius of the feet
  *  in   p[6]   slope    [rad] angle by which the ground falls in the walking direction
- *  out  potential       potential energy, in m g L, zero level on the ground (scalar)
+ *  out  potential       potential energy, in M g L, zero level on the ground (scalar)
  */
 void round_feet_potential_energy(const double q[2], const double p[7], double potential[1]);
 
@@ -238,10 +238,10 @@ void round_feet_potential_energy(const double q[2], const double p[7], double po
  *
  * Source: sum over the bodies.
  *
- *  in   p[0]   hip_mass [m] mass at the hip
- *  in   p[1]   leg_mass [m] mass of a leg
+ *  in   p[0]   hip_mass [M] mass at the hip
+ *  in   p[1]   leg_mass [M] mass of a leg
  *  in   p[6]   slope    [rad] angle by which the ground falls in the walking direction
- *  out  mass            mass, in m (scalar)
+ *  out  mass            mass, in M (scalar)
  *  out  weight          mass times the acceleration of gravity (scalar)
  *  out  pull            component of the weight along the ground, in walking direction (scalar)
  */
@@ -255,8 +255,8 @@ void round_feet_total_mass(const double p[7], double mass[1], double weight[1], 
  *  in   q[1]   q2       [rad] angle from the stance leg to the swing leg
  *  in   v[0]   dq1      [rad sqrt(g/L)] rate of q1
  *  in   v[1]   dq2      [rad sqrt(g/L)] rate of q2
- *  in   p[0]   hip_mass [m] mass at the hip
- *  in   p[1]   leg_mass [m] mass of a leg
+ *  in   p[0]   hip_mass [M] mass at the hip
+ *  in   p[1]   leg_mass [M] mass of a leg
  *  in   p[3]   com_distance [L] from the hip to a leg's centre of mass, along the leg
  *  in   p[4]   com_offset [L] of a leg's centre of mass from the leg, ahead of it
  *  in   p[5]   radius   [L] radius of the feet
@@ -274,9 +274,9 @@ void round_feet_centre_of_mass(const double q[2], const double v[2], const doubl
  *  in   q[1]   q2       [rad] angle from the stance leg to the swing leg
  *  in   v[0]   dq1      [rad sqrt(g/L)] rate of q1
  *  in   v[1]   dq2      [rad sqrt(g/L)] rate of q2
- *  in   p[0]   hip_mass [m] mass at the hip
- *  in   p[1]   leg_mass [m] mass of a leg
- *  in   p[2]   inertia  [m L^2] moment of inertia of a leg about its centre of mass
+ *  in   p[0]   hip_mass [M] mass at the hip
+ *  in   p[1]   leg_mass [M] mass of a leg
+ *  in   p[2]   inertia  [M L^2] moment of inertia of a leg about its centre of mass
  *  in   p[3]   com_distance [L] from the hip to a leg's centre of mass, along the leg
  *  in   p[4]   com_offset [L] of a leg's centre of mass from the leg, ahead of it
  *  in   p[5]   radius   [L] radius of the feet
@@ -293,9 +293,9 @@ void round_feet_ground_force(const double q[2], const double v[2], const double 
  *  in   q[1]   q2       [rad] angle from the stance leg to the swing leg
  *  in   v[0]   dq1      [rad sqrt(g/L)] rate of q1
  *  in   v[1]   dq2      [rad sqrt(g/L)] rate of q2
- *  in   p[0]   hip_mass [m] mass at the hip
- *  in   p[1]   leg_mass [m] mass of a leg
- *  in   p[2]   inertia  [m L^2] moment of inertia of a leg about its centre of mass
+ *  in   p[0]   hip_mass [M] mass at the hip
+ *  in   p[1]   leg_mass [M] mass of a leg
+ *  in   p[2]   inertia  [M L^2] moment of inertia of a leg about its centre of mass
  *  in   p[3]   com_distance [L] from the hip to a leg's centre of mass, along the leg
  *  in   p[4]   com_offset [L] of a leg's centre of mass from the leg, ahead of it
  *  in   p[5]   radius   [L] radius of the feet
@@ -336,13 +336,13 @@ void round_feet_stance_foot(const double q[2], const double p[7], double stance[
  *
  *  in   q[0]   q1       [rad] angle of the stance leg from the ground's normal, positive leaning back
  *  in   q[1]   q2       [rad] angle from the stance leg to the swing leg
- *  in   p[0]   hip_mass [m] mass at the hip
- *  in   p[1]   leg_mass [m] mass of a leg
+ *  in   p[0]   hip_mass [M] mass at the hip
+ *  in   p[1]   leg_mass [M] mass of a leg
  *  in   p[3]   com_distance [L] from the hip to a leg's centre of mass, along the leg
  *  in   p[4]   com_offset [L] of a leg's centre of mass from the leg, ahead of it
  *  in   p[5]   radius   [L] radius of the feet
  *  out  positions       positions of the bodies from the stance foot, one row each (3 x 2 matrix, row-major)
- *  out  masses          their masses, in m (3 vector)
+ *  out  masses          their masses, in M (3 vector)
  *  out  legs            points of the line legs, one row each (3 x 2 matrix, row-major)
  */
 void round_feet_drawing(const double q[2], const double p[7], double positions[6], double masses[3],
