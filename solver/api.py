@@ -134,7 +134,7 @@ def find(
     target: str | Mapping[str, float],
     vary: str,
     *,
-    range: tuple[float, float] | None = None,
+    range: tuple[Any, Any] | None = None,
     params: Mapping[str, float] | None = None,
     options: SearchOptions | Mapping[str, Any] | None = None,
     backend: str | Backend | None = None,

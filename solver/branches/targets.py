@@ -127,7 +127,7 @@ def _elsewhere(line: Line, x: Array, cycles: Orbits) -> NDArray[np.bool_]:
 def _on_branch(line: Line, orbits: Orbits, target: Target) -> Iterator[Orbits]:
     """The solutions on one branch, each as an array of one cycle."""
     away = np.where(orbits.found, target.of(orbits) - target.value, np.nan)
-    for i in np.flatnonzero(away == 0):
+    for i in np.flatnonzero(away == 0).tolist():
         yield orbits.take([i])
     with np.errstate(invalid="ignore"):
         changes = away[:-1] * away[1:] < 0

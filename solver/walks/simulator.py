@@ -160,7 +160,10 @@ def walk(
     if steps < 1:
         raise InputError(f"steps = {steps} is not allowed: a walk has at least 1 step")
     walker = Equations(model, params)
-    t, y = (0.0, section_start(walker, state)) if start is None else start_within(walker, start)
+    if start is not None:
+        t, y = start_within(walker, start)
+    else:
+        t, y = 0.0, section_start(walker, np.asarray(state))
     walked: list[Step] = []
     outcome = Outcome.WALKED
     for phase, z in phases(walker, t, y, steps, rtol, atol):
