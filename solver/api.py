@@ -143,7 +143,7 @@ def find(
     target: str | Mapping[str, float],
     vary: str,
     *,
-    range: tuple[float, float] | None = None,
+    range: tuple[Any, Any] | None = None,
     params: Mapping[str, float] | None = None,
     options: SearchOptions | Mapping[str, Any] | None = None,
     backend: str | Backend | None = None,
@@ -191,8 +191,8 @@ def find(
     On which slope does a rimless wheel with spokes 0.6 rad apart roll with speed 0.45?
 
     >>> found = find("rimless_wheel", "speed = 0.45", "slope", spokes=np.pi / 0.3, lambda2=1, range=(0, 0.3))
-    >>> found.values.round(12)
-    array([0.087643564919])
+    >>> round(found.values[0].item(), 12)
+    0.087643564919
     """
     loaded = load(model)
     point = loaded.point(joined(params, keywords))
@@ -270,7 +270,7 @@ def simulate(
     >>> walk.outcome.words, len(walk.steps)
     ('walked', 10)
     >>> walk.trajectory(0.1)
-    <trajectory of simplest_walker: 409 rows, from 0 to 38.8245>
+    <trajectory of simplest_walker: 409 rows, from 0 to 38.8158>
     """
     loaded = load(model)
     point = loaded.point(joined(params, keywords))

@@ -63,7 +63,7 @@ ATTRIBUTES = frozenset(
 
 OPTION_WORDS = frozenset(
     # options of the command line
-    "acceptance backend cascade check claims config continuation cycle derive_timeout folder fps "
+    "acceptance backend cascade check claims config continuation cycle derive_timeout folder fps from "
     "friction_limit group help json magnify model only out plot range rate resume search search_box seeds "
     "set show size start starts state steps sweeps target thin trajectory vary workers "
     # arguments of public functions

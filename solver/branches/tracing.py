@@ -157,7 +157,7 @@ def _tangent(line: Line, n_rk: int, x: Array, ahead: Array) -> Array | None:
     matrix, _ = line.system(n_rk, x)
     matrix[-1] = ahead / line.scale**2
     tangent = _solved(matrix, np.eye(len(x))[-1])
-    return None if tangent is None else tangent / np.sqrt(((tangent / line.scale) ** 2).sum())
+    return None if tangent is None else tangent / float(np.sqrt(((tangent / line.scale) ** 2).sum()))
 
 
 def _solved(matrix: Array, right: Array) -> Array | None:

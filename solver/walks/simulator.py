@@ -165,7 +165,10 @@ def walk(
             "walked (so many take hours)"
         )
     walker = Equations(model, params)
-    t, y = (0.0, section_start(walker, np.asarray(state))) if start is None else start_within(walker, start)
+    if start is not None:
+        t, y = start_within(walker, start)
+    else:
+        t, y = 0.0, section_start(walker, np.asarray(state))
     walked: list[Step] = []
     outcome = Outcome.WALKED
     for phase, z in phases(walker, t, y, steps, rtol, atol):

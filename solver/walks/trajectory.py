@@ -155,22 +155,21 @@ def sampled(walker: Equations, phases: Iterable[tuple[Swing, Array | None]], dt:
     """
     _check_names(walker.model)
     step = _number(dt)
-    clock, offset, next_, number = 0.0, np.zeros(2), 0, 0
     rows: list[_Rows] = []
+    clock, offset, next_, number = 0.0, np.zeros(2), 0, 0
     landed: Array | None = None
     for number, (phase, landed) in enumerate(phases, 1):
         ends = clock + phase.duration
         last = _last_before(ends, step, landed is not None)
-        if last - next_ > MAX_ROWS or sum(len(r.time) for r in rows) > MAX_ROWS:
+        if last - next_ > MAX_ROWS or sum(len(row.time) for row in rows) > MAX_ROWS:
             raise InputError(
                 f"dt = {step:g} is not allowed: it gives more than {MAX_ROWS:,} rows; take a larger one"
             )
-        k = np.arange(next_, last + 1)
+        k = np.arange(next_, last + 1, dtype=np.float64)
         next_ = last + 1
-        local: Array = np.clip(phase.begin + (k * step - clock), phase.begin, phase.begin + phase.duration)
+        local = np.clip(phase.begin + (k * step - clock), phase.begin, phase.begin + phase.duration)
         if len(k):
-            times = (k * step).astype(np.float64)
-            rows.append(_Rows.of(walker, number, times, local, phase(local), SAMPLE, offset))
+            rows.append(_Rows.of(walker, number, k * step, local, phase(local), SAMPLE, offset))
         if landed is None:
             if phase.outcome is not Outcome.WALKED:
                 rows.append(_end_row(walker, number, ends, phase, END, offset))

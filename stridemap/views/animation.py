@@ -1,6 +1,7 @@
 """Limit cycles in motion: a looping GIF of one walker, or of several side by side."""
 
 import math
+import textwrap
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -10,6 +11,9 @@ from stridemap.views.optional import require_pictures
 
 SECONDS = 1.2
 """Duration of a step on the screen: about three times that of a leg of one metre on Earth."""
+
+TITLE_WIDTH = 40
+"""Letters that a panel is wide."""
 
 FPS, SIZE, WALKERS = (2, 50), (80, 1600), 6
 """Frames per second and pixels that are allowed, and how many walkers."""
@@ -37,7 +41,7 @@ def animate(
     path : path
         Where the GIF goes.
     titles : sequence of str, optional
-        One for each; by default the model, group and stability, and the parameters that differ.
+        One for each; by default the model's title, group and stability, and the parameters that differ.
     steps : int
         Steps until it repeats, an even number: after an odd number left and right leg are exchanged.
     fps : int
@@ -107,14 +111,19 @@ def _check_range(name: str, value: int, allowed: tuple[int, int], what: str) -> 
 
 
 def _titles(orbits: Sequence[Orbit]) -> list[str]:
-    """What distinguishes the walkers: group (or else model), stability, and the parameters that differ."""
-    names = dict.fromkeys(name for orbit in orbits for name in orbit.params)
+    """What distinguishes the walkers: model, group, stability, and the parameters that differ."""
+    alike = len({orbit.model for orbit in orbits}) == 1
+    names = dict.fromkeys(name for orbit in orbits if alike for name in orbit.params)
     differing = [n for n in names if len({orbit.params.get(n) for orbit in orbits}) > 1]
     out = []
     for orbit in orbits:
-        kind = f"group {orbit.group}" if orbit.group else orbit.model.name
-        words = [f"{kind}, {orbit.stability}"]
+        group = f"group {orbit.group}, " if orbit.group else ""
+        words = [textwrap.fill(orbit.model.title, TITLE_WIDTH)]
+        words += [f"{group}{orbit.stability}"]
         shown = differing or [n for n in orbit.params if n in ("k", "alpha", "omega")]
-        words += [", ".join(f"{n} = {orbit.params[n]:g}" for n in shown if n in orbit.params)]
+        values = ", ".join(f"{n} = {orbit.params[n]:g}" for n in shown)
+        words += [
+            textwrap.fill(textwrap.shorten(values, 2 * TITLE_WIDTH - 8, placeholder=" ..."), TITLE_WIDTH)
+        ]
         out.append("\n".join(word for word in words if word))
     return out

@@ -12,8 +12,6 @@ from PIL import Image
 from stridemap.views import style, walker
 from stridemap.views.scene import Scene
 
-VIEW = (-0.75, 0.75, -0.16, 1.34)
-"""A square: left, right, bottom and top of a panel, in heights of the walker."""
 FORCE = 0.3
 """Length of the arrow for a force that equals the weight, in heights of the walker."""
 HATCHES = 3
@@ -69,13 +67,14 @@ def _frame(
 
 def draw_frame(axes: Axes, of: Scene, step: int, i: int) -> None:
     """Draw sample `i` of a scene in its step number `step`; in odd steps the right leg is the stance leg."""
-    left, right, bottom, top = VIEW
+    left, right, bottom, top = of.view
     middle = of.middle[i]
-    axes.set(xlim=(middle + left, middle + right), ylim=(bottom, top))
+    level = of.rise / of.step * middle if of.rise else 0.0
+    axes.set(xlim=(middle + left, middle + right), ylim=(level + bottom, level + top))
     axes.set_aspect("equal")
     axes.axis("off")
     reach = 0.2 + right - left  # more than is seen
-    walker.draw_ground(axes, middle - reach, middle + reach, of.step / HATCHES)
+    walker.draw_ground(axes, middle - reach, middle + reach, of.step / HATCHES, of.step, of.rise)
     stance, swing = (walker.LEFT, walker.RIGHT) if step % 2 == 0 else (walker.RIGHT, walker.LEFT)
     _draw_prints(axes, of, stance, swing)
     hip = None
@@ -90,6 +89,9 @@ def draw_frame(axes: Axes, of: Scene, step: int, i: int) -> None:
             hip = swing_leg[0]
         else:
             axes.plot(*points.T, color=style.DARK, linewidth=2, zorder=2)
+    if of.radius > 0:
+        for foot, colour, up in zip(of.feet, (stance, swing), _leg_directions(of, i), strict=True):
+            walker.draw_arc(axes, foot[i], of.radius, up, colour)
     colours = walker.mass_colours(of.bodies, of.positions[i], hip, stance, swing)
     walker.draw_masses(axes, [mass.name for mass in of.bodies], of.positions[i], of.masses, colours)
     arrow = {"arrowstyle": "-|>,head_width=0.25,head_length=0.5", "color": style.GREEN, "linewidth": 1.5}
@@ -100,11 +102,25 @@ def draw_frame(axes: Axes, of: Scene, step: int, i: int) -> None:
     axes.plot(of.zmp[i], -0.035, "^", color=style.VERMILION, markersize=6, mew=0, zorder=6)
 
 
+def _leg_directions(of: Scene, i: int) -> tuple[np.ndarray, np.ndarray]:
+    """From each foot towards where the legs meet; towards the centre of mass where no line says where."""
+    legs = [of.lines[line.name][i] for line in of.drawn_lines if line.role == "legs"]
+    mass = of.masses @ of.positions[i] / of.masses.sum()
+    hip = walker.leg_points(legs[0])[1][0] if legs else mass
+    return hip - of.feet[0][i], hip - of.feet[1][i]
+
+
 def _draw_prints(axes: Axes, of: Scene, stance: str, swing: str) -> None:
     """Earlier footholds, in the colours of their legs."""
     for back in range(1, int(np.ceil(1 / of.step)) + 1):
         axes.plot(
-            -back * of.step, 0, "_", color=stance if back % 2 == 0 else swing, markersize=7, mew=2, zorder=1
+            -back * of.step,
+            -back * of.rise,
+            "_",
+            color=stance if back % 2 == 0 else swing,
+            markersize=7,
+            mew=2,
+            zorder=1,
         )
 
 

@@ -113,4 +113,4 @@ def _grid(rows: int, columns: int, title: str) -> "tuple[Figure, np.ndarray[Any,
 def _title(orbit: Orbit) -> str:
     """Model, group and stability."""
     group = f", group {orbit.group}" if orbit.group else ""
-    return f"{orbit.model.name}{group}, {orbit.stability}"
+    return f"{orbit.model.title}{group}, {orbit.stability}"

@@ -12,6 +12,13 @@ from stridemap.spec import Line, Mass
 
 Array = NDArray[np.float64]
 
+VIEW = (-0.75, 0.75, -0.16, 1.34)
+"""The smallest square that is shown: left, right, bottom and top of a panel, in heights of the walker."""
+MARGIN, TITLE = 0.1, 0.34
+"""Around what is shown, for the discs, and above it, for the title."""
+LEVEL = 1e-9
+"""A rise of the ground per step that is smaller is rounding."""
+
 
 @dataclass(frozen=True)
 class Scene:
@@ -36,6 +43,14 @@ class Scene:
         From one contact point to the next.
     middle : ndarray, shape (n + 1,)
         Horizontal position that the view is centred on; it moves evenly, by one step length per step.
+    radius : float
+        Of round feet; 0 for point feet.
+    rise : float
+        By how much the next foothold is higher than this one: the walker climbs stairs.
+    feet : (ndarray, ndarray), shape (n + 1, 2) each
+        Stance foot and swing foot; the centres of their arcs where they are round.
+    view : (float, float, float, float)
+        Left, right, bottom and top of the picture, against the middle and the level of the ground there.
     """
 
     seen: Motion
@@ -47,6 +62,10 @@ class Scene:
     zmp: Array
     step: float
     middle: Array
+    radius: float
+    rise: float
+    feet: tuple[Array, Array]
+    view: tuple[float, float, float, float]
 
     @property
     def bodies(self) -> tuple[Mass, ...]:
@@ -79,23 +98,44 @@ def scene(orbit: Orbit, frames: int, magnify: float = 1.0) -> Scene:
     positions, lines = seen.positions, seen.lines
     if magnify != 1:
         positions, lines = _magnified(seen, orbit, magnify)
-    model = seen.model
+    model, p = seen.model, seen.model.point(orbit.params)
     height = max(float(points[..., 1].max()) for points in (positions, *lines.values()))
-    load = model.evaluate("total_mass", p=model.point(orbit.params))
+    load = model.evaluate("total_mass", p=p)
+    stance = model.evaluate("stance_foot", q=seen.q, p=p)["stance"] / height
+    swing = model.evaluate("swing_foot", q=seen.q, v=seen.v, p=p)["foot"] / height
     # The zero moment point is where the line of the ground force through the centre of mass meets the ground.
     zmp = seen.com[:, 0] - seen.force[:, 0] / seen.force[:, 1] * seen.com[:, 1]
-    step = orbit.step_length / height
+    step, rise = orbit.step_length / height, float(swing[-1, 1] - stance[0, 1])
+    if abs(rise) < LEVEL:
+        rise = 0.0
+    middle = step * (np.linspace(0, 1, frames + 1) - 0.5)
+    scaled = {name: points / height for name, points in lines.items()}
+    shown = np.concatenate(
+        [points.reshape(frames + 1, -1, 2) for points in (positions / height, *scaled.values())], 1
+    )
     return Scene(
         seen,
         positions / height,
-        {name: points / height for name, points in lines.items()},
+        scaled,
         seen.masses / load["mass"],
         seen.force / load["weight"],
         (zmp + seen.d) / height,
         zmp / height,
         step,
-        step * (np.linspace(0, 1, frames + 1) - 0.5),
+        middle,
+        float(stance[0, 1]),
+        rise,
+        (stance, swing),
+        _view(shown, middle, rise / step * middle if step else 0 * middle),
     )
+
+
+def _view(shown: Array, middle: Array, level: Array) -> tuple[float, float, float, float]:
+    """A square around everything that is shown, which moves along with the walker; at least `VIEW`."""
+    x, y = shown[..., 0] - middle[:, None], shown[..., 1] - level[:, None]
+    left, right, bottom, _ = VIEW
+    side = max(right - left, 2 * (float(np.abs(x).max()) + MARGIN), float(y.max()) + TITLE - bottom)
+    return -side / 2, side / 2, bottom, bottom + side
 
 
 def _magnified(seen: Motion, orbit: Orbit, magnify: float) -> tuple[Array, dict[str, Array]]:

@@ -18,6 +18,8 @@ RADIUS = 0.095
 LEFT, RIGHT = style.DARK, style.SKY
 HIP, WOBBLING, BODY = style.DARK, style.VERMILION, style.PURPLE
 COILS = 5
+ARC = 0.6
+"""Half the angle of a round foot's arc."""
 
 
 def draw_leg(axes: Axes, points: Array, colour: str) -> None:
@@ -79,11 +81,29 @@ def draw_spring(axes: Axes, points: Array, width: float = 0.03, **line: Any) -> 
     axes.plot(*spring_line(points, width).T, **look)
 
 
-def draw_ground(axes: Axes, left: float, right: float, spacing: float) -> None:
-    """The ground through the origin with hatches at multiples of `spacing`."""
-    axes.plot([left, right], [0, 0], color=style.BLACK, linewidth=1, zorder=1)
+def draw_arc(axes: Axes, centre: Array, radius: float, up: Array, colour: str) -> None:
+    """A round foot: the arc at the end of a leg that leads from its centre into the direction `up`."""
+    angle = float(np.arctan2(-up[1], -up[0]))
+    along = angle + np.linspace(-ARC, ARC, 41)
+    points = centre + radius * np.column_stack([np.cos(along), np.sin(along)])
+    axes.plot(*points.T, color=colour, linewidth=3, solid_capstyle="round", zorder=2, gid="foot")
+    spoke = centre + np.outer([0.0, radius], -up / np.hypot(*up))
+    axes.plot(*spoke.T, color=colour, linewidth=3, solid_capstyle="round", zorder=2)
+
+
+def draw_ground(
+    axes: Axes, left: float, right: float, spacing: float, step: float = 1.0, rise: float = 0.0
+) -> None:
+    """The ground through the origin with hatches at multiples of `spacing`; stairs where each step rises."""
+    if rise:
+        stairs = np.arange(np.floor(left / step) - 1, np.ceil(right / step) + 2)
+        x = np.column_stack([step * (stairs - 0.5), step * (stairs + 0.5)]).ravel()
+        axes.plot(x, np.repeat(rise * stairs, 2), color=style.BLACK, linewidth=1, zorder=1, gid="stairs")
+    else:
+        axes.plot([left, right], [0, 0], color=style.BLACK, linewidth=1, zorder=1)
     at = spacing * np.arange(np.ceil(left / spacing), np.floor(right / spacing) + 1)
+    level = rise * np.floor(at / step + 0.5)
     ends = np.full_like(at, np.nan)
     x = np.column_stack([at, at - 0.03, ends]).ravel()
-    y = np.column_stack([0 * at, 0 * at - 0.04, ends]).ravel()
+    y = np.column_stack([level, level - 0.04, ends]).ravel()
     axes.plot(x, y, color=style.GREY, linewidth=0.8, zorder=1)

@@ -17,7 +17,7 @@ from matplotlib.figure import Figure
 from PIL import Image
 
 from stridemap.views import walker
-from stridemap.views.animation import choose
+from stridemap.views.animation import _titles, choose
 from stridemap.views.film import draw_frame
 from stridemap.views.scene import scene
 
@@ -73,6 +73,89 @@ def test_any_model(model, tmp_path):
     path = stridemap.animate(orbit, tmp_path / "walk.gif", fps=5, size=80)
     with Image.open(path) as film:
         assert film.n_frames == 12
+
+
+def everything(axes):
+    """Corners of all lines and discs of a walker; the ground has no end, the zero moment point runs away."""
+    walker_s = [line for line in axes.lines if line.get_zorder() >= 2 and line.get_marker() != "^"]
+    points = [line.get_xydata() for line in walker_s]
+    for disc in (patch for patch in axes.patches if patch.get_gid()):
+        centre, radius = np.array(disc.get_center()), disc.get_radius()
+        points.append([centre - radius, centre + radius])
+    return np.concatenate(points)
+
+
+@pytest.mark.parametrize(
+    ("model", "params"),
+    [
+        ("rimless_wheel", {}),
+        ("rimless_wheel", {"spokes": 5, "slope": 0.4}),
+        ("round_feet", {}),
+        ("compass", {}),
+    ],
+)
+def test_nothing_leaves_the_picture(model, params):
+    for orbit in stridemap.find_orbits(model, params):
+        shown = scene(orbit, 12)
+        for i in range(12):
+            axes = Figure().add_subplot()
+            draw_frame(axes, shown, i % 2, i)
+            seen = everything(axes)
+            (left, right), (bottom, top) = axes.get_xlim(), axes.get_ylim()
+            assert (seen[:, 0] > left).all()
+            assert (seen[:, 0] < right).all()
+            assert (seen[:, 1] > bottom).all()
+            assert (seen[:, 1] < top).all()
+            assert right - left == pytest.approx(top - bottom)
+
+
+def feet_of(axes):
+    return [line.get_xydata() for line in axes.lines if line.get_gid() == "foot"]
+
+
+def test_round_feet_are_arcs_on_the_ground():
+    """Each foot is an arc about its centre; the stance foot's lowest point is on the ground all the time."""
+    for orbit in stridemap.find_orbits("round_feet"):
+        shown = scene(orbit, 10)
+        assert shown.rise == 0
+        for i in range(10):
+            axes = Figure().add_subplot()
+            draw_frame(axes, shown, 0, i)
+            stance, swing = feet_of(axes)
+            assert stance[:, 1].min() == pytest.approx(0, abs=2e-3 * shown.radius)
+            for foot, points in zip(shown.feet, (stance, swing), strict=True):
+                distance = np.hypot(*(points - foot[i]).T)
+                assert distance == pytest.approx(np.full(len(points), shown.radius))
+    axes = Figure().add_subplot()
+    draw_frame(axes, scene(stridemap.find_orbits("compass")[0], 4), 0, 1)
+    assert feet_of(axes) == []
+
+
+def test_stairs_are_drawn_where_the_ground_rises(orbits):
+    shown = replace(scene(orbits[1], 10), rise=0.05)
+    for i in range(10):
+        axes = Figure().add_subplot()
+        draw_frame(axes, shown, 0, i)
+        (stairs,) = [line.get_xydata() for line in axes.lines if line.get_gid() == "stairs"]
+        height = dict(zip(np.round(stairs[:, 0].reshape(-1, 2).mean(axis=1) / shown.step).astype(int),
+                          stairs[::2, 1], strict=True))  # fmt: skip
+        for foothold in (-1, 0, 1):
+            assert height[foothold] == pytest.approx(foothold * 0.05, abs=1e-12)
+        # The view goes up with the walker.
+        assert np.mean(axes.get_ylim()) == pytest.approx(
+            np.mean([shown.view[2], shown.view[3]]) + 0.05 * shown.middle[i] / shown.step
+        )
+    flat = scene(orbits[1], 10)
+    assert (flat.rise, flat.radius) == (0.0, 0.0)
+
+
+def test_titles_are_the_models_titles(orbits):
+    assert _titles(orbits[:1])[0].replace("\n", " ").startswith(orbits[0].model.title)
+    (wheel, *_) = stridemap.find_orbits("rimless_wheel")
+    assert _titles([wheel]) == ["Rimless wheel\nstable"]
+    for words in _titles([*orbits, wheel]):
+        assert max(len(line) for line in words.split("\n")) <= 40
+    assert wheel.plot().get_suptitle() == "Rimless wheel, stable"
 
 
 def drawn(shown):
