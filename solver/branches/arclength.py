@@ -163,6 +163,25 @@ def follow(
     return points, EndReason.STEPS
 
 
+def both_ways(
+    curve: Curve, start: CurvePoint, window: Window, options: ArclengthOptions
+) -> tuple[list[CurvePoint], tuple[EndReason, EndReason]]:
+    """Follow a curve from a point in both directions: see `follow`.
+
+    Returns
+    -------
+    points : list of CurvePoint
+        From one end to the other, in the direction of the start's tangent.
+    reasons : (EndReason, EndReason)
+        Why it ends at the first and at the last point.
+    """
+    ahead, last = follow(curve, start, window, options)
+    if last == EndReason.CLOSED:
+        return ahead, (last, last)
+    behind, first = follow(curve, start.reversed(), window, options)
+    return [point.reversed() for point in behind[:0:-1]] + ahead, (first, last)
+
+
 def _strays(curve: Curve, here: CurvePoint, there: CurvePoint, ds: float) -> bool:
     """Whether the corrections led far from where the tangent pointed, perhaps onto another curve."""
     return curve.norm(there.x - here.x - ds * here.tangent) > MAX_CORRECTION * ds

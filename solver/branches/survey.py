@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from stridemap.solver.branches.arclength import CurvePoint, EndReason, Window, at_value, follow
+from stridemap.solver.branches.arclength import CurvePoint, EndReason, Window, at_value, both_ways, follow
 from stridemap.solver.branches.conditions import GaitConditions, GaitEnd
 from stridemap.solver.branches.curve import Curve
 from stridemap.solver.branches.ends import End, conditions_along, gait_ends
@@ -150,12 +150,8 @@ class Survey:
     def _both_ways(self, curve: Curve, start: CurvePoint, number: int) -> Branch:
         """The whole branch through a point."""
         self.progress(f"following branch {number} from {self.parameter} = {start.x[-1]:.6g}")
-        ahead, last = follow(curve, start, self.window, self.options)
-        if last == EndReason.CLOSED:
-            return self._measured(curve, ahead, (last, last), None)
-        behind, first = follow(curve, start.reversed(), self.window, self.options)
-        points = [point.reversed() for point in behind[:0:-1]] + ahead
-        return self._measured(curve, points, (first, last), None)
+        points, reasons = both_ways(curve, start, self.window, self.options)
+        return self._measured(curve, points, reasons, None)
 
     def _measured(
         self,

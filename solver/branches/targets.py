@@ -21,12 +21,14 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import brentq, minimize_scalar
 
+from stridemap.solver.branches.arclength import Window, at_value, both_ways
+from stridemap.solver.branches.curve import Curve
 from stridemap.solver.branches.lines import values_of
-from stridemap.solver.branches.tracing import Line, traced
+from stridemap.solver.cycles.chain import Chain
 from stridemap.solver.cycles.orbits import Orbits
 from stridemap.solver.cycles.search import find_all, merged
 from stridemap.solver.cycles.solver import Solver
-from stridemap.solver.options import SearchOptions
+from stridemap.solver.options import ArclengthOptions, SearchOptions
 
 Array = NDArray[np.float64]
 
@@ -34,6 +36,8 @@ SAME = 1e-5
 """Largest difference, in terms of the scale, of two solutions that are one cycle."""
 ACCEPTED = 1e-11
 """Largest difference from the wanted value, in terms of the values around it: what is larger is a jump."""
+CORRECTIONS = 20
+"""Newton's corrections at one point; a few suffice, and more than this means that there is no such point."""
 NEAR = 0.5
 """A turning point is looked at where the parabola through three cycles leads so much nearer to the value."""
 
@@ -73,6 +77,35 @@ class Target:
         return np.asarray(orbits.measures[self.quantity], dtype=np.float64)
 
 
+@dataclass(frozen=True)
+class Line:
+    """A line of parameter space along which one parameter varies.
+
+    Parameters
+    ----------
+    solver : Solver
+    curve : Curve
+    window : Window
+    """
+
+    solver: Solver
+    curve: Curve
+    window: Window
+
+    def params(self, values: Array) -> Array:
+        """Parameter points at values of the parameter, shape (n, n_params)."""
+        return np.array([self.curve.point(value) for value in values]).reshape(len(values), -1)
+
+    def traced(self, u: Array, value: float) -> Array:
+        """The branch through a limit cycle, from one end to the other, shape (n, nz + 2)."""
+        x = np.append(u, value)
+        start = at_value(self.curve, x, value, np.eye(len(x))[-1], CORRECTIONS)
+        if start is None:
+            return x[None, :]
+        points, _ = both_ways(self.curve, start, self.window, ArclengthOptions())
+        return np.array([point.x for point in points])
+
+
 def hits(
     solver: Solver, point: Array, target: Target, values: Array, options: SearchOptions
 ) -> tuple[Orbits, Orbits]:
@@ -89,11 +122,12 @@ def hits(
     options : SearchOptions
     """
     period_range = options.resolved_for(solver.model).period_range
-    line = Line(solver, point, target.parameter, target.low, target.high, period_range)
+    curve = Curve(Chain(solver.kernels), point, target.parameter, target.high - target.low)
+    line = Line(solver, curve, Window(target.low, target.high, *period_range))
     _, seeds = find_all(solver, line.params(values), options)
     left, parts, branches = seeds, [seeds], []
     while len(left):
-        x = traced(line, left.u[0], values_of(left, target.parameter)[0])
+        x = line.traced(left.u[0], values_of(left, target.parameter)[0])
         branch = solver.converge(x[:, :-1], line.params(x[:, -1]), period_range)
         branches.append(branch)
         parts.append(branch.take(branch.found))
@@ -108,7 +142,7 @@ def hits(
 
 def _elsewhere(line: Line, x: Array, cycles: Orbits) -> NDArray[np.bool_]:
     """Which cycles are not on a branch that was traced; the first is what it was traced from."""
-    values = values_of(cycles, line.parameter)
+    values = values_of(cycles, line.curve.parameter)
     ends = np.sort(np.stack([x[:-1, -1], x[1:, -1]]), axis=0)
     cycle, piece = np.nonzero((values[:, None] >= ends[0]) & (values[:, None] <= ends[1]))
     elsewhere = np.ones(len(cycles), dtype=bool)
@@ -119,7 +153,7 @@ def _elsewhere(line: Line, x: Array, cycles: Orbits) -> NDArray[np.bool_]:
         guesses = x[piece, :-1] + part[:, None] * (x[piece + 1, :-1] - x[piece, :-1])
         u, closed = line.solver.search(guesses, cycles.params[cycle])
         with np.errstate(invalid="ignore"):
-            same = closed & (np.abs((u - cycles.u[cycle]) / line.scale[:-1]).max(axis=1) < SAME)
+            same = closed & (np.abs((u - cycles.u[cycle]) / line.curve.scale[:-1]).max(axis=1) < SAME)
         elsewhere[cycle[same]] = False
     return elsewhere
 
@@ -156,7 +190,7 @@ class _Chord:
     def __init__(self, line: Line, ends: Orbits, target: Target) -> None:
         self.line, self.ends, self.target = line, ends, target
         self.x = np.column_stack([ends.u, values_of(ends, target.parameter)])
-        self.n_rk = max(line.n_rk(x) for x in self.x)
+        self.n_rk = max(line.curve.n_rk(x) for x in self.x)
         self._known: dict[float, tuple[float, Orbits]] = {}
 
     def root(self, left: float, right: float) -> Iterator[Orbits]:
@@ -200,11 +234,12 @@ class _Chord:
     def _cycle(self, s: float) -> Orbits:
         """The limit cycle at a fraction of the chord, converged and measured."""
         chord = self.x[1] - self.x[0]
-        x = self.line.corrected(self.n_rk, self.x[0] + s * chord, chord / self.line.scale**2)
-        if x is None:
+        found = self.line.curve.corrected(self.x[0] + s * chord, chord, self.n_rk, CORRECTIONS)
+        if not found.converged:
             raise _LostError
-        params = self.line.params(x[-1:])
-        orbit = self.line.solver.converge(x[None, :-1], params, self.line.period_range)
+        window, x = self.line.window, found.x
+        period_range = window.shortest, window.longest
+        orbit = self.line.solver.converge(x[None, :-1], self.line.params(x[-1:]), period_range)
         if not orbit.found[0]:
             raise _LostError
         return orbit
