@@ -1,5 +1,5 @@
 /* Compass walker: kernels of the solver
- * Printed by CasADi 3.8.2 from equations 36747b0f6d042f15.
+ * Printed by CasADi 3.8.2 from equations d5f5970dec1f1381.
  * Do not edit: run `make derive`.
  * SPDX-License-Identifier: BSD-3-Clause
  */
@@ -24,12 +24,17 @@
 
 /* Add prefix to internal symbols */
 #define casadi_axpy CASADI_PREFIX(axpy)
+#define casadi_c0 CASADI_PREFIX(c0)
+#define casadi_c1 CASADI_PREFIX(c1)
 #define casadi_clear CASADI_PREFIX(clear)
 #define casadi_copy CASADI_PREFIX(copy)
 #define casadi_dot CASADI_PREFIX(dot)
 #define casadi_f0 CASADI_PREFIX(f0)
 #define casadi_f1 CASADI_PREFIX(f1)
 #define casadi_f10 CASADI_PREFIX(f10)
+#define casadi_f100 CASADI_PREFIX(f100)
+#define casadi_f101 CASADI_PREFIX(f101)
+#define casadi_f102 CASADI_PREFIX(f102)
 #define casadi_f11 CASADI_PREFIX(f11)
 #define casadi_f12 CASADI_PREFIX(f12)
 #define casadi_f13 CASADI_PREFIX(f13)
@@ -100,8 +105,33 @@
 #define casadi_f72 CASADI_PREFIX(f72)
 #define casadi_f73 CASADI_PREFIX(f73)
 #define casadi_f74 CASADI_PREFIX(f74)
+#define casadi_f75 CASADI_PREFIX(f75)
+#define casadi_f76 CASADI_PREFIX(f76)
+#define casadi_f77 CASADI_PREFIX(f77)
+#define casadi_f78 CASADI_PREFIX(f78)
+#define casadi_f79 CASADI_PREFIX(f79)
 #define casadi_f8 CASADI_PREFIX(f8)
+#define casadi_f80 CASADI_PREFIX(f80)
+#define casadi_f81 CASADI_PREFIX(f81)
+#define casadi_f82 CASADI_PREFIX(f82)
+#define casadi_f83 CASADI_PREFIX(f83)
+#define casadi_f84 CASADI_PREFIX(f84)
+#define casadi_f85 CASADI_PREFIX(f85)
+#define casadi_f86 CASADI_PREFIX(f86)
+#define casadi_f87 CASADI_PREFIX(f87)
+#define casadi_f88 CASADI_PREFIX(f88)
+#define casadi_f89 CASADI_PREFIX(f89)
 #define casadi_f9 CASADI_PREFIX(f9)
+#define casadi_f90 CASADI_PREFIX(f90)
+#define casadi_f91 CASADI_PREFIX(f91)
+#define casadi_f92 CASADI_PREFIX(f92)
+#define casadi_f93 CASADI_PREFIX(f93)
+#define casadi_f94 CASADI_PREFIX(f94)
+#define casadi_f95 CASADI_PREFIX(f95)
+#define casadi_f96 CASADI_PREFIX(f96)
+#define casadi_f97 CASADI_PREFIX(f97)
+#define casadi_f98 CASADI_PREFIX(f98)
+#define casadi_f99 CASADI_PREFIX(f99)
 #define casadi_fabs CASADI_PREFIX(fabs)
 #define casadi_fmax CASADI_PREFIX(fmax)
 #define casadi_house CASADI_PREFIX(house)
@@ -136,6 +166,8 @@
 #define casadi_s25 CASADI_PREFIX(s25)
 #define casadi_s26 CASADI_PREFIX(s26)
 #define casadi_s27 CASADI_PREFIX(s27)
+#define casadi_s28 CASADI_PREFIX(s28)
+#define casadi_s29 CASADI_PREFIX(s29)
 #define casadi_s3 CASADI_PREFIX(s3)
 #define casadi_s4 CASADI_PREFIX(s4)
 #define casadi_s5 CASADI_PREFIX(s5)
@@ -466,12 +498,19 @@ static const casadi_int casadi_s24[3] = {9, 769, 1};
 static const casadi_int casadi_s25[3] = {1, 1, 1};
 static const casadi_int casadi_s26[3] = {5, 1, 1};
 static const casadi_int casadi_s27[3] = {9, 1, 1};
+static const casadi_int casadi_s28[3] = {5, 12, 1};
+static const casadi_int casadi_s29[3] = {9, 12, 1};
+
+static const casadi_real casadi_c0[16] = 
+  {1., 1., 1., 5.0000000000000000e-01, 1., 1., 1., 5.0000000000000000e-01,
+  1., 1., 1., 5.0000000000000000e-01, 1., 1., 1., 5.0000000000000000e-01};
+static const casadi_real casadi_c1[4] = {1., 1., 1., 2.};
 
 static const casadi_real casadi_zeros[24] = 
   {0.};
 
 /* start:(z[3],p[6])->(y[4],dy_dz[4x3]) */
-static int casadi_f3(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1;
   a0=arg[0]? arg[0][0] : 0;
   if (res[0]!=0) res[0][0]=a0;
@@ -500,7 +539,7 @@ static int casadi_f3(const casadi_real** arg, casadi_real** res, casadi_int* iw,
 }
 
 /* turns:(h,p[6])->(turns[2x12]) */
-static int casadi_f4(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f6(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2, a3;
   a0=1.;
   if (res[0]!=0) res[0][0]=a0;
@@ -587,7 +626,7 @@ static int casadi_f4(const casadi_real** arg, casadi_real** res, casadi_int* iw,
 }
 
 /* phase:(t,p[6])->(phase[2]) */
-static int casadi_f6(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f8(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1;
   a0=arg[1]? arg[1][0] : 0;
   a1=arg[0]? arg[0][0] : 0;
@@ -600,7 +639,7 @@ static int casadi_f6(const casadi_real** arg, casadi_real** res, casadi_int* iw,
 }
 
 /* variational_step:(y[4x4],phase[2],turns[2x12],h,p[6])->(y_end[4x4]) */
-static int casadi_f7(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f9(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a000, a001, a002, a003, a004, a005, a006, a007, a008, a009, a010, a011;
   casadi_real a012, a013, a014, a015, a016, a017, a018, a019, a020, a021, a022, a023;
   casadi_real a024, a025, a026, a027, a028, a029, a030, a031, a032, a033, a034, a035;
@@ -4542,7 +4581,7 @@ static int casadi_f7(const casadi_real** arg, casadi_real** res, casadi_int* iw,
 }
 
 /* variational_steps:(y[4x4],t,turns[2x12],h,p[6])->(y_end[4x4]) */
-static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f7(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *w0=w+227, w1, *w2=w+243, *w3=w+249, w5, *w6=w+251, w7;
   const casadi_real **arg1=arg+5, *wr0, *wr4;
   /* #0: @0 = input[0][0] */
@@ -4555,7 +4594,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w1);
   arg1[1]=w2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = input[2][0] */
   wr4 = arg[2] ? arg[2] : casadi_zeros;
   /* #5: @5 = input[3][0] */
@@ -4567,14 +4606,14 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=w2;
   res1[0]=w6;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
   /* #7: @7 = (@1+@5) */
   w7  = (w1+w5);
   /* #8: @3 = phase(@7, @2) */
   arg1[0]=(&w7);
   arg1[1]=w2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #9: @0 = variational_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -4582,7 +4621,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
   /* #10: @7 = (2.*@5) */
   w7 = (2.* w5 );
   /* #11: @7 = (@1+@7) */
@@ -4591,7 +4630,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w7);
   arg1[1]=w2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #13: @6 = variational_step(@0, @3, @4, @5, @2) */
   arg1[0]=w0;
   arg1[1]=w3;
@@ -4599,7 +4638,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=w2;
   res1[0]=w6;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
   /* #14: @7 = 3 */
   w7 = 3.;
   /* #15: @7 = (@7*@5) */
@@ -4610,7 +4649,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w7);
   arg1[1]=w2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #18: @0 = variational_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -4618,7 +4657,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
   /* #19: @7 = 4 */
   w7 = 4.;
   /* #20: @7 = (@7*@5) */
@@ -4629,7 +4668,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w7);
   arg1[1]=w2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #23: @6 = variational_step(@0, @3, @4, @5, @2) */
   arg1[0]=w0;
   arg1[1]=w3;
@@ -4637,7 +4676,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=w2;
   res1[0]=w6;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
   /* #24: @7 = 5 */
   w7 = 5.;
   /* #25: @7 = (@7*@5) */
@@ -4648,7 +4687,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w7);
   arg1[1]=w2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #28: @0 = variational_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -4656,7 +4695,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
   /* #29: @7 = 6 */
   w7 = 6.;
   /* #30: @7 = (@7*@5) */
@@ -4667,7 +4706,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w7);
   arg1[1]=w2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #33: @6 = variational_step(@0, @3, @4, @5, @2) */
   arg1[0]=w0;
   arg1[1]=w3;
@@ -4675,7 +4714,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=w2;
   res1[0]=w6;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
   /* #34: @7 = 7 */
   w7 = 7.;
   /* #35: @7 = (@7*@5) */
@@ -4686,7 +4725,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w7);
   arg1[1]=w2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #38: @0 = variational_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -4694,7 +4733,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
   /* #39: @7 = 8 */
   w7 = 8.;
   /* #40: @7 = (@7*@5) */
@@ -4705,7 +4744,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w7);
   arg1[1]=w2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #43: @6 = variational_step(@0, @3, @4, @5, @2) */
   arg1[0]=w0;
   arg1[1]=w3;
@@ -4713,7 +4752,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=w2;
   res1[0]=w6;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
   /* #44: @7 = 9 */
   w7 = 9.;
   /* #45: @7 = (@7*@5) */
@@ -4724,7 +4763,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w7);
   arg1[1]=w2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #48: @0 = variational_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -4732,7 +4771,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
   /* #49: @7 = 10 */
   w7 = 10.;
   /* #50: @7 = (@7*@5) */
@@ -4743,7 +4782,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w7);
   arg1[1]=w2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #53: @6 = variational_step(@0, @3, @4, @5, @2) */
   arg1[0]=w0;
   arg1[1]=w3;
@@ -4751,7 +4790,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=w2;
   res1[0]=w6;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
   /* #54: @7 = 11 */
   w7 = 11.;
   /* #55: @7 = (@7*@5) */
@@ -4762,7 +4801,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w1);
   arg1[1]=w2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #58: @0 = variational_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -4770,14 +4809,14 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
   /* #59: output[0][0] = @0 */
   casadi_copy(w0, 16, res[0]);
   return 0;
 }
 
 /* landing_with_derivative:(y[4x4],z[3],T,p[6])->(J[4x4],R[4]) */
-static int casadi_f8(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   a00=arg[0]? arg[0][4] : 0;
@@ -4957,7 +4996,7 @@ static int casadi_f8(const casadi_real** arg, casadi_real** res, casadi_int* iw,
 }
 
 /* compass_jacobian_12:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f2(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f4(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+307, *w04=w+311, *w05=w+323, w06, w07, w08, *w09=w+339;
   casadi_real *w10=w+363;
@@ -4973,7 +5012,7 @@ static int casadi_f2(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[1]=w02;
   res1[0]=w03;
   res1[1]=w04;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @5 = horzcat(@3, @4) */
   rr=w05;
   for (i=0, cs=w03; i<4; ++i) *rr++ = *cs++;
@@ -4990,7 +5029,7 @@ static int casadi_f2(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w08);
   arg1[1]=w02;
   res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
   arg1[0]=w05;
   arg1[1]=(&w06);
@@ -4998,7 +5037,7 @@ static int casadi_f2(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #11: {@5, @0} = landing_with_derivative(@10, @1, @7, @2) */
   arg1[0]=w10;
   arg1[1]=w01;
@@ -5006,7 +5045,7 @@ static int casadi_f2(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=w02;
   res1[0]=w05;
   res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @5 */
   casadi_copy(w05, 16, res[0]);
   /* #13: output[1][0] = @0 */
@@ -5014,8 +5053,42 @@ static int casadi_f2(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   return 0;
 }
 
+/* scaled_jacobian_12:(u[4],p[6])->(J[4x4],R[4]) */
+static int casadi_f3(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_int i;
+  casadi_real **res1=res+2, *rr, *w0=w+382, *w1=w+398, *w2=w+402, *w3=w+408, *w4=w+424;
+  const casadi_real **arg1=arg+2, *cr, *cs, *wr0;
+  /* #0: @0 = 
+  [[1, 1, 1, 1], 
+   [1, 1, 1, 1], 
+   [1, 1, 1, 1], 
+   [0.5, 0.5, 0.5, 0.5]] */
+  wr0 = casadi_c0;
+  /* #1: @1 = input[0][0] */
+  casadi_copy(arg[0], 4, w1);
+  /* #2: @2 = input[1][0] */
+  casadi_copy(arg[1], 6, w2);
+  /* #3: {@3, @4} = compass_jacobian_12(@1, @2) */
+  arg1[0]=w1;
+  arg1[1]=w2;
+  res1[0]=w3;
+  res1[1]=w4;
+  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  /* #4: @0 = (@0*@3) */
+  for (i=0, rr=w0, cr=wr0, cs=w3; i<16; ++i) (*rr++)  = ((*cr++)*(*cs++));
+  /* #5: output[0][0] = @0 */
+  casadi_copy(w0, 16, res[0]);
+  /* #6: @1 = [1, 1, 1, 2] */
+  casadi_copy(casadi_c1, 4, w1);
+  /* #7: @4 = (@4/@1) */
+  for (i=0, rr=w4, cs=w1; i<4; ++i) (*rr++) /= (*cs++);
+  /* #8: output[1][0] = @4 */
+  casadi_copy(w4, 4, res[1]);
+  return 0;
+}
+
 /* newton_12:(u0[4],p[6])->(u[4]) */
-static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f2(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 4;
@@ -5041,7 +5114,7 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f2(arg+2, res+1, iw, w+56, 0)) return 1;
+    if (casadi_f3(arg+2, res+1, iw, w+56, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -5049,8 +5122,26 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   return 0;
 }
 
+/* scaled_newton_12:(i0[4],i1[6])->(o0[4]) */
+static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *w0=w+492, *w1=w+496, *w2=w+502;
+  const casadi_real **arg1=arg+2;
+  /* #0: @0 = input[0][0] */
+  casadi_copy(arg[0], 4, w0);
+  /* #1: @1 = input[1][0] */
+  casadi_copy(arg[1], 6, w1);
+  /* #2: @2 = newton_12(@0, @1) */
+  arg1[0]=w0;
+  arg1[1]=w1;
+  res1[0]=w2;
+  if (casadi_f2(arg1, res1, iw, w, 0)) return 1;
+  /* #3: output[0][0] = @2 */
+  casadi_copy(w2, 4, res[0]);
+  return 0;
+}
+
 /* plain_step:(y[4],phase[2],turns[2x12],h,p[6])->(y_end[4]) */
-static int casadi_f11(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f13(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
@@ -6278,7 +6369,7 @@ static int casadi_f11(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* plain_steps:(y[4],t,turns[2x12],h,p[6])->(y_end[4]) */
-static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f12(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *w0=w+75, w1, *w2=w+79, *w3=w+85, w5, *w6=w+87, w7;
   const casadi_real **arg1=arg+5, *wr4;
   /* #0: @0 = input[0][0] */
@@ -6291,7 +6382,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w1);
   arg1[1]=w2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = input[2][0] */
   wr4 = arg[2] ? arg[2] : casadi_zeros;
   /* #5: @5 = input[3][0] */
@@ -6303,14 +6394,14 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=w2;
   res1[0]=w6;
-  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
   /* #7: @7 = (@1+@5) */
   w7  = (w1+w5);
   /* #8: @3 = phase(@7, @2) */
   arg1[0]=(&w7);
   arg1[1]=w2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #9: @0 = plain_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -6318,7 +6409,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
   /* #10: @7 = (2.*@5) */
   w7 = (2.* w5 );
   /* #11: @7 = (@1+@7) */
@@ -6327,7 +6418,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w7);
   arg1[1]=w2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #13: @6 = plain_step(@0, @3, @4, @5, @2) */
   arg1[0]=w0;
   arg1[1]=w3;
@@ -6335,7 +6426,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=w2;
   res1[0]=w6;
-  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
   /* #14: @7 = 3 */
   w7 = 3.;
   /* #15: @7 = (@7*@5) */
@@ -6346,7 +6437,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w7);
   arg1[1]=w2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #18: @0 = plain_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -6354,7 +6445,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
   /* #19: @7 = 4 */
   w7 = 4.;
   /* #20: @7 = (@7*@5) */
@@ -6365,7 +6456,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w7);
   arg1[1]=w2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #23: @6 = plain_step(@0, @3, @4, @5, @2) */
   arg1[0]=w0;
   arg1[1]=w3;
@@ -6373,7 +6464,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=w2;
   res1[0]=w6;
-  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
   /* #24: @7 = 5 */
   w7 = 5.;
   /* #25: @7 = (@7*@5) */
@@ -6384,7 +6475,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w7);
   arg1[1]=w2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #28: @0 = plain_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -6392,7 +6483,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
   /* #29: @7 = 6 */
   w7 = 6.;
   /* #30: @7 = (@7*@5) */
@@ -6403,7 +6494,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w7);
   arg1[1]=w2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #33: @6 = plain_step(@0, @3, @4, @5, @2) */
   arg1[0]=w0;
   arg1[1]=w3;
@@ -6411,7 +6502,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=w2;
   res1[0]=w6;
-  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
   /* #34: @7 = 7 */
   w7 = 7.;
   /* #35: @7 = (@7*@5) */
@@ -6422,7 +6513,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w7);
   arg1[1]=w2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #38: @0 = plain_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -6430,7 +6521,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
   /* #39: @7 = 8 */
   w7 = 8.;
   /* #40: @7 = (@7*@5) */
@@ -6441,7 +6532,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w7);
   arg1[1]=w2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #43: @6 = plain_step(@0, @3, @4, @5, @2) */
   arg1[0]=w0;
   arg1[1]=w3;
@@ -6449,7 +6540,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=w2;
   res1[0]=w6;
-  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
   /* #44: @7 = 9 */
   w7 = 9.;
   /* #45: @7 = (@7*@5) */
@@ -6460,7 +6551,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w7);
   arg1[1]=w2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #48: @0 = plain_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -6468,7 +6559,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
   /* #49: @7 = 10 */
   w7 = 10.;
   /* #50: @7 = (@7*@5) */
@@ -6479,7 +6570,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w7);
   arg1[1]=w2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #53: @6 = plain_step(@0, @3, @4, @5, @2) */
   arg1[0]=w0;
   arg1[1]=w3;
@@ -6487,7 +6578,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=w2;
   res1[0]=w6;
-  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
   /* #54: @7 = 11 */
   w7 = 11.;
   /* #55: @7 = (@7*@5) */
@@ -6498,7 +6589,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w1);
   arg1[1]=w2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #58: @0 = plain_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -6506,14 +6597,14 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
   /* #59: output[0][0] = @0 */
   casadi_copy(w0, 4, res[0]);
   return 0;
 }
 
 /* landing:(y[4],z[3],p[6])->(R[4]) */
-static int casadi_f12(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f14(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2, a3, a4, a5, a6, a7;
   a0=arg[0]? arg[0][0] : 0;
   a1=arg[0]? arg[0][1] : 0;
@@ -6554,7 +6645,7 @@ static int casadi_f12(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* compass_residual_12:(u[4],p[6])->(R[4]) */
-static int casadi_f9(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f11(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, *w3=w+131, w4, w5, w6, *w7=w+135;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
@@ -6568,7 +6659,7 @@ static int casadi_f9(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[1]=w2;
   res1[0]=w3;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = 0 */
   w4 = 0.;
   /* #5: @5 = @0[3] */
@@ -6581,7 +6672,7 @@ static int casadi_f9(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w5);
   arg1[1]=w2;
   res1[0]=w7;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #9: @0 = plain_steps(@3, @4, @7, @5, @2) */
   arg1[0]=w3;
   arg1[1]=(&w4);
@@ -6589,13 +6680,13 @@ static int casadi_f9(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #10: @3 = landing(@0, @1, @2) */
   arg1[0]=w0;
   arg1[1]=w1;
   arg1[2]=w2;
   res1[0]=w3;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #11: output[0][0] = @3 */
   casadi_copy(w3, 4, res[0]);
   return 0;
@@ -6603,13 +6694,13 @@ static int casadi_f9(const casadi_real** arg, casadi_real** res, casadi_int* iw,
 
 /* compass_search_12:(u0[4],p[6])->(u[4],R[4]) */
 static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+2, *w0=w+446, *w1=w+450, *w2=w+456;
+  casadi_real **res1=res+2, *w0=w+506, *w1=w+510, *w2=w+516;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w0);
   /* #1: @1 = input[1][0] */
   casadi_copy(arg[1], 6, w1);
-  /* #2: @2 = newton_12(@0, @1) */
+  /* #2: @2 = scaled_newton_12(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w2;
@@ -6620,7 +6711,7 @@ static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=w2;
   arg1[1]=w1;
   res1[0]=w0;
-  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @0 */
   casadi_copy(w0, 4, res[1]);
   return 0;
@@ -6686,23 +6777,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* compass_search_12_sparsity_out(casadi_int
 }
 
 CASADI_SYMBOL_EXPORT int compass_search_12_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 16;
-  if (sz_res) *sz_res = 7;
+  if (sz_arg) *sz_arg = 20;
+  if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 460;
+  if (sz_w) *sz_w = 520;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int compass_search_12_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 16*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 7*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 20*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 460*sizeof(casadi_real);
+  if (sz_w) *sz_w = 520*sizeof(casadi_real);
   return 0;
 }
 
 /* compass_jacobian_24:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f15(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+307, *w04=w+311, *w05=w+323, w06, w07, w08, *w09=w+339;
   casadi_real *w10=w+363;
@@ -6718,7 +6809,7 @@ static int casadi_f15(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w02;
   res1[0]=w03;
   res1[1]=w04;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @5 = horzcat(@3, @4) */
   rr=w05;
   for (i=0, cs=w03; i<4; ++i) *rr++ = *cs++;
@@ -6735,7 +6826,7 @@ static int casadi_f15(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w08);
   arg1[1]=w02;
   res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
   arg1[0]=w05;
   arg1[1]=(&w06);
@@ -6743,7 +6834,7 @@ static int casadi_f15(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #11: @6 = 0.5 */
   w06 = 5.0000000000000000e-01;
   /* #12: @6 = (@6*@7) */
@@ -6755,7 +6846,7 @@ static int casadi_f15(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #14: {@10, @0} = landing_with_derivative(@5, @1, @7, @2) */
   arg1[0]=w05;
   arg1[1]=w01;
@@ -6763,7 +6854,7 @@ static int casadi_f15(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=w02;
   res1[0]=w10;
   res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #15: output[0][0] = @10 */
   casadi_copy(w10, 16, res[0]);
   /* #16: output[1][0] = @0 */
@@ -6771,8 +6862,42 @@ static int casadi_f15(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
+/* scaled_jacobian_24:(u[4],p[6])->(J[4x4],R[4]) */
+static int casadi_f18(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_int i;
+  casadi_real **res1=res+2, *rr, *w0=w+382, *w1=w+398, *w2=w+402, *w3=w+408, *w4=w+424;
+  const casadi_real **arg1=arg+2, *cr, *cs, *wr0;
+  /* #0: @0 = 
+  [[1, 1, 1, 1], 
+   [1, 1, 1, 1], 
+   [1, 1, 1, 1], 
+   [0.5, 0.5, 0.5, 0.5]] */
+  wr0 = casadi_c0;
+  /* #1: @1 = input[0][0] */
+  casadi_copy(arg[0], 4, w1);
+  /* #2: @2 = input[1][0] */
+  casadi_copy(arg[1], 6, w2);
+  /* #3: {@3, @4} = compass_jacobian_24(@1, @2) */
+  arg1[0]=w1;
+  arg1[1]=w2;
+  res1[0]=w3;
+  res1[1]=w4;
+  if (casadi_f19(arg1, res1, iw, w, 0)) return 1;
+  /* #4: @0 = (@0*@3) */
+  for (i=0, rr=w0, cr=wr0, cs=w3; i<16; ++i) (*rr++)  = ((*cr++)*(*cs++));
+  /* #5: output[0][0] = @0 */
+  casadi_copy(w0, 16, res[0]);
+  /* #6: @1 = [1, 1, 1, 2] */
+  casadi_copy(casadi_c1, 4, w1);
+  /* #7: @4 = (@4/@1) */
+  for (i=0, rr=w4, cs=w1; i<4; ++i) (*rr++) /= (*cs++);
+  /* #8: output[1][0] = @4 */
+  casadi_copy(w4, 4, res[1]);
+  return 0;
+}
+
 /* newton_24:(u0[4],p[6])->(u[4]) */
-static int casadi_f14(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f17(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 4;
@@ -6798,7 +6923,7 @@ static int casadi_f14(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f15(arg+2, res+1, iw, w+56, 0)) return 1;
+    if (casadi_f18(arg+2, res+1, iw, w+56, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -6806,8 +6931,26 @@ static int casadi_f14(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* compass_residual_24:(u[4],p[6])->(R[4]) */
+/* scaled_newton_24:(i0[4],i1[6])->(o0[4]) */
 static int casadi_f16(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *w0=w+492, *w1=w+496, *w2=w+502;
+  const casadi_real **arg1=arg+2;
+  /* #0: @0 = input[0][0] */
+  casadi_copy(arg[0], 4, w0);
+  /* #1: @1 = input[1][0] */
+  casadi_copy(arg[1], 6, w1);
+  /* #2: @2 = newton_24(@0, @1) */
+  arg1[0]=w0;
+  arg1[1]=w1;
+  res1[0]=w2;
+  if (casadi_f17(arg1, res1, iw, w, 0)) return 1;
+  /* #3: output[0][0] = @2 */
+  casadi_copy(w2, 4, res[0]);
+  return 0;
+}
+
+/* compass_residual_24:(u[4],p[6])->(R[4]) */
+static int casadi_f20(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, *w3=w+131, w4, w5, w6, *w7=w+135;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
@@ -6821,7 +6964,7 @@ static int casadi_f16(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w2;
   res1[0]=w3;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = 0 */
   w4 = 0.;
   /* #5: @5 = @0[3] */
@@ -6834,7 +6977,7 @@ static int casadi_f16(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w6);
   arg1[1]=w2;
   res1[0]=w7;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #9: @0 = plain_steps(@3, @4, @7, @6, @2) */
   arg1[0]=w3;
   arg1[1]=(&w4);
@@ -6842,7 +6985,7 @@ static int casadi_f16(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #10: @4 = 0.5 */
   w4 = 5.0000000000000000e-01;
   /* #11: @4 = (@4*@5) */
@@ -6854,45 +6997,45 @@ static int casadi_f16(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #13: @0 = landing(@3, @1, @2) */
   arg1[0]=w3;
   arg1[1]=w1;
   arg1[2]=w2;
   res1[0]=w0;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #14: output[0][0] = @0 */
   casadi_copy(w0, 4, res[0]);
   return 0;
 }
 
 /* compass_search_24:(u0[4],p[6])->(u[4],R[4]) */
-static int casadi_f13(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+2, *w0=w+446, *w1=w+450, *w2=w+456;
+static int casadi_f15(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+2, *w0=w+506, *w1=w+510, *w2=w+516;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w0);
   /* #1: @1 = input[1][0] */
   casadi_copy(arg[1], 6, w1);
-  /* #2: @2 = newton_24(@0, @1) */
+  /* #2: @2 = scaled_newton_24(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w2;
-  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f16(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 4, res[0]);
   /* #4: @0 = compass_residual_24(@2, @1) */
   arg1[0]=w2;
   arg1[1]=w1;
   res1[0]=w0;
-  if (casadi_f16(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f20(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @0 */
   casadi_copy(w0, 4, res[1]);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int compass_search_24(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f13(arg, res, iw, w, mem);
+  return casadi_f15(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_search_24_checkout(void) {
@@ -6951,23 +7094,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* compass_search_24_sparsity_out(casadi_int
 }
 
 CASADI_SYMBOL_EXPORT int compass_search_24_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 16;
-  if (sz_res) *sz_res = 7;
+  if (sz_arg) *sz_arg = 20;
+  if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 460;
+  if (sz_w) *sz_w = 520;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int compass_search_24_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 16*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 7*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 20*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 460*sizeof(casadi_real);
+  if (sz_w) *sz_w = 520*sizeof(casadi_real);
   return 0;
 }
 
 /* compass_jacobian_48:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f25(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+307, *w04=w+311, *w05=w+323, w06, w07, w08, *w09=w+339;
   casadi_real *w10=w+363;
@@ -6983,7 +7126,7 @@ static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w02;
   res1[0]=w03;
   res1[1]=w04;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @5 = horzcat(@3, @4) */
   rr=w05;
   for (i=0, cs=w03; i<4; ++i) *rr++ = *cs++;
@@ -7000,7 +7143,7 @@ static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w08);
   arg1[1]=w02;
   res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
   arg1[0]=w05;
   arg1[1]=(&w06);
@@ -7008,7 +7151,7 @@ static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #11: @6 = 0.25 */
   w06 = 2.5000000000000000e-01;
   /* #12: @6 = (@6*@7) */
@@ -7020,7 +7163,7 @@ static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #14: @6 = 0.5 */
   w06 = 5.0000000000000000e-01;
   /* #15: @6 = (@6*@7) */
@@ -7032,7 +7175,7 @@ static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #17: @6 = 0.75 */
   w06 = 7.5000000000000000e-01;
   /* #18: @6 = (@6*@7) */
@@ -7044,7 +7187,7 @@ static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #20: {@10, @0} = landing_with_derivative(@5, @1, @7, @2) */
   arg1[0]=w05;
   arg1[1]=w01;
@@ -7052,7 +7195,7 @@ static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=w02;
   res1[0]=w10;
   res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #21: output[0][0] = @10 */
   casadi_copy(w10, 16, res[0]);
   /* #22: output[1][0] = @0 */
@@ -7060,8 +7203,42 @@ static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
+/* scaled_jacobian_48:(u[4],p[6])->(J[4x4],R[4]) */
+static int casadi_f24(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_int i;
+  casadi_real **res1=res+2, *rr, *w0=w+382, *w1=w+398, *w2=w+402, *w3=w+408, *w4=w+424;
+  const casadi_real **arg1=arg+2, *cr, *cs, *wr0;
+  /* #0: @0 = 
+  [[1, 1, 1, 1], 
+   [1, 1, 1, 1], 
+   [1, 1, 1, 1], 
+   [0.5, 0.5, 0.5, 0.5]] */
+  wr0 = casadi_c0;
+  /* #1: @1 = input[0][0] */
+  casadi_copy(arg[0], 4, w1);
+  /* #2: @2 = input[1][0] */
+  casadi_copy(arg[1], 6, w2);
+  /* #3: {@3, @4} = compass_jacobian_48(@1, @2) */
+  arg1[0]=w1;
+  arg1[1]=w2;
+  res1[0]=w3;
+  res1[1]=w4;
+  if (casadi_f25(arg1, res1, iw, w, 0)) return 1;
+  /* #4: @0 = (@0*@3) */
+  for (i=0, rr=w0, cr=wr0, cs=w3; i<16; ++i) (*rr++)  = ((*cr++)*(*cs++));
+  /* #5: output[0][0] = @0 */
+  casadi_copy(w0, 16, res[0]);
+  /* #6: @1 = [1, 1, 1, 2] */
+  casadi_copy(casadi_c1, 4, w1);
+  /* #7: @4 = (@4/@1) */
+  for (i=0, rr=w4, cs=w1; i<4; ++i) (*rr++) /= (*cs++);
+  /* #8: output[1][0] = @4 */
+  casadi_copy(w4, 4, res[1]);
+  return 0;
+}
+
 /* newton_48:(u0[4],p[6])->(u[4]) */
-static int casadi_f18(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f23(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 4;
@@ -7087,7 +7264,7 @@ static int casadi_f18(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f19(arg+2, res+1, iw, w+56, 0)) return 1;
+    if (casadi_f24(arg+2, res+1, iw, w+56, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -7095,8 +7272,26 @@ static int casadi_f18(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
+/* scaled_newton_48:(i0[4],i1[6])->(o0[4]) */
+static int casadi_f22(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *w0=w+492, *w1=w+496, *w2=w+502;
+  const casadi_real **arg1=arg+2;
+  /* #0: @0 = input[0][0] */
+  casadi_copy(arg[0], 4, w0);
+  /* #1: @1 = input[1][0] */
+  casadi_copy(arg[1], 6, w1);
+  /* #2: @2 = newton_48(@0, @1) */
+  arg1[0]=w0;
+  arg1[1]=w1;
+  res1[0]=w2;
+  if (casadi_f23(arg1, res1, iw, w, 0)) return 1;
+  /* #3: output[0][0] = @2 */
+  casadi_copy(w2, 4, res[0]);
+  return 0;
+}
+
 /* compass_residual_48:(u[4],p[6])->(R[4]) */
-static int casadi_f20(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f26(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, *w3=w+131, w4, w5, w6, *w7=w+135;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
@@ -7110,7 +7305,7 @@ static int casadi_f20(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w2;
   res1[0]=w3;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = 0 */
   w4 = 0.;
   /* #5: @5 = @0[3] */
@@ -7123,7 +7318,7 @@ static int casadi_f20(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w6);
   arg1[1]=w2;
   res1[0]=w7;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #9: @0 = plain_steps(@3, @4, @7, @6, @2) */
   arg1[0]=w3;
   arg1[1]=(&w4);
@@ -7131,7 +7326,7 @@ static int casadi_f20(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #10: @4 = 0.25 */
   w4 = 2.5000000000000000e-01;
   /* #11: @4 = (@4*@5) */
@@ -7143,7 +7338,7 @@ static int casadi_f20(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #13: @4 = 0.5 */
   w4 = 5.0000000000000000e-01;
   /* #14: @4 = (@4*@5) */
@@ -7155,7 +7350,7 @@ static int casadi_f20(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #16: @4 = 0.75 */
   w4 = 7.5000000000000000e-01;
   /* #17: @4 = (@4*@5) */
@@ -7167,45 +7362,45 @@ static int casadi_f20(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #19: @0 = landing(@3, @1, @2) */
   arg1[0]=w3;
   arg1[1]=w1;
   arg1[2]=w2;
   res1[0]=w0;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][0] = @0 */
   casadi_copy(w0, 4, res[0]);
   return 0;
 }
 
 /* compass_search_48:(u0[4],p[6])->(u[4],R[4]) */
-static int casadi_f17(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+2, *w0=w+446, *w1=w+450, *w2=w+456;
+static int casadi_f21(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+2, *w0=w+506, *w1=w+510, *w2=w+516;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w0);
   /* #1: @1 = input[1][0] */
   casadi_copy(arg[1], 6, w1);
-  /* #2: @2 = newton_48(@0, @1) */
+  /* #2: @2 = scaled_newton_48(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w2;
-  if (casadi_f18(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f22(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 4, res[0]);
   /* #4: @0 = compass_residual_48(@2, @1) */
   arg1[0]=w2;
   arg1[1]=w1;
   res1[0]=w0;
-  if (casadi_f20(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f26(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @0 */
   casadi_copy(w0, 4, res[1]);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int compass_search_48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f17(arg, res, iw, w, mem);
+  return casadi_f21(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_search_48_checkout(void) {
@@ -7264,23 +7459,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* compass_search_48_sparsity_out(casadi_int
 }
 
 CASADI_SYMBOL_EXPORT int compass_search_48_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 16;
-  if (sz_res) *sz_res = 7;
+  if (sz_arg) *sz_arg = 20;
+  if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 460;
+  if (sz_w) *sz_w = 520;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int compass_search_48_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 16*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 7*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 20*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 460*sizeof(casadi_real);
+  if (sz_w) *sz_w = 520*sizeof(casadi_real);
   return 0;
 }
 
 /* coarse_jacobian_24:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f23(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f31(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+382, *w1=w+386, *w2=w+392, *w3=w+408;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
@@ -7292,21 +7487,55 @@ static int casadi_f23(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f2(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 16, res[0]);
   /* #4: @3 = compass_residual_24(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w3;
-  if (casadi_f16(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f20(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 4, res[1]);
   return 0;
 }
 
+/* scaled_jacobian_24:(u[4],p[6])->(J[4x4],R[4]) */
+static int casadi_f30(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_int i;
+  casadi_real **res1=res+2, *rr, *w0=w+412, *w1=w+428, *w2=w+432, *w3=w+438, *w4=w+454;
+  const casadi_real **arg1=arg+2, *cr, *cs, *wr0;
+  /* #0: @0 = 
+  [[1, 1, 1, 1], 
+   [1, 1, 1, 1], 
+   [1, 1, 1, 1], 
+   [0.5, 0.5, 0.5, 0.5]] */
+  wr0 = casadi_c0;
+  /* #1: @1 = input[0][0] */
+  casadi_copy(arg[0], 4, w1);
+  /* #2: @2 = input[1][0] */
+  casadi_copy(arg[1], 6, w2);
+  /* #3: {@3, @4} = coarse_jacobian_24(@1, @2) */
+  arg1[0]=w1;
+  arg1[1]=w2;
+  res1[0]=w3;
+  res1[1]=w4;
+  if (casadi_f31(arg1, res1, iw, w, 0)) return 1;
+  /* #4: @0 = (@0*@3) */
+  for (i=0, rr=w0, cr=wr0, cs=w3; i<16; ++i) (*rr++)  = ((*cr++)*(*cs++));
+  /* #5: output[0][0] = @0 */
+  casadi_copy(w0, 16, res[0]);
+  /* #6: @1 = [1, 1, 1, 2] */
+  casadi_copy(casadi_c1, 4, w1);
+  /* #7: @4 = (@4/@1) */
+  for (i=0, rr=w4, cs=w1; i<4; ++i) (*rr++) /= (*cs++);
+  /* #8: output[1][0] = @4 */
+  casadi_copy(w4, 4, res[1]);
+  return 0;
+}
+
 /* newton_24:(u0[4],p[6])->(u[4]) */
-static int casadi_f22(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f29(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 4;
@@ -7332,7 +7561,7 @@ static int casadi_f22(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f23(arg+2, res+1, iw, w+56, 0)) return 1;
+    if (casadi_f30(arg+2, res+1, iw, w+56, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -7340,9 +7569,9 @@ static int casadi_f22(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* compass_limit_cycle_24:(u0[4],p[6])->(u[4],J[4x4],R[4]) */
-static int casadi_f21(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+3, *w0=w+476, *w1=w+480, *w2=w+486, *w3=w+490;
+/* scaled_newton_24:(i0[4],i1[6])->(o0[4]) */
+static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *w0=w+522, *w1=w+526, *w2=w+532;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w0);
@@ -7352,7 +7581,25 @@ static int casadi_f21(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w2;
-  if (casadi_f22(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f29(arg1, res1, iw, w, 0)) return 1;
+  /* #3: output[0][0] = @2 */
+  casadi_copy(w2, 4, res[0]);
+  return 0;
+}
+
+/* compass_limit_cycle_24:(u0[4],p[6])->(u[4],J[4x4],R[4]) */
+static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+3, *w0=w+536, *w1=w+540, *w2=w+546, *w3=w+550;
+  const casadi_real **arg1=arg+2;
+  /* #0: @0 = input[0][0] */
+  casadi_copy(arg[0], 4, w0);
+  /* #1: @1 = input[1][0] */
+  casadi_copy(arg[1], 6, w1);
+  /* #2: @2 = scaled_newton_24(@0, @1) */
+  arg1[0]=w0;
+  arg1[1]=w1;
+  res1[0]=w2;
+  if (casadi_f28(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 4, res[0]);
   /* #4: {@3, @0} = compass_jacobian_24(@2, @1) */
@@ -7360,7 +7607,7 @@ static int casadi_f21(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f15(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f19(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 16, res[1]);
   /* #6: output[2][0] = @0 */
@@ -7369,7 +7616,7 @@ static int casadi_f21(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_24(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f21(arg, res, iw, w, mem);
+  return casadi_f27(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_24_checkout(void) {
@@ -7430,23 +7677,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* compass_limit_cycle_24_sparsity_out(casad
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_24_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18;
-  if (sz_res) *sz_res = 10;
+  if (sz_arg) *sz_arg = 22;
+  if (sz_res) *sz_res = 13;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 506;
+  if (sz_w) *sz_w = 566;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_24_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 22*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 13*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 506*sizeof(casadi_real);
+  if (sz_w) *sz_w = 566*sizeof(casadi_real);
   return 0;
 }
 
 /* compass_residual_36:(u[4],p[6])->(R[4]) */
-static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f37(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, *w3=w+131, w4, w5, w6, *w7=w+135;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
@@ -7460,7 +7707,7 @@ static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w2;
   res1[0]=w3;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = 0 */
   w4 = 0.;
   /* #5: @5 = @0[3] */
@@ -7473,7 +7720,7 @@ static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w6);
   arg1[1]=w2;
   res1[0]=w7;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #9: @0 = plain_steps(@3, @4, @7, @6, @2) */
   arg1[0]=w3;
   arg1[1]=(&w4);
@@ -7481,7 +7728,7 @@ static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #10: @4 = 0.333333 */
   w4 = 3.3333333333333331e-01;
   /* #11: @4 = (@4*@5) */
@@ -7493,7 +7740,7 @@ static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #13: @4 = 0.666667 */
   w4 = 6.6666666666666663e-01;
   /* #14: @4 = (@4*@5) */
@@ -7505,20 +7752,20 @@ static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #16: @3 = landing(@0, @1, @2) */
   arg1[0]=w0;
   arg1[1]=w1;
   arg1[2]=w2;
   res1[0]=w3;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #17: output[0][0] = @3 */
   casadi_copy(w3, 4, res[0]);
   return 0;
 }
 
 /* coarse_jacobian_36:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f26(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+382, *w1=w+386, *w2=w+392, *w3=w+408;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
@@ -7530,21 +7777,55 @@ static int casadi_f26(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f2(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 16, res[0]);
   /* #4: @3 = compass_residual_36(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w3;
-  if (casadi_f27(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f37(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 4, res[1]);
   return 0;
 }
 
+/* scaled_jacobian_36:(u[4],p[6])->(J[4x4],R[4]) */
+static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_int i;
+  casadi_real **res1=res+2, *rr, *w0=w+412, *w1=w+428, *w2=w+432, *w3=w+438, *w4=w+454;
+  const casadi_real **arg1=arg+2, *cr, *cs, *wr0;
+  /* #0: @0 = 
+  [[1, 1, 1, 1], 
+   [1, 1, 1, 1], 
+   [1, 1, 1, 1], 
+   [0.5, 0.5, 0.5, 0.5]] */
+  wr0 = casadi_c0;
+  /* #1: @1 = input[0][0] */
+  casadi_copy(arg[0], 4, w1);
+  /* #2: @2 = input[1][0] */
+  casadi_copy(arg[1], 6, w2);
+  /* #3: {@3, @4} = coarse_jacobian_36(@1, @2) */
+  arg1[0]=w1;
+  arg1[1]=w2;
+  res1[0]=w3;
+  res1[1]=w4;
+  if (casadi_f36(arg1, res1, iw, w, 0)) return 1;
+  /* #4: @0 = (@0*@3) */
+  for (i=0, rr=w0, cr=wr0, cs=w3; i<16; ++i) (*rr++)  = ((*cr++)*(*cs++));
+  /* #5: output[0][0] = @0 */
+  casadi_copy(w0, 16, res[0]);
+  /* #6: @1 = [1, 1, 1, 2] */
+  casadi_copy(casadi_c1, 4, w1);
+  /* #7: @4 = (@4/@1) */
+  for (i=0, rr=w4, cs=w1; i<4; ++i) (*rr++) /= (*cs++);
+  /* #8: output[1][0] = @4 */
+  casadi_copy(w4, 4, res[1]);
+  return 0;
+}
+
 /* newton_36:(u0[4],p[6])->(u[4]) */
-static int casadi_f25(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f34(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 4;
@@ -7570,7 +7851,7 @@ static int casadi_f25(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f26(arg+2, res+1, iw, w+56, 0)) return 1;
+    if (casadi_f35(arg+2, res+1, iw, w+56, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -7578,8 +7859,26 @@ static int casadi_f25(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
+/* scaled_newton_36:(i0[4],i1[6])->(o0[4]) */
+static int casadi_f33(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *w0=w+522, *w1=w+526, *w2=w+532;
+  const casadi_real **arg1=arg+2;
+  /* #0: @0 = input[0][0] */
+  casadi_copy(arg[0], 4, w0);
+  /* #1: @1 = input[1][0] */
+  casadi_copy(arg[1], 6, w1);
+  /* #2: @2 = newton_36(@0, @1) */
+  arg1[0]=w0;
+  arg1[1]=w1;
+  res1[0]=w2;
+  if (casadi_f34(arg1, res1, iw, w, 0)) return 1;
+  /* #3: output[0][0] = @2 */
+  casadi_copy(w2, 4, res[0]);
+  return 0;
+}
+
 /* compass_jacobian_36:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f38(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+307, *w04=w+311, *w05=w+323, w06, w07, w08, *w09=w+339;
   casadi_real *w10=w+363;
@@ -7595,7 +7894,7 @@ static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w02;
   res1[0]=w03;
   res1[1]=w04;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @5 = horzcat(@3, @4) */
   rr=w05;
   for (i=0, cs=w03; i<4; ++i) *rr++ = *cs++;
@@ -7612,7 +7911,7 @@ static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w08);
   arg1[1]=w02;
   res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
   arg1[0]=w05;
   arg1[1]=(&w06);
@@ -7620,7 +7919,7 @@ static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #11: @6 = 0.333333 */
   w06 = 3.3333333333333331e-01;
   /* #12: @6 = (@6*@7) */
@@ -7632,7 +7931,7 @@ static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #14: @6 = 0.666667 */
   w06 = 6.6666666666666663e-01;
   /* #15: @6 = (@6*@7) */
@@ -7644,7 +7943,7 @@ static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #17: {@5, @0} = landing_with_derivative(@10, @1, @7, @2) */
   arg1[0]=w10;
   arg1[1]=w01;
@@ -7652,7 +7951,7 @@ static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=w02;
   res1[0]=w05;
   res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #18: output[0][0] = @5 */
   casadi_copy(w05, 16, res[0]);
   /* #19: output[1][0] = @0 */
@@ -7661,18 +7960,18 @@ static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* compass_limit_cycle_36:(u0[4],p[6])->(u[4],J[4x4],R[4]) */
-static int casadi_f24(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+3, *w0=w+476, *w1=w+480, *w2=w+486, *w3=w+490;
+static int casadi_f32(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+3, *w0=w+536, *w1=w+540, *w2=w+546, *w3=w+550;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w0);
   /* #1: @1 = input[1][0] */
   casadi_copy(arg[1], 6, w1);
-  /* #2: @2 = newton_36(@0, @1) */
+  /* #2: @2 = scaled_newton_36(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w2;
-  if (casadi_f25(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f33(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 4, res[0]);
   /* #4: {@3, @0} = compass_jacobian_36(@2, @1) */
@@ -7680,7 +7979,7 @@ static int casadi_f24(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f28(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f38(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 16, res[1]);
   /* #6: output[2][0] = @0 */
@@ -7689,7 +7988,7 @@ static int casadi_f24(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_36(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f24(arg, res, iw, w, mem);
+  return casadi_f32(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_36_checkout(void) {
@@ -7750,23 +8049,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* compass_limit_cycle_36_sparsity_out(casad
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_36_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18;
-  if (sz_res) *sz_res = 10;
+  if (sz_arg) *sz_arg = 22;
+  if (sz_res) *sz_res = 13;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 506;
+  if (sz_w) *sz_w = 566;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_36_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 22*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 13*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 506*sizeof(casadi_real);
+  if (sz_w) *sz_w = 566*sizeof(casadi_real);
   return 0;
 }
 
 /* coarse_jacobian_48:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f31(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f43(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+382, *w1=w+386, *w2=w+392, *w3=w+408;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
@@ -7778,21 +8077,55 @@ static int casadi_f31(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f15(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f19(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 16, res[0]);
   /* #4: @3 = compass_residual_48(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w3;
-  if (casadi_f20(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f26(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 4, res[1]);
   return 0;
 }
 
+/* scaled_jacobian_48:(u[4],p[6])->(J[4x4],R[4]) */
+static int casadi_f42(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_int i;
+  casadi_real **res1=res+2, *rr, *w0=w+412, *w1=w+428, *w2=w+432, *w3=w+438, *w4=w+454;
+  const casadi_real **arg1=arg+2, *cr, *cs, *wr0;
+  /* #0: @0 = 
+  [[1, 1, 1, 1], 
+   [1, 1, 1, 1], 
+   [1, 1, 1, 1], 
+   [0.5, 0.5, 0.5, 0.5]] */
+  wr0 = casadi_c0;
+  /* #1: @1 = input[0][0] */
+  casadi_copy(arg[0], 4, w1);
+  /* #2: @2 = input[1][0] */
+  casadi_copy(arg[1], 6, w2);
+  /* #3: {@3, @4} = coarse_jacobian_48(@1, @2) */
+  arg1[0]=w1;
+  arg1[1]=w2;
+  res1[0]=w3;
+  res1[1]=w4;
+  if (casadi_f43(arg1, res1, iw, w, 0)) return 1;
+  /* #4: @0 = (@0*@3) */
+  for (i=0, rr=w0, cr=wr0, cs=w3; i<16; ++i) (*rr++)  = ((*cr++)*(*cs++));
+  /* #5: output[0][0] = @0 */
+  casadi_copy(w0, 16, res[0]);
+  /* #6: @1 = [1, 1, 1, 2] */
+  casadi_copy(casadi_c1, 4, w1);
+  /* #7: @4 = (@4/@1) */
+  for (i=0, rr=w4, cs=w1; i<4; ++i) (*rr++) /= (*cs++);
+  /* #8: output[1][0] = @4 */
+  casadi_copy(w4, 4, res[1]);
+  return 0;
+}
+
 /* newton_48:(u0[4],p[6])->(u[4]) */
-static int casadi_f30(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 4;
@@ -7818,7 +8151,7 @@ static int casadi_f30(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f31(arg+2, res+1, iw, w+56, 0)) return 1;
+    if (casadi_f42(arg+2, res+1, iw, w+56, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -7826,9 +8159,9 @@ static int casadi_f30(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* compass_limit_cycle_48:(u0[4],p[6])->(u[4],J[4x4],R[4]) */
-static int casadi_f29(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+3, *w0=w+476, *w1=w+480, *w2=w+486, *w3=w+490;
+/* scaled_newton_48:(i0[4],i1[6])->(o0[4]) */
+static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *w0=w+522, *w1=w+526, *w2=w+532;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w0);
@@ -7838,7 +8171,25 @@ static int casadi_f29(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w2;
-  if (casadi_f30(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f41(arg1, res1, iw, w, 0)) return 1;
+  /* #3: output[0][0] = @2 */
+  casadi_copy(w2, 4, res[0]);
+  return 0;
+}
+
+/* compass_limit_cycle_48:(u0[4],p[6])->(u[4],J[4x4],R[4]) */
+static int casadi_f39(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+3, *w0=w+536, *w1=w+540, *w2=w+546, *w3=w+550;
+  const casadi_real **arg1=arg+2;
+  /* #0: @0 = input[0][0] */
+  casadi_copy(arg[0], 4, w0);
+  /* #1: @1 = input[1][0] */
+  casadi_copy(arg[1], 6, w1);
+  /* #2: @2 = scaled_newton_48(@0, @1) */
+  arg1[0]=w0;
+  arg1[1]=w1;
+  res1[0]=w2;
+  if (casadi_f40(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 4, res[0]);
   /* #4: {@3, @0} = compass_jacobian_48(@2, @1) */
@@ -7846,7 +8197,7 @@ static int casadi_f29(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f19(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f25(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 16, res[1]);
   /* #6: output[2][0] = @0 */
@@ -7855,7 +8206,7 @@ static int casadi_f29(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f29(arg, res, iw, w, mem);
+  return casadi_f39(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_48_checkout(void) {
@@ -7916,23 +8267,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* compass_limit_cycle_48_sparsity_out(casad
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_48_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18;
-  if (sz_res) *sz_res = 10;
+  if (sz_arg) *sz_arg = 22;
+  if (sz_res) *sz_res = 13;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 506;
+  if (sz_w) *sz_w = 566;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_48_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 22*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 13*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 506*sizeof(casadi_real);
+  if (sz_w) *sz_w = 566*sizeof(casadi_real);
   return 0;
 }
 
 /* compass_residual_72:(u[4],p[6])->(R[4]) */
-static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f49(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, *w3=w+131, w4, w5, w6, *w7=w+135;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
@@ -7946,7 +8297,7 @@ static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w2;
   res1[0]=w3;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = 0 */
   w4 = 0.;
   /* #5: @5 = @0[3] */
@@ -7959,7 +8310,7 @@ static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w6);
   arg1[1]=w2;
   res1[0]=w7;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #9: @0 = plain_steps(@3, @4, @7, @6, @2) */
   arg1[0]=w3;
   arg1[1]=(&w4);
@@ -7967,7 +8318,7 @@ static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #10: @4 = 0.166667 */
   w4 = 1.6666666666666666e-01;
   /* #11: @4 = (@4*@5) */
@@ -7979,7 +8330,7 @@ static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #13: @4 = 0.333333 */
   w4 = 3.3333333333333331e-01;
   /* #14: @4 = (@4*@5) */
@@ -7991,7 +8342,7 @@ static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #16: @4 = 0.5 */
   w4 = 5.0000000000000000e-01;
   /* #17: @4 = (@4*@5) */
@@ -8003,7 +8354,7 @@ static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #19: @4 = 0.666667 */
   w4 = 6.6666666666666663e-01;
   /* #20: @4 = (@4*@5) */
@@ -8015,7 +8366,7 @@ static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #22: @4 = 0.833333 */
   w4 = 8.3333333333333337e-01;
   /* #23: @4 = (@4*@5) */
@@ -8027,20 +8378,20 @@ static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #25: @0 = landing(@3, @1, @2) */
   arg1[0]=w3;
   arg1[1]=w1;
   arg1[2]=w2;
   res1[0]=w0;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #26: output[0][0] = @0 */
   casadi_copy(w0, 4, res[0]);
   return 0;
 }
 
 /* coarse_jacobian_72:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f34(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+382, *w1=w+386, *w2=w+392, *w3=w+408;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
@@ -8052,21 +8403,55 @@ static int casadi_f34(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f28(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f38(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 16, res[0]);
   /* #4: @3 = compass_residual_72(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w3;
-  if (casadi_f35(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f49(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 4, res[1]);
   return 0;
 }
 
+/* scaled_jacobian_72:(u[4],p[6])->(J[4x4],R[4]) */
+static int casadi_f47(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_int i;
+  casadi_real **res1=res+2, *rr, *w0=w+412, *w1=w+428, *w2=w+432, *w3=w+438, *w4=w+454;
+  const casadi_real **arg1=arg+2, *cr, *cs, *wr0;
+  /* #0: @0 = 
+  [[1, 1, 1, 1], 
+   [1, 1, 1, 1], 
+   [1, 1, 1, 1], 
+   [0.5, 0.5, 0.5, 0.5]] */
+  wr0 = casadi_c0;
+  /* #1: @1 = input[0][0] */
+  casadi_copy(arg[0], 4, w1);
+  /* #2: @2 = input[1][0] */
+  casadi_copy(arg[1], 6, w2);
+  /* #3: {@3, @4} = coarse_jacobian_72(@1, @2) */
+  arg1[0]=w1;
+  arg1[1]=w2;
+  res1[0]=w3;
+  res1[1]=w4;
+  if (casadi_f48(arg1, res1, iw, w, 0)) return 1;
+  /* #4: @0 = (@0*@3) */
+  for (i=0, rr=w0, cr=wr0, cs=w3; i<16; ++i) (*rr++)  = ((*cr++)*(*cs++));
+  /* #5: output[0][0] = @0 */
+  casadi_copy(w0, 16, res[0]);
+  /* #6: @1 = [1, 1, 1, 2] */
+  casadi_copy(casadi_c1, 4, w1);
+  /* #7: @4 = (@4/@1) */
+  for (i=0, rr=w4, cs=w1; i<4; ++i) (*rr++) /= (*cs++);
+  /* #8: output[1][0] = @4 */
+  casadi_copy(w4, 4, res[1]);
+  return 0;
+}
+
 /* newton_72:(u0[4],p[6])->(u[4]) */
-static int casadi_f33(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 4;
@@ -8092,7 +8477,7 @@ static int casadi_f33(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f34(arg+2, res+1, iw, w+56, 0)) return 1;
+    if (casadi_f47(arg+2, res+1, iw, w+56, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -8100,8 +8485,26 @@ static int casadi_f33(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
+/* scaled_newton_72:(i0[4],i1[6])->(o0[4]) */
+static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *w0=w+522, *w1=w+526, *w2=w+532;
+  const casadi_real **arg1=arg+2;
+  /* #0: @0 = input[0][0] */
+  casadi_copy(arg[0], 4, w0);
+  /* #1: @1 = input[1][0] */
+  casadi_copy(arg[1], 6, w1);
+  /* #2: @2 = newton_72(@0, @1) */
+  arg1[0]=w0;
+  arg1[1]=w1;
+  res1[0]=w2;
+  if (casadi_f46(arg1, res1, iw, w, 0)) return 1;
+  /* #3: output[0][0] = @2 */
+  casadi_copy(w2, 4, res[0]);
+  return 0;
+}
+
 /* compass_jacobian_72:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+307, *w04=w+311, *w05=w+323, w06, w07, w08, *w09=w+339;
   casadi_real *w10=w+363;
@@ -8117,7 +8520,7 @@ static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w02;
   res1[0]=w03;
   res1[1]=w04;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @5 = horzcat(@3, @4) */
   rr=w05;
   for (i=0, cs=w03; i<4; ++i) *rr++ = *cs++;
@@ -8134,7 +8537,7 @@ static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w08);
   arg1[1]=w02;
   res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
   arg1[0]=w05;
   arg1[1]=(&w06);
@@ -8142,7 +8545,7 @@ static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #11: @6 = 0.166667 */
   w06 = 1.6666666666666666e-01;
   /* #12: @6 = (@6*@7) */
@@ -8154,7 +8557,7 @@ static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #14: @6 = 0.333333 */
   w06 = 3.3333333333333331e-01;
   /* #15: @6 = (@6*@7) */
@@ -8166,7 +8569,7 @@ static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #17: @6 = 0.5 */
   w06 = 5.0000000000000000e-01;
   /* #18: @6 = (@6*@7) */
@@ -8178,7 +8581,7 @@ static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #20: @6 = 0.666667 */
   w06 = 6.6666666666666663e-01;
   /* #21: @6 = (@6*@7) */
@@ -8190,7 +8593,7 @@ static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #23: @6 = 0.833333 */
   w06 = 8.3333333333333337e-01;
   /* #24: @6 = (@6*@7) */
@@ -8202,7 +8605,7 @@ static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #26: {@10, @0} = landing_with_derivative(@5, @1, @7, @2) */
   arg1[0]=w05;
   arg1[1]=w01;
@@ -8210,7 +8613,7 @@ static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=w02;
   res1[0]=w10;
   res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #27: output[0][0] = @10 */
   casadi_copy(w10, 16, res[0]);
   /* #28: output[1][0] = @0 */
@@ -8219,18 +8622,18 @@ static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* compass_limit_cycle_72:(u0[4],p[6])->(u[4],J[4x4],R[4]) */
-static int casadi_f32(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+3, *w0=w+476, *w1=w+480, *w2=w+486, *w3=w+490;
+static int casadi_f44(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+3, *w0=w+536, *w1=w+540, *w2=w+546, *w3=w+550;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w0);
   /* #1: @1 = input[1][0] */
   casadi_copy(arg[1], 6, w1);
-  /* #2: @2 = newton_72(@0, @1) */
+  /* #2: @2 = scaled_newton_72(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w2;
-  if (casadi_f33(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f45(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 4, res[0]);
   /* #4: {@3, @0} = compass_jacobian_72(@2, @1) */
@@ -8238,7 +8641,7 @@ static int casadi_f32(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f36(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f50(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 16, res[1]);
   /* #6: output[2][0] = @0 */
@@ -8247,7 +8650,7 @@ static int casadi_f32(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_72(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f32(arg, res, iw, w, mem);
+  return casadi_f44(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_72_checkout(void) {
@@ -8308,23 +8711,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* compass_limit_cycle_72_sparsity_out(casad
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_72_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18;
-  if (sz_res) *sz_res = 10;
+  if (sz_arg) *sz_arg = 22;
+  if (sz_res) *sz_res = 13;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 506;
+  if (sz_w) *sz_w = 566;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_72_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 22*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 13*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 506*sizeof(casadi_real);
+  if (sz_w) *sz_w = 566*sizeof(casadi_real);
   return 0;
 }
 
 /* compass_residual_96:(u[4],p[6])->(R[4]) */
-static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, *w3=w+131, w4, w5, w6, *w7=w+135;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
@@ -8338,7 +8741,7 @@ static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w2;
   res1[0]=w3;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = 0 */
   w4 = 0.;
   /* #5: @5 = @0[3] */
@@ -8351,7 +8754,7 @@ static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w6);
   arg1[1]=w2;
   res1[0]=w7;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #9: @0 = plain_steps(@3, @4, @7, @6, @2) */
   arg1[0]=w3;
   arg1[1]=(&w4);
@@ -8359,7 +8762,7 @@ static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #10: @4 = 0.125 */
   w4 = 1.2500000000000000e-01;
   /* #11: @4 = (@4*@5) */
@@ -8371,7 +8774,7 @@ static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #13: @4 = 0.25 */
   w4 = 2.5000000000000000e-01;
   /* #14: @4 = (@4*@5) */
@@ -8383,7 +8786,7 @@ static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #16: @4 = 0.375 */
   w4 = 3.7500000000000000e-01;
   /* #17: @4 = (@4*@5) */
@@ -8395,7 +8798,7 @@ static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #19: @4 = 0.5 */
   w4 = 5.0000000000000000e-01;
   /* #20: @4 = (@4*@5) */
@@ -8407,7 +8810,7 @@ static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #22: @4 = 0.625 */
   w4 = 6.2500000000000000e-01;
   /* #23: @4 = (@4*@5) */
@@ -8419,7 +8822,7 @@ static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #25: @4 = 0.75 */
   w4 = 7.5000000000000000e-01;
   /* #26: @4 = (@4*@5) */
@@ -8431,7 +8834,7 @@ static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #28: @4 = 0.875 */
   w4 = 8.7500000000000000e-01;
   /* #29: @4 = (@4*@5) */
@@ -8443,20 +8846,20 @@ static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #31: @0 = landing(@3, @1, @2) */
   arg1[0]=w3;
   arg1[1]=w1;
   arg1[2]=w2;
   res1[0]=w0;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][0] = @0 */
   casadi_copy(w0, 4, res[0]);
   return 0;
 }
 
 /* coarse_jacobian_96:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f39(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+382, *w1=w+386, *w2=w+392, *w3=w+408;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
@@ -8468,21 +8871,55 @@ static int casadi_f39(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f19(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f25(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 16, res[0]);
   /* #4: @3 = compass_residual_96(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w3;
-  if (casadi_f40(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f56(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 4, res[1]);
   return 0;
 }
 
+/* scaled_jacobian_96:(u[4],p[6])->(J[4x4],R[4]) */
+static int casadi_f54(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_int i;
+  casadi_real **res1=res+2, *rr, *w0=w+412, *w1=w+428, *w2=w+432, *w3=w+438, *w4=w+454;
+  const casadi_real **arg1=arg+2, *cr, *cs, *wr0;
+  /* #0: @0 = 
+  [[1, 1, 1, 1], 
+   [1, 1, 1, 1], 
+   [1, 1, 1, 1], 
+   [0.5, 0.5, 0.5, 0.5]] */
+  wr0 = casadi_c0;
+  /* #1: @1 = input[0][0] */
+  casadi_copy(arg[0], 4, w1);
+  /* #2: @2 = input[1][0] */
+  casadi_copy(arg[1], 6, w2);
+  /* #3: {@3, @4} = coarse_jacobian_96(@1, @2) */
+  arg1[0]=w1;
+  arg1[1]=w2;
+  res1[0]=w3;
+  res1[1]=w4;
+  if (casadi_f55(arg1, res1, iw, w, 0)) return 1;
+  /* #4: @0 = (@0*@3) */
+  for (i=0, rr=w0, cr=wr0, cs=w3; i<16; ++i) (*rr++)  = ((*cr++)*(*cs++));
+  /* #5: output[0][0] = @0 */
+  casadi_copy(w0, 16, res[0]);
+  /* #6: @1 = [1, 1, 1, 2] */
+  casadi_copy(casadi_c1, 4, w1);
+  /* #7: @4 = (@4/@1) */
+  for (i=0, rr=w4, cs=w1; i<4; ++i) (*rr++) /= (*cs++);
+  /* #8: output[1][0] = @4 */
+  casadi_copy(w4, 4, res[1]);
+  return 0;
+}
+
 /* newton_96:(u0[4],p[6])->(u[4]) */
-static int casadi_f38(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f53(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 4;
@@ -8508,7 +8945,7 @@ static int casadi_f38(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f39(arg+2, res+1, iw, w+56, 0)) return 1;
+    if (casadi_f54(arg+2, res+1, iw, w+56, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -8516,8 +8953,26 @@ static int casadi_f38(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
+/* scaled_newton_96:(i0[4],i1[6])->(o0[4]) */
+static int casadi_f52(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *w0=w+522, *w1=w+526, *w2=w+532;
+  const casadi_real **arg1=arg+2;
+  /* #0: @0 = input[0][0] */
+  casadi_copy(arg[0], 4, w0);
+  /* #1: @1 = input[1][0] */
+  casadi_copy(arg[1], 6, w1);
+  /* #2: @2 = newton_96(@0, @1) */
+  arg1[0]=w0;
+  arg1[1]=w1;
+  res1[0]=w2;
+  if (casadi_f53(arg1, res1, iw, w, 0)) return 1;
+  /* #3: output[0][0] = @2 */
+  casadi_copy(w2, 4, res[0]);
+  return 0;
+}
+
 /* compass_jacobian_96:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f57(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+307, *w04=w+311, *w05=w+323, w06, w07, w08, *w09=w+339;
   casadi_real *w10=w+363;
@@ -8533,7 +8988,7 @@ static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w02;
   res1[0]=w03;
   res1[1]=w04;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @5 = horzcat(@3, @4) */
   rr=w05;
   for (i=0, cs=w03; i<4; ++i) *rr++ = *cs++;
@@ -8550,7 +9005,7 @@ static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w08);
   arg1[1]=w02;
   res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
   arg1[0]=w05;
   arg1[1]=(&w06);
@@ -8558,7 +9013,7 @@ static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #11: @6 = 0.125 */
   w06 = 1.2500000000000000e-01;
   /* #12: @6 = (@6*@7) */
@@ -8570,7 +9025,7 @@ static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #14: @6 = 0.25 */
   w06 = 2.5000000000000000e-01;
   /* #15: @6 = (@6*@7) */
@@ -8582,7 +9037,7 @@ static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #17: @6 = 0.375 */
   w06 = 3.7500000000000000e-01;
   /* #18: @6 = (@6*@7) */
@@ -8594,7 +9049,7 @@ static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #20: @6 = 0.5 */
   w06 = 5.0000000000000000e-01;
   /* #21: @6 = (@6*@7) */
@@ -8606,7 +9061,7 @@ static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #23: @6 = 0.625 */
   w06 = 6.2500000000000000e-01;
   /* #24: @6 = (@6*@7) */
@@ -8618,7 +9073,7 @@ static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #26: @6 = 0.75 */
   w06 = 7.5000000000000000e-01;
   /* #27: @6 = (@6*@7) */
@@ -8630,7 +9085,7 @@ static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #29: @6 = 0.875 */
   w06 = 8.7500000000000000e-01;
   /* #30: @6 = (@6*@7) */
@@ -8642,7 +9097,7 @@ static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #32: {@10, @0} = landing_with_derivative(@5, @1, @7, @2) */
   arg1[0]=w05;
   arg1[1]=w01;
@@ -8650,7 +9105,7 @@ static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=w02;
   res1[0]=w10;
   res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #33: output[0][0] = @10 */
   casadi_copy(w10, 16, res[0]);
   /* #34: output[1][0] = @0 */
@@ -8659,18 +9114,18 @@ static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* compass_limit_cycle_96:(u0[4],p[6])->(u[4],J[4x4],R[4]) */
-static int casadi_f37(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+3, *w0=w+476, *w1=w+480, *w2=w+486, *w3=w+490;
+static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+3, *w0=w+536, *w1=w+540, *w2=w+546, *w3=w+550;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w0);
   /* #1: @1 = input[1][0] */
   casadi_copy(arg[1], 6, w1);
-  /* #2: @2 = newton_96(@0, @1) */
+  /* #2: @2 = scaled_newton_96(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w2;
-  if (casadi_f38(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f52(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 4, res[0]);
   /* #4: {@3, @0} = compass_jacobian_96(@2, @1) */
@@ -8678,7 +9133,7 @@ static int casadi_f37(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f41(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f57(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 16, res[1]);
   /* #6: output[2][0] = @0 */
@@ -8687,7 +9142,7 @@ static int casadi_f37(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_96(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f37(arg, res, iw, w, mem);
+  return casadi_f51(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_96_checkout(void) {
@@ -8748,23 +9203,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* compass_limit_cycle_96_sparsity_out(casad
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_96_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18;
-  if (sz_res) *sz_res = 10;
+  if (sz_arg) *sz_arg = 22;
+  if (sz_res) *sz_res = 13;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 506;
+  if (sz_w) *sz_w = 566;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_96_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 22*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 13*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 506*sizeof(casadi_real);
+  if (sz_w) *sz_w = 566*sizeof(casadi_real);
   return 0;
 }
 
 /* compass_residual_144:(u[4],p[6])->(R[4]) */
-static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, *w3=w+131, w4, w5, w6, *w7=w+135;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
@@ -8778,7 +9233,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w2;
   res1[0]=w3;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = 0 */
   w4 = 0.;
   /* #5: @5 = @0[3] */
@@ -8791,7 +9246,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w6);
   arg1[1]=w2;
   res1[0]=w7;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #9: @0 = plain_steps(@3, @4, @7, @6, @2) */
   arg1[0]=w3;
   arg1[1]=(&w4);
@@ -8799,7 +9254,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #10: @4 = 0.0833333 */
   w4 = 8.3333333333333329e-02;
   /* #11: @4 = (@4*@5) */
@@ -8811,7 +9266,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #13: @4 = 0.166667 */
   w4 = 1.6666666666666666e-01;
   /* #14: @4 = (@4*@5) */
@@ -8823,7 +9278,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #16: @4 = 0.25 */
   w4 = 2.5000000000000000e-01;
   /* #17: @4 = (@4*@5) */
@@ -8835,7 +9290,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #19: @4 = 0.333333 */
   w4 = 3.3333333333333331e-01;
   /* #20: @4 = (@4*@5) */
@@ -8847,7 +9302,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #22: @4 = 0.416667 */
   w4 = 4.1666666666666669e-01;
   /* #23: @4 = (@4*@5) */
@@ -8859,7 +9314,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #25: @4 = 0.5 */
   w4 = 5.0000000000000000e-01;
   /* #26: @4 = (@4*@5) */
@@ -8871,7 +9326,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #28: @4 = 0.583333 */
   w4 = 5.8333333333333337e-01;
   /* #29: @4 = (@4*@5) */
@@ -8883,7 +9338,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #31: @4 = 0.666667 */
   w4 = 6.6666666666666663e-01;
   /* #32: @4 = (@4*@5) */
@@ -8895,7 +9350,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #34: @4 = 0.75 */
   w4 = 7.5000000000000000e-01;
   /* #35: @4 = (@4*@5) */
@@ -8907,7 +9362,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #37: @4 = 0.833333 */
   w4 = 8.3333333333333337e-01;
   /* #38: @4 = (@4*@5) */
@@ -8919,7 +9374,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #40: @4 = 0.916667 */
   w4 = 9.1666666666666663e-01;
   /* #41: @4 = (@4*@5) */
@@ -8931,20 +9386,20 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #43: @0 = landing(@3, @1, @2) */
   arg1[0]=w3;
   arg1[1]=w1;
   arg1[2]=w2;
   res1[0]=w0;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #44: output[0][0] = @0 */
   casadi_copy(w0, 4, res[0]);
   return 0;
 }
 
 /* coarse_jacobian_144:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f44(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+382, *w1=w+386, *w2=w+392, *w3=w+408;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
@@ -8956,21 +9411,55 @@ static int casadi_f44(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f36(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f50(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 16, res[0]);
   /* #4: @3 = compass_residual_144(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w3;
-  if (casadi_f45(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 4, res[1]);
   return 0;
 }
 
+/* scaled_jacobian_144:(u[4],p[6])->(J[4x4],R[4]) */
+static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_int i;
+  casadi_real **res1=res+2, *rr, *w0=w+412, *w1=w+428, *w2=w+432, *w3=w+438, *w4=w+454;
+  const casadi_real **arg1=arg+2, *cr, *cs, *wr0;
+  /* #0: @0 = 
+  [[1, 1, 1, 1], 
+   [1, 1, 1, 1], 
+   [1, 1, 1, 1], 
+   [0.5, 0.5, 0.5, 0.5]] */
+  wr0 = casadi_c0;
+  /* #1: @1 = input[0][0] */
+  casadi_copy(arg[0], 4, w1);
+  /* #2: @2 = input[1][0] */
+  casadi_copy(arg[1], 6, w2);
+  /* #3: {@3, @4} = coarse_jacobian_144(@1, @2) */
+  arg1[0]=w1;
+  arg1[1]=w2;
+  res1[0]=w3;
+  res1[1]=w4;
+  if (casadi_f62(arg1, res1, iw, w, 0)) return 1;
+  /* #4: @0 = (@0*@3) */
+  for (i=0, rr=w0, cr=wr0, cs=w3; i<16; ++i) (*rr++)  = ((*cr++)*(*cs++));
+  /* #5: output[0][0] = @0 */
+  casadi_copy(w0, 16, res[0]);
+  /* #6: @1 = [1, 1, 1, 2] */
+  casadi_copy(casadi_c1, 4, w1);
+  /* #7: @4 = (@4/@1) */
+  for (i=0, rr=w4, cs=w1; i<4; ++i) (*rr++) /= (*cs++);
+  /* #8: output[1][0] = @4 */
+  casadi_copy(w4, 4, res[1]);
+  return 0;
+}
+
 /* newton_144:(u0[4],p[6])->(u[4]) */
-static int casadi_f43(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 4;
@@ -8996,7 +9485,7 @@ static int casadi_f43(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f44(arg+2, res+1, iw, w+56, 0)) return 1;
+    if (casadi_f61(arg+2, res+1, iw, w+56, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -9004,8 +9493,26 @@ static int casadi_f43(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
+/* scaled_newton_144:(i0[4],i1[6])->(o0[4]) */
+static int casadi_f59(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *w0=w+522, *w1=w+526, *w2=w+532;
+  const casadi_real **arg1=arg+2;
+  /* #0: @0 = input[0][0] */
+  casadi_copy(arg[0], 4, w0);
+  /* #1: @1 = input[1][0] */
+  casadi_copy(arg[1], 6, w1);
+  /* #2: @2 = newton_144(@0, @1) */
+  arg1[0]=w0;
+  arg1[1]=w1;
+  res1[0]=w2;
+  if (casadi_f60(arg1, res1, iw, w, 0)) return 1;
+  /* #3: output[0][0] = @2 */
+  casadi_copy(w2, 4, res[0]);
+  return 0;
+}
+
 /* compass_jacobian_144:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f64(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+307, *w04=w+311, *w05=w+323, w06, w07, w08, *w09=w+339;
   casadi_real *w10=w+363;
@@ -9021,7 +9528,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w02;
   res1[0]=w03;
   res1[1]=w04;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @5 = horzcat(@3, @4) */
   rr=w05;
   for (i=0, cs=w03; i<4; ++i) *rr++ = *cs++;
@@ -9038,7 +9545,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w08);
   arg1[1]=w02;
   res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
   arg1[0]=w05;
   arg1[1]=(&w06);
@@ -9046,7 +9553,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #11: @6 = 0.0833333 */
   w06 = 8.3333333333333329e-02;
   /* #12: @6 = (@6*@7) */
@@ -9058,7 +9565,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #14: @6 = 0.166667 */
   w06 = 1.6666666666666666e-01;
   /* #15: @6 = (@6*@7) */
@@ -9070,7 +9577,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #17: @6 = 0.25 */
   w06 = 2.5000000000000000e-01;
   /* #18: @6 = (@6*@7) */
@@ -9082,7 +9589,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #20: @6 = 0.333333 */
   w06 = 3.3333333333333331e-01;
   /* #21: @6 = (@6*@7) */
@@ -9094,7 +9601,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #23: @6 = 0.416667 */
   w06 = 4.1666666666666669e-01;
   /* #24: @6 = (@6*@7) */
@@ -9106,7 +9613,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #26: @6 = 0.5 */
   w06 = 5.0000000000000000e-01;
   /* #27: @6 = (@6*@7) */
@@ -9118,7 +9625,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #29: @6 = 0.583333 */
   w06 = 5.8333333333333337e-01;
   /* #30: @6 = (@6*@7) */
@@ -9130,7 +9637,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #32: @6 = 0.666667 */
   w06 = 6.6666666666666663e-01;
   /* #33: @6 = (@6*@7) */
@@ -9142,7 +9649,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #35: @6 = 0.75 */
   w06 = 7.5000000000000000e-01;
   /* #36: @6 = (@6*@7) */
@@ -9154,7 +9661,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #38: @6 = 0.833333 */
   w06 = 8.3333333333333337e-01;
   /* #39: @6 = (@6*@7) */
@@ -9166,7 +9673,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #41: @6 = 0.916667 */
   w06 = 9.1666666666666663e-01;
   /* #42: @6 = (@6*@7) */
@@ -9178,7 +9685,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #44: {@10, @0} = landing_with_derivative(@5, @1, @7, @2) */
   arg1[0]=w05;
   arg1[1]=w01;
@@ -9186,7 +9693,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=w02;
   res1[0]=w10;
   res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #45: output[0][0] = @10 */
   casadi_copy(w10, 16, res[0]);
   /* #46: output[1][0] = @0 */
@@ -9195,18 +9702,18 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* compass_limit_cycle_144:(u0[4],p[6])->(u[4],J[4x4],R[4]) */
-static int casadi_f42(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+3, *w0=w+476, *w1=w+480, *w2=w+486, *w3=w+490;
+static int casadi_f58(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+3, *w0=w+536, *w1=w+540, *w2=w+546, *w3=w+550;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w0);
   /* #1: @1 = input[1][0] */
   casadi_copy(arg[1], 6, w1);
-  /* #2: @2 = newton_144(@0, @1) */
+  /* #2: @2 = scaled_newton_144(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w2;
-  if (casadi_f43(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f59(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 4, res[0]);
   /* #4: {@3, @0} = compass_jacobian_144(@2, @1) */
@@ -9214,7 +9721,7 @@ static int casadi_f42(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f46(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 16, res[1]);
   /* #6: output[2][0] = @0 */
@@ -9223,7 +9730,7 @@ static int casadi_f42(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_144(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f42(arg, res, iw, w, mem);
+  return casadi_f58(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_144_checkout(void) {
@@ -9284,23 +9791,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* compass_limit_cycle_144_sparsity_out(casa
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_144_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18;
-  if (sz_res) *sz_res = 10;
+  if (sz_arg) *sz_arg = 22;
+  if (sz_res) *sz_res = 13;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 506;
+  if (sz_w) *sz_w = 566;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_144_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 22*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 13*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 506*sizeof(casadi_real);
+  if (sz_w) *sz_w = 566*sizeof(casadi_real);
   return 0;
 }
 
 /* compass_residual_192:(u[4],p[6])->(R[4]) */
-static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, *w3=w+131, w4, w5, w6, *w7=w+135;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
@@ -9314,7 +9821,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w2;
   res1[0]=w3;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = 0 */
   w4 = 0.;
   /* #5: @5 = @0[3] */
@@ -9327,7 +9834,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w6);
   arg1[1]=w2;
   res1[0]=w7;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #9: @0 = plain_steps(@3, @4, @7, @6, @2) */
   arg1[0]=w3;
   arg1[1]=(&w4);
@@ -9335,7 +9842,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #10: @4 = 0.0625 */
   w4 = 6.2500000000000000e-02;
   /* #11: @4 = (@4*@5) */
@@ -9347,7 +9854,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #13: @4 = 0.125 */
   w4 = 1.2500000000000000e-01;
   /* #14: @4 = (@4*@5) */
@@ -9359,7 +9866,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #16: @4 = 0.1875 */
   w4 = 1.8750000000000000e-01;
   /* #17: @4 = (@4*@5) */
@@ -9371,7 +9878,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #19: @4 = 0.25 */
   w4 = 2.5000000000000000e-01;
   /* #20: @4 = (@4*@5) */
@@ -9383,7 +9890,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #22: @4 = 0.3125 */
   w4 = 3.1250000000000000e-01;
   /* #23: @4 = (@4*@5) */
@@ -9395,7 +9902,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #25: @4 = 0.375 */
   w4 = 3.7500000000000000e-01;
   /* #26: @4 = (@4*@5) */
@@ -9407,7 +9914,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #28: @4 = 0.4375 */
   w4 = 4.3750000000000000e-01;
   /* #29: @4 = (@4*@5) */
@@ -9419,7 +9926,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #31: @4 = 0.5 */
   w4 = 5.0000000000000000e-01;
   /* #32: @4 = (@4*@5) */
@@ -9431,7 +9938,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #34: @4 = 0.5625 */
   w4 = 5.6250000000000000e-01;
   /* #35: @4 = (@4*@5) */
@@ -9443,7 +9950,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #37: @4 = 0.625 */
   w4 = 6.2500000000000000e-01;
   /* #38: @4 = (@4*@5) */
@@ -9455,7 +9962,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #40: @4 = 0.6875 */
   w4 = 6.8750000000000000e-01;
   /* #41: @4 = (@4*@5) */
@@ -9467,7 +9974,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #43: @4 = 0.75 */
   w4 = 7.5000000000000000e-01;
   /* #44: @4 = (@4*@5) */
@@ -9479,7 +9986,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #46: @4 = 0.8125 */
   w4 = 8.1250000000000000e-01;
   /* #47: @4 = (@4*@5) */
@@ -9491,7 +9998,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #49: @4 = 0.875 */
   w4 = 8.7500000000000000e-01;
   /* #50: @4 = (@4*@5) */
@@ -9503,7 +10010,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #52: @4 = 0.9375 */
   w4 = 9.3750000000000000e-01;
   /* #53: @4 = (@4*@5) */
@@ -9515,20 +10022,20 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #55: @0 = landing(@3, @1, @2) */
   arg1[0]=w3;
   arg1[1]=w1;
   arg1[2]=w2;
   res1[0]=w0;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #56: output[0][0] = @0 */
   casadi_copy(w0, 4, res[0]);
   return 0;
 }
 
 /* coarse_jacobian_192:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f49(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+382, *w1=w+386, *w2=w+392, *w3=w+408;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
@@ -9540,21 +10047,55 @@ static int casadi_f49(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f41(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f57(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 16, res[0]);
   /* #4: @3 = compass_residual_192(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w3;
-  if (casadi_f50(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f70(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 4, res[1]);
   return 0;
 }
 
+/* scaled_jacobian_192:(u[4],p[6])->(J[4x4],R[4]) */
+static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_int i;
+  casadi_real **res1=res+2, *rr, *w0=w+412, *w1=w+428, *w2=w+432, *w3=w+438, *w4=w+454;
+  const casadi_real **arg1=arg+2, *cr, *cs, *wr0;
+  /* #0: @0 = 
+  [[1, 1, 1, 1], 
+   [1, 1, 1, 1], 
+   [1, 1, 1, 1], 
+   [0.5, 0.5, 0.5, 0.5]] */
+  wr0 = casadi_c0;
+  /* #1: @1 = input[0][0] */
+  casadi_copy(arg[0], 4, w1);
+  /* #2: @2 = input[1][0] */
+  casadi_copy(arg[1], 6, w2);
+  /* #3: {@3, @4} = coarse_jacobian_192(@1, @2) */
+  arg1[0]=w1;
+  arg1[1]=w2;
+  res1[0]=w3;
+  res1[1]=w4;
+  if (casadi_f69(arg1, res1, iw, w, 0)) return 1;
+  /* #4: @0 = (@0*@3) */
+  for (i=0, rr=w0, cr=wr0, cs=w3; i<16; ++i) (*rr++)  = ((*cr++)*(*cs++));
+  /* #5: output[0][0] = @0 */
+  casadi_copy(w0, 16, res[0]);
+  /* #6: @1 = [1, 1, 1, 2] */
+  casadi_copy(casadi_c1, 4, w1);
+  /* #7: @4 = (@4/@1) */
+  for (i=0, rr=w4, cs=w1; i<4; ++i) (*rr++) /= (*cs++);
+  /* #8: output[1][0] = @4 */
+  casadi_copy(w4, 4, res[1]);
+  return 0;
+}
+
 /* newton_192:(u0[4],p[6])->(u[4]) */
-static int casadi_f48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 4;
@@ -9580,7 +10121,7 @@ static int casadi_f48(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f49(arg+2, res+1, iw, w+56, 0)) return 1;
+    if (casadi_f68(arg+2, res+1, iw, w+56, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -9588,8 +10129,26 @@ static int casadi_f48(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
+/* scaled_newton_192:(i0[4],i1[6])->(o0[4]) */
+static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *w0=w+522, *w1=w+526, *w2=w+532;
+  const casadi_real **arg1=arg+2;
+  /* #0: @0 = input[0][0] */
+  casadi_copy(arg[0], 4, w0);
+  /* #1: @1 = input[1][0] */
+  casadi_copy(arg[1], 6, w1);
+  /* #2: @2 = newton_192(@0, @1) */
+  arg1[0]=w0;
+  arg1[1]=w1;
+  res1[0]=w2;
+  if (casadi_f67(arg1, res1, iw, w, 0)) return 1;
+  /* #3: output[0][0] = @2 */
+  casadi_copy(w2, 4, res[0]);
+  return 0;
+}
+
 /* compass_jacobian_192:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+307, *w04=w+311, *w05=w+323, w06, w07, w08, *w09=w+339;
   casadi_real *w10=w+363;
@@ -9605,7 +10164,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w02;
   res1[0]=w03;
   res1[1]=w04;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @5 = horzcat(@3, @4) */
   rr=w05;
   for (i=0, cs=w03; i<4; ++i) *rr++ = *cs++;
@@ -9622,7 +10181,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w08);
   arg1[1]=w02;
   res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
   arg1[0]=w05;
   arg1[1]=(&w06);
@@ -9630,7 +10189,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #11: @6 = 0.0625 */
   w06 = 6.2500000000000000e-02;
   /* #12: @6 = (@6*@7) */
@@ -9642,7 +10201,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #14: @6 = 0.125 */
   w06 = 1.2500000000000000e-01;
   /* #15: @6 = (@6*@7) */
@@ -9654,7 +10213,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #17: @6 = 0.1875 */
   w06 = 1.8750000000000000e-01;
   /* #18: @6 = (@6*@7) */
@@ -9666,7 +10225,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #20: @6 = 0.25 */
   w06 = 2.5000000000000000e-01;
   /* #21: @6 = (@6*@7) */
@@ -9678,7 +10237,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #23: @6 = 0.3125 */
   w06 = 3.1250000000000000e-01;
   /* #24: @6 = (@6*@7) */
@@ -9690,7 +10249,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #26: @6 = 0.375 */
   w06 = 3.7500000000000000e-01;
   /* #27: @6 = (@6*@7) */
@@ -9702,7 +10261,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #29: @6 = 0.4375 */
   w06 = 4.3750000000000000e-01;
   /* #30: @6 = (@6*@7) */
@@ -9714,7 +10273,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #32: @6 = 0.5 */
   w06 = 5.0000000000000000e-01;
   /* #33: @6 = (@6*@7) */
@@ -9726,7 +10285,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #35: @6 = 0.5625 */
   w06 = 5.6250000000000000e-01;
   /* #36: @6 = (@6*@7) */
@@ -9738,7 +10297,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #38: @6 = 0.625 */
   w06 = 6.2500000000000000e-01;
   /* #39: @6 = (@6*@7) */
@@ -9750,7 +10309,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #41: @6 = 0.6875 */
   w06 = 6.8750000000000000e-01;
   /* #42: @6 = (@6*@7) */
@@ -9762,7 +10321,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #44: @6 = 0.75 */
   w06 = 7.5000000000000000e-01;
   /* #45: @6 = (@6*@7) */
@@ -9774,7 +10333,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #47: @6 = 0.8125 */
   w06 = 8.1250000000000000e-01;
   /* #48: @6 = (@6*@7) */
@@ -9786,7 +10345,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #50: @6 = 0.875 */
   w06 = 8.7500000000000000e-01;
   /* #51: @6 = (@6*@7) */
@@ -9798,7 +10357,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #53: @6 = 0.9375 */
   w06 = 9.3750000000000000e-01;
   /* #54: @6 = (@6*@7) */
@@ -9810,7 +10369,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #56: {@10, @0} = landing_with_derivative(@5, @1, @7, @2) */
   arg1[0]=w05;
   arg1[1]=w01;
@@ -9818,7 +10377,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=w02;
   res1[0]=w10;
   res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #57: output[0][0] = @10 */
   casadi_copy(w10, 16, res[0]);
   /* #58: output[1][0] = @0 */
@@ -9827,18 +10386,18 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* compass_limit_cycle_192:(u0[4],p[6])->(u[4],J[4x4],R[4]) */
-static int casadi_f47(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+3, *w0=w+476, *w1=w+480, *w2=w+486, *w3=w+490;
+static int casadi_f65(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+3, *w0=w+536, *w1=w+540, *w2=w+546, *w3=w+550;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w0);
   /* #1: @1 = input[1][0] */
   casadi_copy(arg[1], 6, w1);
-  /* #2: @2 = newton_192(@0, @1) */
+  /* #2: @2 = scaled_newton_192(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w2;
-  if (casadi_f48(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f66(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 4, res[0]);
   /* #4: {@3, @0} = compass_jacobian_192(@2, @1) */
@@ -9846,7 +10405,7 @@ static int casadi_f47(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f51(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f71(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 16, res[1]);
   /* #6: output[2][0] = @0 */
@@ -9855,7 +10414,7 @@ static int casadi_f47(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_192(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f47(arg, res, iw, w, mem);
+  return casadi_f65(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_192_checkout(void) {
@@ -9916,23 +10475,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* compass_limit_cycle_192_sparsity_out(casa
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_192_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18;
-  if (sz_res) *sz_res = 10;
+  if (sz_arg) *sz_arg = 22;
+  if (sz_res) *sz_res = 13;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 506;
+  if (sz_w) *sz_w = 566;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_192_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 22*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 13*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 506*sizeof(casadi_real);
+  if (sz_w) *sz_w = 566*sizeof(casadi_real);
   return 0;
 }
 
 /* compass_residual_288:(u[4],p[6])->(R[4]) */
-static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f77(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, *w3=w+131, w4, w5, w6, *w7=w+135;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
@@ -9946,7 +10505,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w2;
   res1[0]=w3;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = 0 */
   w4 = 0.;
   /* #5: @5 = @0[3] */
@@ -9959,7 +10518,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w6);
   arg1[1]=w2;
   res1[0]=w7;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #9: @0 = plain_steps(@3, @4, @7, @6, @2) */
   arg1[0]=w3;
   arg1[1]=(&w4);
@@ -9967,7 +10526,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #10: @4 = 0.0416667 */
   w4 = 4.1666666666666664e-02;
   /* #11: @4 = (@4*@5) */
@@ -9979,7 +10538,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #13: @4 = 0.0833333 */
   w4 = 8.3333333333333329e-02;
   /* #14: @4 = (@4*@5) */
@@ -9991,7 +10550,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #16: @4 = 0.125 */
   w4 = 1.2500000000000000e-01;
   /* #17: @4 = (@4*@5) */
@@ -10003,7 +10562,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #19: @4 = 0.166667 */
   w4 = 1.6666666666666666e-01;
   /* #20: @4 = (@4*@5) */
@@ -10015,7 +10574,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #22: @4 = 0.208333 */
   w4 = 2.0833333333333334e-01;
   /* #23: @4 = (@4*@5) */
@@ -10027,7 +10586,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #25: @4 = 0.25 */
   w4 = 2.5000000000000000e-01;
   /* #26: @4 = (@4*@5) */
@@ -10039,7 +10598,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #28: @4 = 0.291667 */
   w4 = 2.9166666666666669e-01;
   /* #29: @4 = (@4*@5) */
@@ -10051,7 +10610,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #31: @4 = 0.333333 */
   w4 = 3.3333333333333331e-01;
   /* #32: @4 = (@4*@5) */
@@ -10063,7 +10622,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #34: @4 = 0.375 */
   w4 = 3.7500000000000000e-01;
   /* #35: @4 = (@4*@5) */
@@ -10075,7 +10634,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #37: @4 = 0.416667 */
   w4 = 4.1666666666666669e-01;
   /* #38: @4 = (@4*@5) */
@@ -10087,7 +10646,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #40: @4 = 0.458333 */
   w4 = 4.5833333333333331e-01;
   /* #41: @4 = (@4*@5) */
@@ -10099,7 +10658,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #43: @4 = 0.5 */
   w4 = 5.0000000000000000e-01;
   /* #44: @4 = (@4*@5) */
@@ -10111,7 +10670,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #46: @4 = 0.541667 */
   w4 = 5.4166666666666663e-01;
   /* #47: @4 = (@4*@5) */
@@ -10123,7 +10682,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #49: @4 = 0.583333 */
   w4 = 5.8333333333333337e-01;
   /* #50: @4 = (@4*@5) */
@@ -10135,7 +10694,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #52: @4 = 0.625 */
   w4 = 6.2500000000000000e-01;
   /* #53: @4 = (@4*@5) */
@@ -10147,7 +10706,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #55: @4 = 0.666667 */
   w4 = 6.6666666666666663e-01;
   /* #56: @4 = (@4*@5) */
@@ -10159,7 +10718,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #58: @4 = 0.708333 */
   w4 = 7.0833333333333337e-01;
   /* #59: @4 = (@4*@5) */
@@ -10171,7 +10730,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #61: @4 = 0.75 */
   w4 = 7.5000000000000000e-01;
   /* #62: @4 = (@4*@5) */
@@ -10183,7 +10742,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #64: @4 = 0.791667 */
   w4 = 7.9166666666666663e-01;
   /* #65: @4 = (@4*@5) */
@@ -10195,7 +10754,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #67: @4 = 0.833333 */
   w4 = 8.3333333333333337e-01;
   /* #68: @4 = (@4*@5) */
@@ -10207,7 +10766,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #70: @4 = 0.875 */
   w4 = 8.7500000000000000e-01;
   /* #71: @4 = (@4*@5) */
@@ -10219,7 +10778,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #73: @4 = 0.916667 */
   w4 = 9.1666666666666663e-01;
   /* #74: @4 = (@4*@5) */
@@ -10231,7 +10790,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #76: @4 = 0.958333 */
   w4 = 9.5833333333333337e-01;
   /* #77: @4 = (@4*@5) */
@@ -10243,20 +10802,20 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #79: @0 = landing(@3, @1, @2) */
   arg1[0]=w3;
   arg1[1]=w1;
   arg1[2]=w2;
   res1[0]=w0;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #80: output[0][0] = @0 */
   casadi_copy(w0, 4, res[0]);
   return 0;
 }
 
 /* coarse_jacobian_288:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f54(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+382, *w1=w+386, *w2=w+392, *w3=w+408;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
@@ -10268,21 +10827,55 @@ static int casadi_f54(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f46(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 16, res[0]);
   /* #4: @3 = compass_residual_288(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w3;
-  if (casadi_f55(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 4, res[1]);
   return 0;
 }
 
+/* scaled_jacobian_288:(u[4],p[6])->(J[4x4],R[4]) */
+static int casadi_f75(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_int i;
+  casadi_real **res1=res+2, *rr, *w0=w+412, *w1=w+428, *w2=w+432, *w3=w+438, *w4=w+454;
+  const casadi_real **arg1=arg+2, *cr, *cs, *wr0;
+  /* #0: @0 = 
+  [[1, 1, 1, 1], 
+   [1, 1, 1, 1], 
+   [1, 1, 1, 1], 
+   [0.5, 0.5, 0.5, 0.5]] */
+  wr0 = casadi_c0;
+  /* #1: @1 = input[0][0] */
+  casadi_copy(arg[0], 4, w1);
+  /* #2: @2 = input[1][0] */
+  casadi_copy(arg[1], 6, w2);
+  /* #3: {@3, @4} = coarse_jacobian_288(@1, @2) */
+  arg1[0]=w1;
+  arg1[1]=w2;
+  res1[0]=w3;
+  res1[1]=w4;
+  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  /* #4: @0 = (@0*@3) */
+  for (i=0, rr=w0, cr=wr0, cs=w3; i<16; ++i) (*rr++)  = ((*cr++)*(*cs++));
+  /* #5: output[0][0] = @0 */
+  casadi_copy(w0, 16, res[0]);
+  /* #6: @1 = [1, 1, 1, 2] */
+  casadi_copy(casadi_c1, 4, w1);
+  /* #7: @4 = (@4/@1) */
+  for (i=0, rr=w4, cs=w1; i<4; ++i) (*rr++) /= (*cs++);
+  /* #8: output[1][0] = @4 */
+  casadi_copy(w4, 4, res[1]);
+  return 0;
+}
+
 /* newton_288:(u0[4],p[6])->(u[4]) */
-static int casadi_f53(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f74(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 4;
@@ -10308,7 +10901,7 @@ static int casadi_f53(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f54(arg+2, res+1, iw, w+56, 0)) return 1;
+    if (casadi_f75(arg+2, res+1, iw, w+56, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -10316,8 +10909,26 @@ static int casadi_f53(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
+/* scaled_newton_288:(i0[4],i1[6])->(o0[4]) */
+static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *w0=w+522, *w1=w+526, *w2=w+532;
+  const casadi_real **arg1=arg+2;
+  /* #0: @0 = input[0][0] */
+  casadi_copy(arg[0], 4, w0);
+  /* #1: @1 = input[1][0] */
+  casadi_copy(arg[1], 6, w1);
+  /* #2: @2 = newton_288(@0, @1) */
+  arg1[0]=w0;
+  arg1[1]=w1;
+  res1[0]=w2;
+  if (casadi_f74(arg1, res1, iw, w, 0)) return 1;
+  /* #3: output[0][0] = @2 */
+  casadi_copy(w2, 4, res[0]);
+  return 0;
+}
+
 /* compass_jacobian_288:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f78(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+307, *w04=w+311, *w05=w+323, w06, w07, w08, *w09=w+339;
   casadi_real *w10=w+363;
@@ -10333,7 +10944,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w02;
   res1[0]=w03;
   res1[1]=w04;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @5 = horzcat(@3, @4) */
   rr=w05;
   for (i=0, cs=w03; i<4; ++i) *rr++ = *cs++;
@@ -10350,7 +10961,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w08);
   arg1[1]=w02;
   res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
   arg1[0]=w05;
   arg1[1]=(&w06);
@@ -10358,7 +10969,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #11: @6 = 0.0416667 */
   w06 = 4.1666666666666664e-02;
   /* #12: @6 = (@6*@7) */
@@ -10370,7 +10981,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #14: @6 = 0.0833333 */
   w06 = 8.3333333333333329e-02;
   /* #15: @6 = (@6*@7) */
@@ -10382,7 +10993,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #17: @6 = 0.125 */
   w06 = 1.2500000000000000e-01;
   /* #18: @6 = (@6*@7) */
@@ -10394,7 +11005,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #20: @6 = 0.166667 */
   w06 = 1.6666666666666666e-01;
   /* #21: @6 = (@6*@7) */
@@ -10406,7 +11017,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #23: @6 = 0.208333 */
   w06 = 2.0833333333333334e-01;
   /* #24: @6 = (@6*@7) */
@@ -10418,7 +11029,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #26: @6 = 0.25 */
   w06 = 2.5000000000000000e-01;
   /* #27: @6 = (@6*@7) */
@@ -10430,7 +11041,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #29: @6 = 0.291667 */
   w06 = 2.9166666666666669e-01;
   /* #30: @6 = (@6*@7) */
@@ -10442,7 +11053,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #32: @6 = 0.333333 */
   w06 = 3.3333333333333331e-01;
   /* #33: @6 = (@6*@7) */
@@ -10454,7 +11065,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #35: @6 = 0.375 */
   w06 = 3.7500000000000000e-01;
   /* #36: @6 = (@6*@7) */
@@ -10466,7 +11077,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #38: @6 = 0.416667 */
   w06 = 4.1666666666666669e-01;
   /* #39: @6 = (@6*@7) */
@@ -10478,7 +11089,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #41: @6 = 0.458333 */
   w06 = 4.5833333333333331e-01;
   /* #42: @6 = (@6*@7) */
@@ -10490,7 +11101,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #44: @6 = 0.5 */
   w06 = 5.0000000000000000e-01;
   /* #45: @6 = (@6*@7) */
@@ -10502,7 +11113,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #47: @6 = 0.541667 */
   w06 = 5.4166666666666663e-01;
   /* #48: @6 = (@6*@7) */
@@ -10514,7 +11125,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #50: @6 = 0.583333 */
   w06 = 5.8333333333333337e-01;
   /* #51: @6 = (@6*@7) */
@@ -10526,7 +11137,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #53: @6 = 0.625 */
   w06 = 6.2500000000000000e-01;
   /* #54: @6 = (@6*@7) */
@@ -10538,7 +11149,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #56: @6 = 0.666667 */
   w06 = 6.6666666666666663e-01;
   /* #57: @6 = (@6*@7) */
@@ -10550,7 +11161,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #59: @6 = 0.708333 */
   w06 = 7.0833333333333337e-01;
   /* #60: @6 = (@6*@7) */
@@ -10562,7 +11173,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #62: @6 = 0.75 */
   w06 = 7.5000000000000000e-01;
   /* #63: @6 = (@6*@7) */
@@ -10574,7 +11185,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #65: @6 = 0.791667 */
   w06 = 7.9166666666666663e-01;
   /* #66: @6 = (@6*@7) */
@@ -10586,7 +11197,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #68: @6 = 0.833333 */
   w06 = 8.3333333333333337e-01;
   /* #69: @6 = (@6*@7) */
@@ -10598,7 +11209,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #71: @6 = 0.875 */
   w06 = 8.7500000000000000e-01;
   /* #72: @6 = (@6*@7) */
@@ -10610,7 +11221,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #74: @6 = 0.916667 */
   w06 = 9.1666666666666663e-01;
   /* #75: @6 = (@6*@7) */
@@ -10622,7 +11233,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #77: @6 = 0.958333 */
   w06 = 9.5833333333333337e-01;
   /* #78: @6 = (@6*@7) */
@@ -10634,7 +11245,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #80: {@10, @0} = landing_with_derivative(@5, @1, @7, @2) */
   arg1[0]=w05;
   arg1[1]=w01;
@@ -10642,7 +11253,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=w02;
   res1[0]=w10;
   res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #81: output[0][0] = @10 */
   casadi_copy(w10, 16, res[0]);
   /* #82: output[1][0] = @0 */
@@ -10651,18 +11262,18 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* compass_limit_cycle_288:(u0[4],p[6])->(u[4],J[4x4],R[4]) */
-static int casadi_f52(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+3, *w0=w+476, *w1=w+480, *w2=w+486, *w3=w+490;
+static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+3, *w0=w+536, *w1=w+540, *w2=w+546, *w3=w+550;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w0);
   /* #1: @1 = input[1][0] */
   casadi_copy(arg[1], 6, w1);
-  /* #2: @2 = newton_288(@0, @1) */
+  /* #2: @2 = scaled_newton_288(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w2;
-  if (casadi_f53(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f73(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 4, res[0]);
   /* #4: {@3, @0} = compass_jacobian_288(@2, @1) */
@@ -10670,7 +11281,7 @@ static int casadi_f52(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f56(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 16, res[1]);
   /* #6: output[2][0] = @0 */
@@ -10679,7 +11290,7 @@ static int casadi_f52(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_288(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f52(arg, res, iw, w, mem);
+  return casadi_f72(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_288_checkout(void) {
@@ -10740,23 +11351,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* compass_limit_cycle_288_sparsity_out(casa
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_288_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18;
-  if (sz_res) *sz_res = 10;
+  if (sz_arg) *sz_arg = 22;
+  if (sz_res) *sz_res = 13;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 506;
+  if (sz_w) *sz_w = 566;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_288_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 22*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 13*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 506*sizeof(casadi_real);
+  if (sz_w) *sz_w = 566*sizeof(casadi_real);
   return 0;
 }
 
 /* compass_residual_384:(u[4],p[6])->(R[4]) */
-static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+118, *w1=w+122, *w2=w+125, *w3=w+131, w4, w5, w6, *w7=w+135;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
@@ -10770,7 +11381,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w2;
   res1[0]=w3;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = 0 */
   w4 = 0.;
   /* #5: @5 = @0[3] */
@@ -10783,7 +11394,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w6);
   arg1[1]=w2;
   res1[0]=w7;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #9: @0 = plain_steps(@3, @4, @7, @6, @2) */
   arg1[0]=w3;
   arg1[1]=(&w4);
@@ -10791,7 +11402,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #10: @4 = 0.03125 */
   w4 = 3.1250000000000000e-02;
   /* #11: @4 = (@4*@5) */
@@ -10803,7 +11414,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #13: @4 = 0.0625 */
   w4 = 6.2500000000000000e-02;
   /* #14: @4 = (@4*@5) */
@@ -10815,7 +11426,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #16: @4 = 0.09375 */
   w4 = 9.3750000000000000e-02;
   /* #17: @4 = (@4*@5) */
@@ -10827,7 +11438,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #19: @4 = 0.125 */
   w4 = 1.2500000000000000e-01;
   /* #20: @4 = (@4*@5) */
@@ -10839,7 +11450,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #22: @4 = 0.15625 */
   w4 = 1.5625000000000000e-01;
   /* #23: @4 = (@4*@5) */
@@ -10851,7 +11462,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #25: @4 = 0.1875 */
   w4 = 1.8750000000000000e-01;
   /* #26: @4 = (@4*@5) */
@@ -10863,7 +11474,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #28: @4 = 0.21875 */
   w4 = 2.1875000000000000e-01;
   /* #29: @4 = (@4*@5) */
@@ -10875,7 +11486,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #31: @4 = 0.25 */
   w4 = 2.5000000000000000e-01;
   /* #32: @4 = (@4*@5) */
@@ -10887,7 +11498,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #34: @4 = 0.28125 */
   w4 = 2.8125000000000000e-01;
   /* #35: @4 = (@4*@5) */
@@ -10899,7 +11510,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #37: @4 = 0.3125 */
   w4 = 3.1250000000000000e-01;
   /* #38: @4 = (@4*@5) */
@@ -10911,7 +11522,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #40: @4 = 0.34375 */
   w4 = 3.4375000000000000e-01;
   /* #41: @4 = (@4*@5) */
@@ -10923,7 +11534,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #43: @4 = 0.375 */
   w4 = 3.7500000000000000e-01;
   /* #44: @4 = (@4*@5) */
@@ -10935,7 +11546,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #46: @4 = 0.40625 */
   w4 = 4.0625000000000000e-01;
   /* #47: @4 = (@4*@5) */
@@ -10947,7 +11558,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #49: @4 = 0.4375 */
   w4 = 4.3750000000000000e-01;
   /* #50: @4 = (@4*@5) */
@@ -10959,7 +11570,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #52: @4 = 0.46875 */
   w4 = 4.6875000000000000e-01;
   /* #53: @4 = (@4*@5) */
@@ -10971,7 +11582,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #55: @4 = 0.5 */
   w4 = 5.0000000000000000e-01;
   /* #56: @4 = (@4*@5) */
@@ -10983,7 +11594,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #58: @4 = 0.53125 */
   w4 = 5.3125000000000000e-01;
   /* #59: @4 = (@4*@5) */
@@ -10995,7 +11606,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #61: @4 = 0.5625 */
   w4 = 5.6250000000000000e-01;
   /* #62: @4 = (@4*@5) */
@@ -11007,7 +11618,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #64: @4 = 0.59375 */
   w4 = 5.9375000000000000e-01;
   /* #65: @4 = (@4*@5) */
@@ -11019,7 +11630,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #67: @4 = 0.625 */
   w4 = 6.2500000000000000e-01;
   /* #68: @4 = (@4*@5) */
@@ -11031,7 +11642,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #70: @4 = 0.65625 */
   w4 = 6.5625000000000000e-01;
   /* #71: @4 = (@4*@5) */
@@ -11043,7 +11654,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #73: @4 = 0.6875 */
   w4 = 6.8750000000000000e-01;
   /* #74: @4 = (@4*@5) */
@@ -11055,7 +11666,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #76: @4 = 0.71875 */
   w4 = 7.1875000000000000e-01;
   /* #77: @4 = (@4*@5) */
@@ -11067,7 +11678,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #79: @4 = 0.75 */
   w4 = 7.5000000000000000e-01;
   /* #80: @4 = (@4*@5) */
@@ -11079,7 +11690,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #82: @4 = 0.78125 */
   w4 = 7.8125000000000000e-01;
   /* #83: @4 = (@4*@5) */
@@ -11091,7 +11702,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #85: @4 = 0.8125 */
   w4 = 8.1250000000000000e-01;
   /* #86: @4 = (@4*@5) */
@@ -11103,7 +11714,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #88: @4 = 0.84375 */
   w4 = 8.4375000000000000e-01;
   /* #89: @4 = (@4*@5) */
@@ -11115,7 +11726,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #91: @4 = 0.875 */
   w4 = 8.7500000000000000e-01;
   /* #92: @4 = (@4*@5) */
@@ -11127,7 +11738,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #94: @4 = 0.90625 */
   w4 = 9.0625000000000000e-01;
   /* #95: @4 = (@4*@5) */
@@ -11139,7 +11750,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #97: @4 = 0.9375 */
   w4 = 9.3750000000000000e-01;
   /* #98: @4 = (@4*@5) */
@@ -11151,7 +11762,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #100: @4 = 0.96875 */
   w4 = 9.6875000000000000e-01;
   /* #101: @4 = (@4*@5) */
@@ -11163,20 +11774,20 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=w2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #103: @0 = landing(@3, @1, @2) */
   arg1[0]=w3;
   arg1[1]=w1;
   arg1[2]=w2;
   res1[0]=w0;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #104: output[0][0] = @0 */
   casadi_copy(w0, 4, res[0]);
   return 0;
 }
 
 /* coarse_jacobian_384:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f59(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+382, *w1=w+386, *w2=w+392, *w3=w+408;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
@@ -11188,21 +11799,55 @@ static int casadi_f59(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f51(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f71(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 16, res[0]);
   /* #4: @3 = compass_residual_384(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w3;
-  if (casadi_f60(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f84(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 4, res[1]);
   return 0;
 }
 
+/* scaled_jacobian_384:(u[4],p[6])->(J[4x4],R[4]) */
+static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_int i;
+  casadi_real **res1=res+2, *rr, *w0=w+412, *w1=w+428, *w2=w+432, *w3=w+438, *w4=w+454;
+  const casadi_real **arg1=arg+2, *cr, *cs, *wr0;
+  /* #0: @0 = 
+  [[1, 1, 1, 1], 
+   [1, 1, 1, 1], 
+   [1, 1, 1, 1], 
+   [0.5, 0.5, 0.5, 0.5]] */
+  wr0 = casadi_c0;
+  /* #1: @1 = input[0][0] */
+  casadi_copy(arg[0], 4, w1);
+  /* #2: @2 = input[1][0] */
+  casadi_copy(arg[1], 6, w2);
+  /* #3: {@3, @4} = coarse_jacobian_384(@1, @2) */
+  arg1[0]=w1;
+  arg1[1]=w2;
+  res1[0]=w3;
+  res1[1]=w4;
+  if (casadi_f83(arg1, res1, iw, w, 0)) return 1;
+  /* #4: @0 = (@0*@3) */
+  for (i=0, rr=w0, cr=wr0, cs=w3; i<16; ++i) (*rr++)  = ((*cr++)*(*cs++));
+  /* #5: output[0][0] = @0 */
+  casadi_copy(w0, 16, res[0]);
+  /* #6: @1 = [1, 1, 1, 2] */
+  casadi_copy(casadi_c1, 4, w1);
+  /* #7: @4 = (@4/@1) */
+  for (i=0, rr=w4, cs=w1; i<4; ++i) (*rr++) /= (*cs++);
+  /* #8: output[1][0] = @4 */
+  casadi_copy(w4, 4, res[1]);
+  return 0;
+}
+
 /* newton_384:(u0[4],p[6])->(u[4]) */
-static int casadi_f58(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 4;
@@ -11228,7 +11873,7 @@ static int casadi_f58(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f59(arg+2, res+1, iw, w+56, 0)) return 1;
+    if (casadi_f82(arg+2, res+1, iw, w+56, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -11236,8 +11881,26 @@ static int casadi_f58(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
+/* scaled_newton_384:(i0[4],i1[6])->(o0[4]) */
+static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *w0=w+522, *w1=w+526, *w2=w+532;
+  const casadi_real **arg1=arg+2;
+  /* #0: @0 = input[0][0] */
+  casadi_copy(arg[0], 4, w0);
+  /* #1: @1 = input[1][0] */
+  casadi_copy(arg[1], 6, w1);
+  /* #2: @2 = newton_384(@0, @1) */
+  arg1[0]=w0;
+  arg1[1]=w1;
+  res1[0]=w2;
+  if (casadi_f81(arg1, res1, iw, w, 0)) return 1;
+  /* #3: output[0][0] = @2 */
+  casadi_copy(w2, 4, res[0]);
+  return 0;
+}
+
 /* compass_jacobian_384:(u[4],p[6])->(J[4x4],R[4]) */
-static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+294, *w01=w+298, *w02=w+301, *w03=w+307, *w04=w+311, *w05=w+323, w06, w07, w08, *w09=w+339;
   casadi_real *w10=w+363;
@@ -11253,7 +11916,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w02;
   res1[0]=w03;
   res1[1]=w04;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @5 = horzcat(@3, @4) */
   rr=w05;
   for (i=0, cs=w03; i<4; ++i) *rr++ = *cs++;
@@ -11270,7 +11933,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w08);
   arg1[1]=w02;
   res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
   arg1[0]=w05;
   arg1[1]=(&w06);
@@ -11278,7 +11941,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #11: @6 = 0.03125 */
   w06 = 3.1250000000000000e-02;
   /* #12: @6 = (@6*@7) */
@@ -11290,7 +11953,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #14: @6 = 0.0625 */
   w06 = 6.2500000000000000e-02;
   /* #15: @6 = (@6*@7) */
@@ -11302,7 +11965,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #17: @6 = 0.09375 */
   w06 = 9.3750000000000000e-02;
   /* #18: @6 = (@6*@7) */
@@ -11314,7 +11977,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #20: @6 = 0.125 */
   w06 = 1.2500000000000000e-01;
   /* #21: @6 = (@6*@7) */
@@ -11326,7 +11989,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #23: @6 = 0.15625 */
   w06 = 1.5625000000000000e-01;
   /* #24: @6 = (@6*@7) */
@@ -11338,7 +12001,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #26: @6 = 0.1875 */
   w06 = 1.8750000000000000e-01;
   /* #27: @6 = (@6*@7) */
@@ -11350,7 +12013,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #29: @6 = 0.21875 */
   w06 = 2.1875000000000000e-01;
   /* #30: @6 = (@6*@7) */
@@ -11362,7 +12025,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #32: @6 = 0.25 */
   w06 = 2.5000000000000000e-01;
   /* #33: @6 = (@6*@7) */
@@ -11374,7 +12037,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #35: @6 = 0.28125 */
   w06 = 2.8125000000000000e-01;
   /* #36: @6 = (@6*@7) */
@@ -11386,7 +12049,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #38: @6 = 0.3125 */
   w06 = 3.1250000000000000e-01;
   /* #39: @6 = (@6*@7) */
@@ -11398,7 +12061,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #41: @6 = 0.34375 */
   w06 = 3.4375000000000000e-01;
   /* #42: @6 = (@6*@7) */
@@ -11410,7 +12073,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #44: @6 = 0.375 */
   w06 = 3.7500000000000000e-01;
   /* #45: @6 = (@6*@7) */
@@ -11422,7 +12085,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #47: @6 = 0.40625 */
   w06 = 4.0625000000000000e-01;
   /* #48: @6 = (@6*@7) */
@@ -11434,7 +12097,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #50: @6 = 0.4375 */
   w06 = 4.3750000000000000e-01;
   /* #51: @6 = (@6*@7) */
@@ -11446,7 +12109,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #53: @6 = 0.46875 */
   w06 = 4.6875000000000000e-01;
   /* #54: @6 = (@6*@7) */
@@ -11458,7 +12121,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #56: @6 = 0.5 */
   w06 = 5.0000000000000000e-01;
   /* #57: @6 = (@6*@7) */
@@ -11470,7 +12133,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #59: @6 = 0.53125 */
   w06 = 5.3125000000000000e-01;
   /* #60: @6 = (@6*@7) */
@@ -11482,7 +12145,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #62: @6 = 0.5625 */
   w06 = 5.6250000000000000e-01;
   /* #63: @6 = (@6*@7) */
@@ -11494,7 +12157,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #65: @6 = 0.59375 */
   w06 = 5.9375000000000000e-01;
   /* #66: @6 = (@6*@7) */
@@ -11506,7 +12169,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #68: @6 = 0.625 */
   w06 = 6.2500000000000000e-01;
   /* #69: @6 = (@6*@7) */
@@ -11518,7 +12181,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #71: @6 = 0.65625 */
   w06 = 6.5625000000000000e-01;
   /* #72: @6 = (@6*@7) */
@@ -11530,7 +12193,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #74: @6 = 0.6875 */
   w06 = 6.8750000000000000e-01;
   /* #75: @6 = (@6*@7) */
@@ -11542,7 +12205,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #77: @6 = 0.71875 */
   w06 = 7.1875000000000000e-01;
   /* #78: @6 = (@6*@7) */
@@ -11554,7 +12217,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #80: @6 = 0.75 */
   w06 = 7.5000000000000000e-01;
   /* #81: @6 = (@6*@7) */
@@ -11566,7 +12229,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #83: @6 = 0.78125 */
   w06 = 7.8125000000000000e-01;
   /* #84: @6 = (@6*@7) */
@@ -11578,7 +12241,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #86: @6 = 0.8125 */
   w06 = 8.1250000000000000e-01;
   /* #87: @6 = (@6*@7) */
@@ -11590,7 +12253,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #89: @6 = 0.84375 */
   w06 = 8.4375000000000000e-01;
   /* #90: @6 = (@6*@7) */
@@ -11602,7 +12265,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #92: @6 = 0.875 */
   w06 = 8.7500000000000000e-01;
   /* #93: @6 = (@6*@7) */
@@ -11614,7 +12277,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #95: @6 = 0.90625 */
   w06 = 9.0625000000000000e-01;
   /* #96: @6 = (@6*@7) */
@@ -11626,7 +12289,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #98: @6 = 0.9375 */
   w06 = 9.3750000000000000e-01;
   /* #99: @6 = (@6*@7) */
@@ -11638,7 +12301,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #101: @6 = 0.96875 */
   w06 = 9.6875000000000000e-01;
   /* #102: @6 = (@6*@7) */
@@ -11650,7 +12313,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=w02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #104: {@10, @0} = landing_with_derivative(@5, @1, @7, @2) */
   arg1[0]=w05;
   arg1[1]=w01;
@@ -11658,7 +12321,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=w02;
   res1[0]=w10;
   res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #105: output[0][0] = @10 */
   casadi_copy(w10, 16, res[0]);
   /* #106: output[1][0] = @0 */
@@ -11667,18 +12330,18 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* compass_limit_cycle_384:(u0[4],p[6])->(u[4],J[4x4],R[4]) */
-static int casadi_f57(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+3, *w0=w+476, *w1=w+480, *w2=w+486, *w3=w+490;
+static int casadi_f79(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+3, *w0=w+536, *w1=w+540, *w2=w+546, *w3=w+550;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 4, w0);
   /* #1: @1 = input[1][0] */
   casadi_copy(arg[1], 6, w1);
-  /* #2: @2 = newton_384(@0, @1) */
+  /* #2: @2 = scaled_newton_384(@0, @1) */
   arg1[0]=w0;
   arg1[1]=w1;
   res1[0]=w2;
-  if (casadi_f58(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f80(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 4, res[0]);
   /* #4: {@3, @0} = compass_jacobian_384(@2, @1) */
@@ -11686,7 +12349,7 @@ static int casadi_f57(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f61(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f85(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 16, res[1]);
   /* #6: output[2][0] = @0 */
@@ -11695,7 +12358,7 @@ static int casadi_f57(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_384(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f57(arg, res, iw, w, mem);
+  return casadi_f79(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_384_checkout(void) {
@@ -11756,23 +12419,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* compass_limit_cycle_384_sparsity_out(casa
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_384_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18;
-  if (sz_res) *sz_res = 10;
+  if (sz_arg) *sz_arg = 22;
+  if (sz_res) *sz_res = 13;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 506;
+  if (sz_w) *sz_w = 566;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int compass_limit_cycle_384_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 22*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 13*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 506*sizeof(casadi_real);
+  if (sz_w) *sz_w = 566*sizeof(casadi_real);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int compass_residual_12(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f9(arg, res, iw, w, mem);
+  return casadi_f11(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_residual_12_checkout(void) {
@@ -11845,7 +12508,7 @@ CASADI_SYMBOL_EXPORT int compass_residual_12_work_bytes(casadi_int *sz_arg, casa
 }
 
 CASADI_SYMBOL_EXPORT int compass_residual_24(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f16(arg, res, iw, w, mem);
+  return casadi_f20(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_residual_24_checkout(void) {
@@ -11918,7 +12581,7 @@ CASADI_SYMBOL_EXPORT int compass_residual_24_work_bytes(casadi_int *sz_arg, casa
 }
 
 CASADI_SYMBOL_EXPORT int compass_residual_36(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f27(arg, res, iw, w, mem);
+  return casadi_f37(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_residual_36_checkout(void) {
@@ -11991,7 +12654,7 @@ CASADI_SYMBOL_EXPORT int compass_residual_36_work_bytes(casadi_int *sz_arg, casa
 }
 
 CASADI_SYMBOL_EXPORT int compass_residual_48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f20(arg, res, iw, w, mem);
+  return casadi_f26(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_residual_48_checkout(void) {
@@ -12064,7 +12727,7 @@ CASADI_SYMBOL_EXPORT int compass_residual_48_work_bytes(casadi_int *sz_arg, casa
 }
 
 CASADI_SYMBOL_EXPORT int compass_residual_72(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f35(arg, res, iw, w, mem);
+  return casadi_f49(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_residual_72_checkout(void) {
@@ -12137,7 +12800,7 @@ CASADI_SYMBOL_EXPORT int compass_residual_72_work_bytes(casadi_int *sz_arg, casa
 }
 
 CASADI_SYMBOL_EXPORT int compass_residual_96(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f40(arg, res, iw, w, mem);
+  return casadi_f56(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_residual_96_checkout(void) {
@@ -12210,7 +12873,7 @@ CASADI_SYMBOL_EXPORT int compass_residual_96_work_bytes(casadi_int *sz_arg, casa
 }
 
 CASADI_SYMBOL_EXPORT int compass_residual_144(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f45(arg, res, iw, w, mem);
+  return casadi_f63(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_residual_144_checkout(void) {
@@ -12283,7 +12946,7 @@ CASADI_SYMBOL_EXPORT int compass_residual_144_work_bytes(casadi_int *sz_arg, cas
 }
 
 CASADI_SYMBOL_EXPORT int compass_residual_192(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f50(arg, res, iw, w, mem);
+  return casadi_f70(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_residual_192_checkout(void) {
@@ -12356,7 +13019,7 @@ CASADI_SYMBOL_EXPORT int compass_residual_192_work_bytes(casadi_int *sz_arg, cas
 }
 
 CASADI_SYMBOL_EXPORT int compass_residual_288(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f55(arg, res, iw, w, mem);
+  return casadi_f77(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_residual_288_checkout(void) {
@@ -12429,7 +13092,7 @@ CASADI_SYMBOL_EXPORT int compass_residual_288_work_bytes(casadi_int *sz_arg, cas
 }
 
 CASADI_SYMBOL_EXPORT int compass_residual_384(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f60(arg, res, iw, w, mem);
+  return casadi_f84(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_residual_384_checkout(void) {
@@ -12502,7 +13165,7 @@ CASADI_SYMBOL_EXPORT int compass_residual_384_work_bytes(casadi_int *sz_arg, cas
 }
 
 CASADI_SYMBOL_EXPORT int compass_jacobian_12(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f2(arg, res, iw, w, mem);
+  return casadi_f4(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_jacobian_12_checkout(void) {
@@ -12577,7 +13240,7 @@ CASADI_SYMBOL_EXPORT int compass_jacobian_12_work_bytes(casadi_int *sz_arg, casa
 }
 
 CASADI_SYMBOL_EXPORT int compass_jacobian_24(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f15(arg, res, iw, w, mem);
+  return casadi_f19(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_jacobian_24_checkout(void) {
@@ -12652,7 +13315,7 @@ CASADI_SYMBOL_EXPORT int compass_jacobian_24_work_bytes(casadi_int *sz_arg, casa
 }
 
 CASADI_SYMBOL_EXPORT int compass_jacobian_36(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f28(arg, res, iw, w, mem);
+  return casadi_f38(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_jacobian_36_checkout(void) {
@@ -12727,7 +13390,7 @@ CASADI_SYMBOL_EXPORT int compass_jacobian_36_work_bytes(casadi_int *sz_arg, casa
 }
 
 CASADI_SYMBOL_EXPORT int compass_jacobian_48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f19(arg, res, iw, w, mem);
+  return casadi_f25(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_jacobian_48_checkout(void) {
@@ -12802,7 +13465,7 @@ CASADI_SYMBOL_EXPORT int compass_jacobian_48_work_bytes(casadi_int *sz_arg, casa
 }
 
 CASADI_SYMBOL_EXPORT int compass_jacobian_72(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f36(arg, res, iw, w, mem);
+  return casadi_f50(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_jacobian_72_checkout(void) {
@@ -12877,7 +13540,7 @@ CASADI_SYMBOL_EXPORT int compass_jacobian_72_work_bytes(casadi_int *sz_arg, casa
 }
 
 CASADI_SYMBOL_EXPORT int compass_jacobian_96(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f41(arg, res, iw, w, mem);
+  return casadi_f57(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_jacobian_96_checkout(void) {
@@ -12952,7 +13615,7 @@ CASADI_SYMBOL_EXPORT int compass_jacobian_96_work_bytes(casadi_int *sz_arg, casa
 }
 
 CASADI_SYMBOL_EXPORT int compass_jacobian_144(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f46(arg, res, iw, w, mem);
+  return casadi_f64(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_jacobian_144_checkout(void) {
@@ -13027,7 +13690,7 @@ CASADI_SYMBOL_EXPORT int compass_jacobian_144_work_bytes(casadi_int *sz_arg, cas
 }
 
 CASADI_SYMBOL_EXPORT int compass_jacobian_192(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f51(arg, res, iw, w, mem);
+  return casadi_f71(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_jacobian_192_checkout(void) {
@@ -13102,7 +13765,7 @@ CASADI_SYMBOL_EXPORT int compass_jacobian_192_work_bytes(casadi_int *sz_arg, cas
 }
 
 CASADI_SYMBOL_EXPORT int compass_jacobian_288(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f56(arg, res, iw, w, mem);
+  return casadi_f78(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_jacobian_288_checkout(void) {
@@ -13177,7 +13840,7 @@ CASADI_SYMBOL_EXPORT int compass_jacobian_288_work_bytes(casadi_int *sz_arg, cas
 }
 
 CASADI_SYMBOL_EXPORT int compass_jacobian_384(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f61(arg, res, iw, w, mem);
+  return casadi_f85(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_jacobian_384_checkout(void) {
@@ -13252,7 +13915,7 @@ CASADI_SYMBOL_EXPORT int compass_jacobian_384_work_bytes(casadi_int *sz_arg, cas
 }
 
 /* working_step:(y[5],phase[2],turns[2x12],h,p[6])->(y_end[5]) */
-static int casadi_f64(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f88(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
@@ -14506,7 +15169,7 @@ static int casadi_f64(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* observe:(t,y[4],p[6])->(g[9],dg[9]) */
-static int casadi_f65(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f89(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
@@ -14831,7 +15494,7 @@ static int casadi_f65(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* working_steps:(t,turns[2x12],w[5],h,p[6])->(w_end[5],nodes[5x12],g[9x12],dg[9x12]) */
-static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+4, *rr, *w00=w+81, w01, *w02=w+86, *w03=w+92, w05, *w06=w+94, w07, *w08=w+99, *w09=w+104, *w10=w+109;
   casadi_real *w11=w+114, *w12=w+119, *w13=w+124, *w14=w+129, *w15=w+134, *w16=w+139, *w17=w+144, *w18=w+149, *w19=w+154, *w20=w+158, *w21=w+167, *w22=w+176;
   casadi_real *w23=w+185, *w24=w+194, *w25=w+203, *w26=w+212, *w27=w+221, *w28=w+230, *w29=w+239, *w30=w+248, *w31=w+257, *w32=w+266;
@@ -14846,7 +15509,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w01);
   arg1[1]=w02;
   res1[0]=w03;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = input[1][0] */
   wr04 = arg[1] ? arg[1] : casadi_zeros;
   /* #5: @5 = input[3][0] */
@@ -14858,14 +15521,14 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=w02;
   res1[0]=w06;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
   /* #7: @7 = (@1+@5) */
   w07  = (w01+w05);
   /* #8: @3 = phase(@7, @2) */
   arg1[0]=(&w07);
   arg1[1]=w02;
   res1[0]=w03;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #9: @8 = working_step(@6, @3, @4, @5, @2) */
   arg1[0]=w06;
   arg1[1]=w03;
@@ -14873,7 +15536,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=w02;
   res1[0]=w08;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
   /* #10: @7 = (2.*@5) */
   w07 = (2.* w05 );
   /* #11: @7 = (@1+@7) */
@@ -14882,7 +15545,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w07);
   arg1[1]=w02;
   res1[0]=w03;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #13: @9 = working_step(@8, @3, @4, @5, @2) */
   arg1[0]=w08;
   arg1[1]=w03;
@@ -14890,7 +15553,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=w02;
   res1[0]=w09;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
   /* #14: @7 = 3 */
   w07 = 3.;
   /* #15: @7 = (@7*@5) */
@@ -14901,7 +15564,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w07);
   arg1[1]=w02;
   res1[0]=w03;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #18: @10 = working_step(@9, @3, @4, @5, @2) */
   arg1[0]=w09;
   arg1[1]=w03;
@@ -14909,7 +15572,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=w02;
   res1[0]=w10;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
   /* #19: @7 = 4 */
   w07 = 4.;
   /* #20: @7 = (@7*@5) */
@@ -14920,7 +15583,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w07);
   arg1[1]=w02;
   res1[0]=w03;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #23: @11 = working_step(@10, @3, @4, @5, @2) */
   arg1[0]=w10;
   arg1[1]=w03;
@@ -14928,7 +15591,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=w02;
   res1[0]=w11;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
   /* #24: @7 = 5 */
   w07 = 5.;
   /* #25: @7 = (@7*@5) */
@@ -14939,7 +15602,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w07);
   arg1[1]=w02;
   res1[0]=w03;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #28: @12 = working_step(@11, @3, @4, @5, @2) */
   arg1[0]=w11;
   arg1[1]=w03;
@@ -14947,7 +15610,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=w02;
   res1[0]=w12;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
   /* #29: @7 = 6 */
   w07 = 6.;
   /* #30: @7 = (@7*@5) */
@@ -14958,7 +15621,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w07);
   arg1[1]=w02;
   res1[0]=w03;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #33: @13 = working_step(@12, @3, @4, @5, @2) */
   arg1[0]=w12;
   arg1[1]=w03;
@@ -14966,7 +15629,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=w02;
   res1[0]=w13;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
   /* #34: @7 = 7 */
   w07 = 7.;
   /* #35: @7 = (@7*@5) */
@@ -14977,7 +15640,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w07);
   arg1[1]=w02;
   res1[0]=w03;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #38: @14 = working_step(@13, @3, @4, @5, @2) */
   arg1[0]=w13;
   arg1[1]=w03;
@@ -14985,7 +15648,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=w02;
   res1[0]=w14;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
   /* #39: @7 = 8 */
   w07 = 8.;
   /* #40: @7 = (@7*@5) */
@@ -14996,7 +15659,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w07);
   arg1[1]=w02;
   res1[0]=w03;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #43: @15 = working_step(@14, @3, @4, @5, @2) */
   arg1[0]=w14;
   arg1[1]=w03;
@@ -15004,7 +15667,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=w02;
   res1[0]=w15;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
   /* #44: @7 = 9 */
   w07 = 9.;
   /* #45: @7 = (@7*@5) */
@@ -15015,7 +15678,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w07);
   arg1[1]=w02;
   res1[0]=w03;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #48: @16 = working_step(@15, @3, @4, @5, @2) */
   arg1[0]=w15;
   arg1[1]=w03;
@@ -15023,7 +15686,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=w02;
   res1[0]=w16;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
   /* #49: @7 = 10 */
   w07 = 10.;
   /* #50: @7 = (@7*@5) */
@@ -15034,7 +15697,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w07);
   arg1[1]=w02;
   res1[0]=w03;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #53: @17 = working_step(@16, @3, @4, @5, @2) */
   arg1[0]=w16;
   arg1[1]=w03;
@@ -15042,7 +15705,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=w02;
   res1[0]=w17;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
   /* #54: @7 = 11 */
   w07 = 11.;
   /* #55: @7 = (@7*@5) */
@@ -15053,7 +15716,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w07);
   arg1[1]=w02;
   res1[0]=w03;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #58: @18 = working_step(@17, @3, @4, @5, @2) */
   arg1[0]=w17;
   arg1[1]=w03;
@@ -15061,7 +15724,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=w02;
   res1[0]=w18;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
   /* #59: output[0][0] = @18 */
   casadi_copy(w18, 5, res[0]);
   /* #60: output[1][0] = @0 */
@@ -15096,7 +15759,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w02;
   res1[0]=w20;
   res1[1]=w21;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #74: output[2][0] = @20 */
   casadi_copy(w20, 9, res[2]);
   /* #75: @7 = (@1+@5) */
@@ -15109,7 +15772,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w02;
   res1[0]=w20;
   res1[1]=w22;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #78: output[2][1] = @20 */
   if (res[2]) casadi_copy(w20, 9, res[2]+9);
   /* #79: @7 = (2.*@5) */
@@ -15124,7 +15787,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w02;
   res1[0]=w20;
   res1[1]=w23;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #83: output[2][2] = @20 */
   if (res[2]) casadi_copy(w20, 9, res[2]+18);
   /* #84: @7 = 3 */
@@ -15141,7 +15804,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w02;
   res1[0]=w20;
   res1[1]=w24;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #89: output[2][3] = @20 */
   if (res[2]) casadi_copy(w20, 9, res[2]+27);
   /* #90: @7 = 4 */
@@ -15158,7 +15821,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w02;
   res1[0]=w20;
   res1[1]=w25;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #95: output[2][4] = @20 */
   if (res[2]) casadi_copy(w20, 9, res[2]+36);
   /* #96: @7 = 5 */
@@ -15175,7 +15838,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w02;
   res1[0]=w20;
   res1[1]=w26;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #101: output[2][5] = @20 */
   if (res[2]) casadi_copy(w20, 9, res[2]+45);
   /* #102: @7 = 6 */
@@ -15192,7 +15855,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w02;
   res1[0]=w20;
   res1[1]=w27;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #107: output[2][6] = @20 */
   if (res[2]) casadi_copy(w20, 9, res[2]+54);
   /* #108: @7 = 7 */
@@ -15209,7 +15872,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w02;
   res1[0]=w20;
   res1[1]=w28;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #113: output[2][7] = @20 */
   if (res[2]) casadi_copy(w20, 9, res[2]+63);
   /* #114: @7 = 8 */
@@ -15226,7 +15889,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w02;
   res1[0]=w20;
   res1[1]=w29;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #119: output[2][8] = @20 */
   if (res[2]) casadi_copy(w20, 9, res[2]+72);
   /* #120: @7 = 9 */
@@ -15243,7 +15906,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w02;
   res1[0]=w20;
   res1[1]=w30;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #125: output[2][9] = @20 */
   if (res[2]) casadi_copy(w20, 9, res[2]+81);
   /* #126: @7 = 10 */
@@ -15260,7 +15923,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w02;
   res1[0]=w20;
   res1[1]=w31;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #131: output[2][10] = @20 */
   if (res[2]) casadi_copy(w20, 9, res[2]+90);
   /* #132: @7 = 11 */
@@ -15277,7 +15940,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w02;
   res1[0]=w20;
   res1[1]=w32;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #137: output[2][11] = @20 */
   if (res[2]) casadi_copy(w20, 9, res[2]+99);
   /* #138: output[3][0] = @21 */
@@ -15308,7 +15971,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* compass_trace_48:(u[4],p[6])->(w[5x49],g[9x49],dg[9x49],R[4]) */
-static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w00, *w01=w+302, w02, w03, *w04=w+306, *w05=w+312, *w06=w+336, w07, *w08=w+339, *w09=w+344;
   casadi_real *w10=w+349, *w11=w+409, *w12=w+517, *w13=w+625, *w14=w+733, *w15=w+841, *w16=w+949, *w17=w+1057, *w18=w+1165, *w19=w+1273, *w20=w+1282, *w21=w+1291;
@@ -15329,7 +15992,7 @@ static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w03);
   arg1[1]=w04;
   res1[0]=w05;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:3] */
   for (rr=w06, cs=w01+0; cs!=w01+3; cs+=1) *rr++ = *cs;
   /* #8: {@1, NULL} = start(@6, @4) */
@@ -15337,7 +16000,7 @@ static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w04;
   res1[0]=w01;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #9: @7 = 0 */
   w07 = 0.;
   /* #10: @8 = vertcat(@1, @7) */
@@ -15354,7 +16017,7 @@ static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w11;
   res1[3]=w12;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w10, 60, res[0]);
   /* #13: @0 = 0.25 */
@@ -15371,7 +16034,7 @@ static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w13;
   res1[3]=w14;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+60);
   /* #17: @0 = 0.5 */
@@ -15388,7 +16051,7 @@ static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w15;
   res1[3]=w16;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+120);
   /* #21: @0 = 0.75 */
@@ -15405,7 +16068,7 @@ static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w17;
   res1[3]=w18;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+180);
   /* #25: output[0][4] = @8 */
@@ -15426,7 +16089,7 @@ static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w04;
   res1[0]=w19;
   res1[1]=w20;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[1][4] = @19 */
   if (res[1]) casadi_copy(w19, 9, res[1]+432);
   /* #33: output[2][0] = @12 */
@@ -15446,14 +16109,14 @@ static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w06;
   arg1[2]=w04;
   res1[0]=w21;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[3][0] = @21 */
   casadi_copy(w21, 4, res[3]);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f62(arg, res, iw, w, mem);
+  return casadi_f86(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_48_checkout(void) {
@@ -15532,7 +16195,7 @@ CASADI_SYMBOL_EXPORT int compass_trace_48_work_bytes(casadi_int *sz_arg, casadi_
 }
 
 /* compass_trace_72:(u[4],p[6])->(w[5x73],g[9x73],dg[9x73],R[4]) */
-static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f90(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w00, *w01=w+302, w02, w03, *w04=w+306, *w05=w+312, *w06=w+336, w07, *w08=w+339, *w09=w+344;
   casadi_real *w10=w+349, *w11=w+409, *w12=w+517, *w13=w+625, *w14=w+733, *w15=w+841, *w16=w+949, *w17=w+1057, *w18=w+1165, *w19=w+1273, *w20=w+1381, *w21=w+1489;
@@ -15554,7 +16217,7 @@ static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w03);
   arg1[1]=w04;
   res1[0]=w05;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:3] */
   for (rr=w06, cs=w01+0; cs!=w01+3; cs+=1) *rr++ = *cs;
   /* #8: {@1, NULL} = start(@6, @4) */
@@ -15562,7 +16225,7 @@ static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w04;
   res1[0]=w01;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #9: @7 = 0 */
   w07 = 0.;
   /* #10: @8 = vertcat(@1, @7) */
@@ -15579,7 +16242,7 @@ static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w11;
   res1[3]=w12;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w10, 60, res[0]);
   /* #13: @0 = 0.166667 */
@@ -15596,7 +16259,7 @@ static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w13;
   res1[3]=w14;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+60);
   /* #17: @0 = 0.333333 */
@@ -15613,7 +16276,7 @@ static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w15;
   res1[3]=w16;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+120);
   /* #21: @0 = 0.5 */
@@ -15630,7 +16293,7 @@ static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w17;
   res1[3]=w18;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+180);
   /* #25: @0 = 0.666667 */
@@ -15647,7 +16310,7 @@ static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w19;
   res1[3]=w20;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+240);
   /* #29: @0 = 0.833333 */
@@ -15664,7 +16327,7 @@ static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w21;
   res1[3]=w22;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+300);
   /* #33: output[0][6] = @8 */
@@ -15689,7 +16352,7 @@ static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w04;
   res1[0]=w23;
   res1[1]=w24;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #42: output[1][6] = @23 */
   if (res[1]) casadi_copy(w23, 9, res[1]+648);
   /* #43: output[2][0] = @12 */
@@ -15713,14 +16376,14 @@ static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w06;
   arg1[2]=w04;
   res1[0]=w25;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[3][0] = @25 */
   casadi_copy(w25, 4, res[3]);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_72(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f66(arg, res, iw, w, mem);
+  return casadi_f90(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_72_checkout(void) {
@@ -15799,7 +16462,7 @@ CASADI_SYMBOL_EXPORT int compass_trace_72_work_bytes(casadi_int *sz_arg, casadi_
 }
 
 /* compass_trace_96:(u[4],p[6])->(w[5x97],g[9x97],dg[9x97],R[4]) */
-static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f91(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w00, *w01=w+302, w02, w03, *w04=w+306, *w05=w+312, *w06=w+336, w07, *w08=w+339, *w09=w+344;
   casadi_real *w10=w+349, *w11=w+409, *w12=w+517, *w13=w+625, *w14=w+733, *w15=w+841, *w16=w+949, *w17=w+1057, *w18=w+1165, *w19=w+1273, *w20=w+1381, *w21=w+1489;
@@ -15821,7 +16484,7 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w03);
   arg1[1]=w04;
   res1[0]=w05;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:3] */
   for (rr=w06, cs=w01+0; cs!=w01+3; cs+=1) *rr++ = *cs;
   /* #8: {@1, NULL} = start(@6, @4) */
@@ -15829,7 +16492,7 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w04;
   res1[0]=w01;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #9: @7 = 0 */
   w07 = 0.;
   /* #10: @8 = vertcat(@1, @7) */
@@ -15846,7 +16509,7 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w11;
   res1[3]=w12;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w10, 60, res[0]);
   /* #13: @0 = 0.125 */
@@ -15863,7 +16526,7 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w13;
   res1[3]=w14;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+60);
   /* #17: @0 = 0.25 */
@@ -15880,7 +16543,7 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w15;
   res1[3]=w16;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+120);
   /* #21: @0 = 0.375 */
@@ -15897,7 +16560,7 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w17;
   res1[3]=w18;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+180);
   /* #25: @0 = 0.5 */
@@ -15914,7 +16577,7 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w19;
   res1[3]=w20;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+240);
   /* #29: @0 = 0.625 */
@@ -15931,7 +16594,7 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w21;
   res1[3]=w22;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+300);
   /* #33: @0 = 0.75 */
@@ -15948,7 +16611,7 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w23;
   res1[3]=w24;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[0][6] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+360);
   /* #37: @0 = 0.875 */
@@ -15965,7 +16628,7 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w25;
   res1[3]=w26;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[0][7] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+420);
   /* #41: output[0][8] = @8 */
@@ -15994,7 +16657,7 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w04;
   res1[0]=w27;
   res1[1]=w28;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[1][8] = @27 */
   if (res[1]) casadi_copy(w27, 9, res[1]+864);
   /* #53: output[2][0] = @12 */
@@ -16022,14 +16685,14 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w06;
   arg1[2]=w04;
   res1[0]=w29;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #64: output[3][0] = @29 */
   casadi_copy(w29, 4, res[3]);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_96(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f67(arg, res, iw, w, mem);
+  return casadi_f91(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_96_checkout(void) {
@@ -16108,7 +16771,7 @@ CASADI_SYMBOL_EXPORT int compass_trace_96_work_bytes(casadi_int *sz_arg, casadi_
 }
 
 /* compass_trace_144:(u[4],p[6])->(w[5x145],g[9x145],dg[9x145],R[4]) */
-static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f92(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w00, *w01=w+302, w02, w03, *w04=w+306, *w05=w+312, *w06=w+336, w07, *w08=w+339, *w09=w+344;
   casadi_real *w10=w+349, *w11=w+409, *w12=w+517, *w13=w+625, *w14=w+733, *w15=w+841, *w16=w+949, *w17=w+1057, *w18=w+1165, *w19=w+1273, *w20=w+1381, *w21=w+1489;
@@ -16131,7 +16794,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w03);
   arg1[1]=w04;
   res1[0]=w05;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:3] */
   for (rr=w06, cs=w01+0; cs!=w01+3; cs+=1) *rr++ = *cs;
   /* #8: {@1, NULL} = start(@6, @4) */
@@ -16139,7 +16802,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w04;
   res1[0]=w01;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #9: @7 = 0 */
   w07 = 0.;
   /* #10: @8 = vertcat(@1, @7) */
@@ -16156,7 +16819,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w11;
   res1[3]=w12;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w10, 60, res[0]);
   /* #13: @0 = 0.0833333 */
@@ -16173,7 +16836,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w13;
   res1[3]=w14;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+60);
   /* #17: @0 = 0.166667 */
@@ -16190,7 +16853,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w15;
   res1[3]=w16;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+120);
   /* #21: @0 = 0.25 */
@@ -16207,7 +16870,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w17;
   res1[3]=w18;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+180);
   /* #25: @0 = 0.333333 */
@@ -16224,7 +16887,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w19;
   res1[3]=w20;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+240);
   /* #29: @0 = 0.416667 */
@@ -16241,7 +16904,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w21;
   res1[3]=w22;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+300);
   /* #33: @0 = 0.5 */
@@ -16258,7 +16921,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w23;
   res1[3]=w24;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[0][6] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+360);
   /* #37: @0 = 0.583333 */
@@ -16275,7 +16938,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w25;
   res1[3]=w26;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[0][7] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+420);
   /* #41: @0 = 0.666667 */
@@ -16292,7 +16955,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w27;
   res1[3]=w28;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #44: output[0][8] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+480);
   /* #45: @0 = 0.75 */
@@ -16309,7 +16972,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w29;
   res1[3]=w30;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #48: output[0][9] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+540);
   /* #49: @0 = 0.833333 */
@@ -16326,7 +16989,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w31;
   res1[3]=w32;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[0][10] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+600);
   /* #53: @0 = 0.916667 */
@@ -16343,7 +17006,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w33;
   res1[3]=w34;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #56: output[0][11] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+660);
   /* #57: output[0][12] = @8 */
@@ -16380,7 +17043,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w04;
   res1[0]=w35;
   res1[1]=w36;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #72: output[1][12] = @35 */
   if (res[1]) casadi_copy(w35, 9, res[1]+1296);
   /* #73: output[2][0] = @12 */
@@ -16416,14 +17079,14 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w06;
   arg1[2]=w04;
   res1[0]=w37;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #88: output[3][0] = @37 */
   casadi_copy(w37, 4, res[3]);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_144(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f68(arg, res, iw, w, mem);
+  return casadi_f92(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_144_checkout(void) {
@@ -16502,7 +17165,7 @@ CASADI_SYMBOL_EXPORT int compass_trace_144_work_bytes(casadi_int *sz_arg, casadi
 }
 
 /* compass_trace_192:(u[4],p[6])->(w[5x193],g[9x193],dg[9x193],R[4]) */
-static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f93(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w00, *w01=w+302, w02, w03, *w04=w+306, *w05=w+312, *w06=w+336, w07, *w08=w+339, *w09=w+344;
   casadi_real *w10=w+349, *w11=w+409, *w12=w+517, *w13=w+625, *w14=w+733, *w15=w+841, *w16=w+949, *w17=w+1057, *w18=w+1165, *w19=w+1273, *w20=w+1381, *w21=w+1489;
@@ -16525,7 +17188,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w03);
   arg1[1]=w04;
   res1[0]=w05;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:3] */
   for (rr=w06, cs=w01+0; cs!=w01+3; cs+=1) *rr++ = *cs;
   /* #8: {@1, NULL} = start(@6, @4) */
@@ -16533,7 +17196,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w04;
   res1[0]=w01;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #9: @7 = 0 */
   w07 = 0.;
   /* #10: @8 = vertcat(@1, @7) */
@@ -16550,7 +17213,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w11;
   res1[3]=w12;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w10, 60, res[0]);
   /* #13: @0 = 0.0625 */
@@ -16567,7 +17230,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w13;
   res1[3]=w14;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+60);
   /* #17: @0 = 0.125 */
@@ -16584,7 +17247,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w15;
   res1[3]=w16;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+120);
   /* #21: @0 = 0.1875 */
@@ -16601,7 +17264,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w17;
   res1[3]=w18;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+180);
   /* #25: @0 = 0.25 */
@@ -16618,7 +17281,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w19;
   res1[3]=w20;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+240);
   /* #29: @0 = 0.3125 */
@@ -16635,7 +17298,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w21;
   res1[3]=w22;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+300);
   /* #33: @0 = 0.375 */
@@ -16652,7 +17315,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w23;
   res1[3]=w24;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[0][6] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+360);
   /* #37: @0 = 0.4375 */
@@ -16669,7 +17332,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w25;
   res1[3]=w26;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[0][7] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+420);
   /* #41: @0 = 0.5 */
@@ -16686,7 +17349,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w27;
   res1[3]=w28;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #44: output[0][8] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+480);
   /* #45: @0 = 0.5625 */
@@ -16703,7 +17366,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w29;
   res1[3]=w30;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #48: output[0][9] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+540);
   /* #49: @0 = 0.625 */
@@ -16720,7 +17383,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w31;
   res1[3]=w32;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[0][10] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+600);
   /* #53: @0 = 0.6875 */
@@ -16737,7 +17400,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w33;
   res1[3]=w34;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #56: output[0][11] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+660);
   /* #57: @0 = 0.75 */
@@ -16754,7 +17417,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w35;
   res1[3]=w36;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #60: output[0][12] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+720);
   /* #61: @0 = 0.8125 */
@@ -16771,7 +17434,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w37;
   res1[3]=w38;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #64: output[0][13] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+780);
   /* #65: @0 = 0.875 */
@@ -16788,7 +17451,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w39;
   res1[3]=w40;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #68: output[0][14] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+840);
   /* #69: @0 = 0.9375 */
@@ -16805,7 +17468,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w41;
   res1[3]=w42;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #72: output[0][15] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+900);
   /* #73: output[0][16] = @8 */
@@ -16850,7 +17513,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w04;
   res1[0]=w43;
   res1[1]=w44;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #92: output[1][16] = @43 */
   if (res[1]) casadi_copy(w43, 9, res[1]+1728);
   /* #93: output[2][0] = @12 */
@@ -16894,14 +17557,14 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w06;
   arg1[2]=w04;
   res1[0]=w45;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #112: output[3][0] = @45 */
   casadi_copy(w45, 4, res[3]);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_192(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f69(arg, res, iw, w, mem);
+  return casadi_f93(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_192_checkout(void) {
@@ -16980,7 +17643,7 @@ CASADI_SYMBOL_EXPORT int compass_trace_192_work_bytes(casadi_int *sz_arg, casadi
 }
 
 /* compass_trace_288:(u[4],p[6])->(w[5x289],g[9x289],dg[9x289],R[4]) */
-static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f94(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w00, *w01=w+302, w02, w03, *w04=w+306, *w05=w+312, *w06=w+336, w07, *w08=w+339, *w09=w+344;
   casadi_real *w10=w+349, *w11=w+409, *w12=w+517, *w13=w+625, *w14=w+733, *w15=w+841, *w16=w+949, *w17=w+1057, *w18=w+1165, *w19=w+1273, *w20=w+1381, *w21=w+1489;
@@ -17005,7 +17668,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w03);
   arg1[1]=w04;
   res1[0]=w05;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:3] */
   for (rr=w06, cs=w01+0; cs!=w01+3; cs+=1) *rr++ = *cs;
   /* #8: {@1, NULL} = start(@6, @4) */
@@ -17013,7 +17676,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w04;
   res1[0]=w01;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #9: @7 = 0 */
   w07 = 0.;
   /* #10: @8 = vertcat(@1, @7) */
@@ -17030,7 +17693,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w11;
   res1[3]=w12;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w10, 60, res[0]);
   /* #13: @0 = 0.0416667 */
@@ -17047,7 +17710,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w13;
   res1[3]=w14;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+60);
   /* #17: @0 = 0.0833333 */
@@ -17064,7 +17727,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w15;
   res1[3]=w16;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+120);
   /* #21: @0 = 0.125 */
@@ -17081,7 +17744,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w17;
   res1[3]=w18;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+180);
   /* #25: @0 = 0.166667 */
@@ -17098,7 +17761,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w19;
   res1[3]=w20;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+240);
   /* #29: @0 = 0.208333 */
@@ -17115,7 +17778,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w21;
   res1[3]=w22;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+300);
   /* #33: @0 = 0.25 */
@@ -17132,7 +17795,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w23;
   res1[3]=w24;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[0][6] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+360);
   /* #37: @0 = 0.291667 */
@@ -17149,7 +17812,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w25;
   res1[3]=w26;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[0][7] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+420);
   /* #41: @0 = 0.333333 */
@@ -17166,7 +17829,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w27;
   res1[3]=w28;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #44: output[0][8] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+480);
   /* #45: @0 = 0.375 */
@@ -17183,7 +17846,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w29;
   res1[3]=w30;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #48: output[0][9] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+540);
   /* #49: @0 = 0.416667 */
@@ -17200,7 +17863,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w31;
   res1[3]=w32;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[0][10] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+600);
   /* #53: @0 = 0.458333 */
@@ -17217,7 +17880,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w33;
   res1[3]=w34;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #56: output[0][11] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+660);
   /* #57: @0 = 0.5 */
@@ -17234,7 +17897,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w35;
   res1[3]=w36;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #60: output[0][12] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+720);
   /* #61: @0 = 0.541667 */
@@ -17251,7 +17914,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w37;
   res1[3]=w38;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #64: output[0][13] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+780);
   /* #65: @0 = 0.583333 */
@@ -17268,7 +17931,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w39;
   res1[3]=w40;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #68: output[0][14] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+840);
   /* #69: @0 = 0.625 */
@@ -17285,7 +17948,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w41;
   res1[3]=w42;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #72: output[0][15] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+900);
   /* #73: @0 = 0.666667 */
@@ -17302,7 +17965,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w43;
   res1[3]=w44;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #76: output[0][16] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+960);
   /* #77: @0 = 0.708333 */
@@ -17319,7 +17982,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w45;
   res1[3]=w46;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #80: output[0][17] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1020);
   /* #81: @0 = 0.75 */
@@ -17336,7 +17999,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w47;
   res1[3]=w48;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #84: output[0][18] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1080);
   /* #85: @0 = 0.791667 */
@@ -17353,7 +18016,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w49;
   res1[3]=w50;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #88: output[0][19] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1140);
   /* #89: @0 = 0.833333 */
@@ -17370,7 +18033,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w51;
   res1[3]=w52;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #92: output[0][20] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1200);
   /* #93: @0 = 0.875 */
@@ -17387,7 +18050,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w53;
   res1[3]=w54;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #96: output[0][21] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1260);
   /* #97: @0 = 0.916667 */
@@ -17404,7 +18067,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w55;
   res1[3]=w56;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #100: output[0][22] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1320);
   /* #101: @0 = 0.958333 */
@@ -17421,7 +18084,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w57;
   res1[3]=w58;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #104: output[0][23] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1380);
   /* #105: output[0][24] = @8 */
@@ -17482,7 +18145,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w04;
   res1[0]=w59;
   res1[1]=w60;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #132: output[1][24] = @59 */
   if (res[1]) casadi_copy(w59, 9, res[1]+2592);
   /* #133: output[2][0] = @12 */
@@ -17542,14 +18205,14 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w06;
   arg1[2]=w04;
   res1[0]=w61;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #160: output[3][0] = @61 */
   casadi_copy(w61, 4, res[3]);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_288(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f70(arg, res, iw, w, mem);
+  return casadi_f94(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_288_checkout(void) {
@@ -17628,7 +18291,7 @@ CASADI_SYMBOL_EXPORT int compass_trace_288_work_bytes(casadi_int *sz_arg, casadi
 }
 
 /* compass_trace_384:(u[4],p[6])->(w[5x385],g[9x385],dg[9x385],R[4]) */
-static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f95(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w00, *w01=w+302, w02, w03, *w04=w+306, *w05=w+312, *w06=w+336, w07, *w08=w+339, *w09=w+344;
   casadi_real *w10=w+349, *w11=w+409, *w12=w+517, *w13=w+625, *w14=w+733, *w15=w+841, *w16=w+949, *w17=w+1057, *w18=w+1165, *w19=w+1273, *w20=w+1381, *w21=w+1489;
@@ -17654,7 +18317,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w03);
   arg1[1]=w04;
   res1[0]=w05;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:3] */
   for (rr=w06, cs=w01+0; cs!=w01+3; cs+=1) *rr++ = *cs;
   /* #8: {@1, NULL} = start(@6, @4) */
@@ -17662,7 +18325,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w04;
   res1[0]=w01;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #9: @7 = 0 */
   w07 = 0.;
   /* #10: @8 = vertcat(@1, @7) */
@@ -17679,7 +18342,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w11;
   res1[3]=w12;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w10, 60, res[0]);
   /* #13: @0 = 0.03125 */
@@ -17696,7 +18359,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w13;
   res1[3]=w14;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+60);
   /* #17: @0 = 0.0625 */
@@ -17713,7 +18376,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w15;
   res1[3]=w16;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+120);
   /* #21: @0 = 0.09375 */
@@ -17730,7 +18393,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w17;
   res1[3]=w18;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+180);
   /* #25: @0 = 0.125 */
@@ -17747,7 +18410,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w19;
   res1[3]=w20;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+240);
   /* #29: @0 = 0.15625 */
@@ -17764,7 +18427,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w21;
   res1[3]=w22;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+300);
   /* #33: @0 = 0.1875 */
@@ -17781,7 +18444,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w23;
   res1[3]=w24;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[0][6] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+360);
   /* #37: @0 = 0.21875 */
@@ -17798,7 +18461,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w25;
   res1[3]=w26;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[0][7] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+420);
   /* #41: @0 = 0.25 */
@@ -17815,7 +18478,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w27;
   res1[3]=w28;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #44: output[0][8] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+480);
   /* #45: @0 = 0.28125 */
@@ -17832,7 +18495,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w29;
   res1[3]=w30;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #48: output[0][9] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+540);
   /* #49: @0 = 0.3125 */
@@ -17849,7 +18512,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w31;
   res1[3]=w32;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[0][10] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+600);
   /* #53: @0 = 0.34375 */
@@ -17866,7 +18529,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w33;
   res1[3]=w34;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #56: output[0][11] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+660);
   /* #57: @0 = 0.375 */
@@ -17883,7 +18546,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w35;
   res1[3]=w36;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #60: output[0][12] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+720);
   /* #61: @0 = 0.40625 */
@@ -17900,7 +18563,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w37;
   res1[3]=w38;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #64: output[0][13] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+780);
   /* #65: @0 = 0.4375 */
@@ -17917,7 +18580,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w39;
   res1[3]=w40;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #68: output[0][14] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+840);
   /* #69: @0 = 0.46875 */
@@ -17934,7 +18597,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w41;
   res1[3]=w42;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #72: output[0][15] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+900);
   /* #73: @0 = 0.5 */
@@ -17951,7 +18614,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w43;
   res1[3]=w44;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #76: output[0][16] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+960);
   /* #77: @0 = 0.53125 */
@@ -17968,7 +18631,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w45;
   res1[3]=w46;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #80: output[0][17] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1020);
   /* #81: @0 = 0.5625 */
@@ -17985,7 +18648,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w47;
   res1[3]=w48;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #84: output[0][18] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1080);
   /* #85: @0 = 0.59375 */
@@ -18002,7 +18665,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w49;
   res1[3]=w50;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #88: output[0][19] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1140);
   /* #89: @0 = 0.625 */
@@ -18019,7 +18682,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w51;
   res1[3]=w52;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #92: output[0][20] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1200);
   /* #93: @0 = 0.65625 */
@@ -18036,7 +18699,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w53;
   res1[3]=w54;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #96: output[0][21] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1260);
   /* #97: @0 = 0.6875 */
@@ -18053,7 +18716,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w55;
   res1[3]=w56;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #100: output[0][22] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1320);
   /* #101: @0 = 0.71875 */
@@ -18070,7 +18733,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w57;
   res1[3]=w58;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #104: output[0][23] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1380);
   /* #105: @0 = 0.75 */
@@ -18087,7 +18750,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w59;
   res1[3]=w60;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #108: output[0][24] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1440);
   /* #109: @0 = 0.78125 */
@@ -18104,7 +18767,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w61;
   res1[3]=w62;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #112: output[0][25] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1500);
   /* #113: @0 = 0.8125 */
@@ -18121,7 +18784,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w63;
   res1[3]=w64;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #116: output[0][26] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1560);
   /* #117: @0 = 0.84375 */
@@ -18138,7 +18801,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w65;
   res1[3]=w66;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #120: output[0][27] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1620);
   /* #121: @0 = 0.875 */
@@ -18155,7 +18818,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w67;
   res1[3]=w68;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #124: output[0][28] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1680);
   /* #125: @0 = 0.90625 */
@@ -18172,7 +18835,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w69;
   res1[3]=w70;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #128: output[0][29] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1740);
   /* #129: @0 = 0.9375 */
@@ -18189,7 +18852,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w71;
   res1[3]=w72;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #132: output[0][30] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1800);
   /* #133: @0 = 0.96875 */
@@ -18206,7 +18869,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w73;
   res1[3]=w74;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #136: output[0][31] = @10 */
   if (res[0]) casadi_copy(w10, 60, res[0]+1860);
   /* #137: output[0][32] = @8 */
@@ -18283,7 +18946,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w04;
   res1[0]=w75;
   res1[1]=w76;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #172: output[1][32] = @75 */
   if (res[1]) casadi_copy(w75, 9, res[1]+3456);
   /* #173: output[2][0] = @12 */
@@ -18359,14 +19022,14 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w06;
   arg1[2]=w04;
   res1[0]=w77;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #208: output[3][0] = @77 */
   casadi_copy(w77, 4, res[3]);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_384(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f71(arg, res, iw, w, mem);
+  return casadi_f95(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_384_checkout(void) {
@@ -18445,7 +19108,7 @@ CASADI_SYMBOL_EXPORT int compass_trace_384_work_bytes(casadi_int *sz_arg, casadi
 }
 
 /* compass_trace_576:(u[4],p[6])->(w[5x577],g[9x577],dg[9x577],R[4]) */
-static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f96(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w000, *w001=w+302, w002, w003, *w004=w+306, *w005=w+312, *w006=w+336, w007, *w008=w+339, *w009=w+344;
   casadi_real *w010=w+349, *w011=w+409, *w012=w+517, *w013=w+625, *w014=w+733, *w015=w+841, *w016=w+949, *w017=w+1057, *w018=w+1165, *w019=w+1273, *w020=w+1381, *w021=w+1489;
@@ -18474,7 +19137,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w003);
   arg1[1]=w004;
   res1[0]=w005;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:3] */
   for (rr=w006, cs=w001+0; cs!=w001+3; cs+=1) *rr++ = *cs;
   /* #8: {@1, NULL} = start(@6, @4) */
@@ -18482,7 +19145,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w004;
   res1[0]=w001;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #9: @7 = 0 */
   w007 = 0.;
   /* #10: @8 = vertcat(@1, @7) */
@@ -18499,7 +19162,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w011;
   res1[3]=w012;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w010, 60, res[0]);
   /* #13: @0 = 0.0208333 */
@@ -18516,7 +19179,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w013;
   res1[3]=w014;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+60);
   /* #17: @0 = 0.0416667 */
@@ -18533,7 +19196,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w015;
   res1[3]=w016;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+120);
   /* #21: @0 = 0.0625 */
@@ -18550,7 +19213,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w017;
   res1[3]=w018;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+180);
   /* #25: @0 = 0.0833333 */
@@ -18567,7 +19230,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w019;
   res1[3]=w020;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+240);
   /* #29: @0 = 0.104167 */
@@ -18584,7 +19247,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w021;
   res1[3]=w022;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+300);
   /* #33: @0 = 0.125 */
@@ -18601,7 +19264,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w023;
   res1[3]=w024;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[0][6] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+360);
   /* #37: @0 = 0.145833 */
@@ -18618,7 +19281,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w025;
   res1[3]=w026;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[0][7] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+420);
   /* #41: @0 = 0.166667 */
@@ -18635,7 +19298,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w027;
   res1[3]=w028;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #44: output[0][8] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+480);
   /* #45: @0 = 0.1875 */
@@ -18652,7 +19315,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w029;
   res1[3]=w030;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #48: output[0][9] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+540);
   /* #49: @0 = 0.208333 */
@@ -18669,7 +19332,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w031;
   res1[3]=w032;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[0][10] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+600);
   /* #53: @0 = 0.229167 */
@@ -18686,7 +19349,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w033;
   res1[3]=w034;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #56: output[0][11] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+660);
   /* #57: @0 = 0.25 */
@@ -18703,7 +19366,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w035;
   res1[3]=w036;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #60: output[0][12] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+720);
   /* #61: @0 = 0.270833 */
@@ -18720,7 +19383,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w037;
   res1[3]=w038;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #64: output[0][13] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+780);
   /* #65: @0 = 0.291667 */
@@ -18737,7 +19400,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w039;
   res1[3]=w040;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #68: output[0][14] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+840);
   /* #69: @0 = 0.3125 */
@@ -18754,7 +19417,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w041;
   res1[3]=w042;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #72: output[0][15] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+900);
   /* #73: @0 = 0.333333 */
@@ -18771,7 +19434,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w043;
   res1[3]=w044;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #76: output[0][16] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+960);
   /* #77: @0 = 0.354167 */
@@ -18788,7 +19451,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w045;
   res1[3]=w046;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #80: output[0][17] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1020);
   /* #81: @0 = 0.375 */
@@ -18805,7 +19468,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w047;
   res1[3]=w048;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #84: output[0][18] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1080);
   /* #85: @0 = 0.395833 */
@@ -18822,7 +19485,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w049;
   res1[3]=w050;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #88: output[0][19] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1140);
   /* #89: @0 = 0.416667 */
@@ -18839,7 +19502,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w051;
   res1[3]=w052;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #92: output[0][20] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1200);
   /* #93: @0 = 0.4375 */
@@ -18856,7 +19519,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w053;
   res1[3]=w054;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #96: output[0][21] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1260);
   /* #97: @0 = 0.458333 */
@@ -18873,7 +19536,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w055;
   res1[3]=w056;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #100: output[0][22] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1320);
   /* #101: @0 = 0.479167 */
@@ -18890,7 +19553,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w057;
   res1[3]=w058;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #104: output[0][23] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1380);
   /* #105: @0 = 0.5 */
@@ -18907,7 +19570,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w059;
   res1[3]=w060;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #108: output[0][24] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1440);
   /* #109: @0 = 0.520833 */
@@ -18924,7 +19587,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w061;
   res1[3]=w062;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #112: output[0][25] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1500);
   /* #113: @0 = 0.541667 */
@@ -18941,7 +19604,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w063;
   res1[3]=w064;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #116: output[0][26] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1560);
   /* #117: @0 = 0.5625 */
@@ -18958,7 +19621,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w065;
   res1[3]=w066;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #120: output[0][27] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1620);
   /* #121: @0 = 0.583333 */
@@ -18975,7 +19638,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w067;
   res1[3]=w068;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #124: output[0][28] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1680);
   /* #125: @0 = 0.604167 */
@@ -18992,7 +19655,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w069;
   res1[3]=w070;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #128: output[0][29] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1740);
   /* #129: @0 = 0.625 */
@@ -19009,7 +19672,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w071;
   res1[3]=w072;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #132: output[0][30] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1800);
   /* #133: @0 = 0.645833 */
@@ -19026,7 +19689,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w073;
   res1[3]=w074;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #136: output[0][31] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1860);
   /* #137: @0 = 0.666667 */
@@ -19043,7 +19706,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w075;
   res1[3]=w076;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #140: output[0][32] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1920);
   /* #141: @0 = 0.6875 */
@@ -19060,7 +19723,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w077;
   res1[3]=w078;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #144: output[0][33] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1980);
   /* #145: @0 = 0.708333 */
@@ -19077,7 +19740,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w079;
   res1[3]=w080;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #148: output[0][34] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2040);
   /* #149: @0 = 0.729167 */
@@ -19094,7 +19757,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w081;
   res1[3]=w082;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #152: output[0][35] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2100);
   /* #153: @0 = 0.75 */
@@ -19111,7 +19774,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w083;
   res1[3]=w084;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #156: output[0][36] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2160);
   /* #157: @0 = 0.770833 */
@@ -19128,7 +19791,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w085;
   res1[3]=w086;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #160: output[0][37] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2220);
   /* #161: @0 = 0.791667 */
@@ -19145,7 +19808,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w087;
   res1[3]=w088;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #164: output[0][38] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2280);
   /* #165: @0 = 0.8125 */
@@ -19162,7 +19825,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w089;
   res1[3]=w090;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #168: output[0][39] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2340);
   /* #169: @0 = 0.833333 */
@@ -19179,7 +19842,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w091;
   res1[3]=w092;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #172: output[0][40] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2400);
   /* #173: @0 = 0.854167 */
@@ -19196,7 +19859,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w093;
   res1[3]=w094;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #176: output[0][41] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2460);
   /* #177: @0 = 0.875 */
@@ -19213,7 +19876,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w095;
   res1[3]=w096;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #180: output[0][42] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2520);
   /* #181: @0 = 0.895833 */
@@ -19230,7 +19893,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w097;
   res1[3]=w098;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #184: output[0][43] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2580);
   /* #185: @0 = 0.916667 */
@@ -19247,7 +19910,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w099;
   res1[3]=w100;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #188: output[0][44] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2640);
   /* #189: @0 = 0.9375 */
@@ -19264,7 +19927,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w101;
   res1[3]=w102;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #192: output[0][45] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2700);
   /* #193: @0 = 0.958333 */
@@ -19281,7 +19944,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w103;
   res1[3]=w104;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #196: output[0][46] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2760);
   /* #197: @0 = 0.979167 */
@@ -19298,7 +19961,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w105;
   res1[3]=w106;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #200: output[0][47] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2820);
   /* #201: output[0][48] = @8 */
@@ -19407,7 +20070,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w004;
   res1[0]=w107;
   res1[1]=w108;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #252: output[1][48] = @107 */
   if (res[1]) casadi_copy(w107, 9, res[1]+5184);
   /* #253: output[2][0] = @12 */
@@ -19515,14 +20178,14 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w006;
   arg1[2]=w004;
   res1[0]=w109;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #304: output[3][0] = @109 */
   casadi_copy(w109, 4, res[3]);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_576(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f72(arg, res, iw, w, mem);
+  return casadi_f96(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_576_checkout(void) {
@@ -19601,7 +20264,7 @@ CASADI_SYMBOL_EXPORT int compass_trace_576_work_bytes(casadi_int *sz_arg, casadi
 }
 
 /* compass_trace_768:(u[4],p[6])->(w[5x769],g[9x769],dg[9x769],R[4]) */
-static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w000, *w001=w+302, w002, w003, *w004=w+306, *w005=w+312, *w006=w+336, w007, *w008=w+339, *w009=w+344;
   casadi_real *w010=w+349, *w011=w+409, *w012=w+517, *w013=w+625, *w014=w+733, *w015=w+841, *w016=w+949, *w017=w+1057, *w018=w+1165, *w019=w+1273, *w020=w+1381, *w021=w+1489;
@@ -19632,7 +20295,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w003);
   arg1[1]=w004;
   res1[0]=w005;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:3] */
   for (rr=w006, cs=w001+0; cs!=w001+3; cs+=1) *rr++ = *cs;
   /* #8: {@1, NULL} = start(@6, @4) */
@@ -19640,7 +20303,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w004;
   res1[0]=w001;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #9: @7 = 0 */
   w007 = 0.;
   /* #10: @8 = vertcat(@1, @7) */
@@ -19657,7 +20320,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w011;
   res1[3]=w012;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w010, 60, res[0]);
   /* #13: @0 = 0.015625 */
@@ -19674,7 +20337,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w013;
   res1[3]=w014;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+60);
   /* #17: @0 = 0.03125 */
@@ -19691,7 +20354,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w015;
   res1[3]=w016;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+120);
   /* #21: @0 = 0.046875 */
@@ -19708,7 +20371,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w017;
   res1[3]=w018;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+180);
   /* #25: @0 = 0.0625 */
@@ -19725,7 +20388,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w019;
   res1[3]=w020;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+240);
   /* #29: @0 = 0.078125 */
@@ -19742,7 +20405,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w021;
   res1[3]=w022;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+300);
   /* #33: @0 = 0.09375 */
@@ -19759,7 +20422,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w023;
   res1[3]=w024;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[0][6] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+360);
   /* #37: @0 = 0.109375 */
@@ -19776,7 +20439,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w025;
   res1[3]=w026;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[0][7] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+420);
   /* #41: @0 = 0.125 */
@@ -19793,7 +20456,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w027;
   res1[3]=w028;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #44: output[0][8] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+480);
   /* #45: @0 = 0.140625 */
@@ -19810,7 +20473,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w029;
   res1[3]=w030;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #48: output[0][9] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+540);
   /* #49: @0 = 0.15625 */
@@ -19827,7 +20490,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w031;
   res1[3]=w032;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[0][10] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+600);
   /* #53: @0 = 0.171875 */
@@ -19844,7 +20507,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w033;
   res1[3]=w034;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #56: output[0][11] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+660);
   /* #57: @0 = 0.1875 */
@@ -19861,7 +20524,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w035;
   res1[3]=w036;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #60: output[0][12] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+720);
   /* #61: @0 = 0.203125 */
@@ -19878,7 +20541,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w037;
   res1[3]=w038;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #64: output[0][13] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+780);
   /* #65: @0 = 0.21875 */
@@ -19895,7 +20558,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w039;
   res1[3]=w040;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #68: output[0][14] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+840);
   /* #69: @0 = 0.234375 */
@@ -19912,7 +20575,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w041;
   res1[3]=w042;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #72: output[0][15] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+900);
   /* #73: @0 = 0.25 */
@@ -19929,7 +20592,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w043;
   res1[3]=w044;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #76: output[0][16] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+960);
   /* #77: @0 = 0.265625 */
@@ -19946,7 +20609,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w045;
   res1[3]=w046;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #80: output[0][17] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1020);
   /* #81: @0 = 0.28125 */
@@ -19963,7 +20626,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w047;
   res1[3]=w048;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #84: output[0][18] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1080);
   /* #85: @0 = 0.296875 */
@@ -19980,7 +20643,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w049;
   res1[3]=w050;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #88: output[0][19] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1140);
   /* #89: @0 = 0.3125 */
@@ -19997,7 +20660,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w051;
   res1[3]=w052;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #92: output[0][20] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1200);
   /* #93: @0 = 0.328125 */
@@ -20014,7 +20677,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w053;
   res1[3]=w054;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #96: output[0][21] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1260);
   /* #97: @0 = 0.34375 */
@@ -20031,7 +20694,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w055;
   res1[3]=w056;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #100: output[0][22] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1320);
   /* #101: @0 = 0.359375 */
@@ -20048,7 +20711,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w057;
   res1[3]=w058;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #104: output[0][23] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1380);
   /* #105: @0 = 0.375 */
@@ -20065,7 +20728,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w059;
   res1[3]=w060;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #108: output[0][24] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1440);
   /* #109: @0 = 0.390625 */
@@ -20082,7 +20745,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w061;
   res1[3]=w062;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #112: output[0][25] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1500);
   /* #113: @0 = 0.40625 */
@@ -20099,7 +20762,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w063;
   res1[3]=w064;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #116: output[0][26] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1560);
   /* #117: @0 = 0.421875 */
@@ -20116,7 +20779,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w065;
   res1[3]=w066;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #120: output[0][27] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1620);
   /* #121: @0 = 0.4375 */
@@ -20133,7 +20796,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w067;
   res1[3]=w068;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #124: output[0][28] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1680);
   /* #125: @0 = 0.453125 */
@@ -20150,7 +20813,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w069;
   res1[3]=w070;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #128: output[0][29] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1740);
   /* #129: @0 = 0.46875 */
@@ -20167,7 +20830,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w071;
   res1[3]=w072;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #132: output[0][30] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1800);
   /* #133: @0 = 0.484375 */
@@ -20184,7 +20847,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w073;
   res1[3]=w074;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #136: output[0][31] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1860);
   /* #137: @0 = 0.5 */
@@ -20201,7 +20864,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w075;
   res1[3]=w076;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #140: output[0][32] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1920);
   /* #141: @0 = 0.515625 */
@@ -20218,7 +20881,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w077;
   res1[3]=w078;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #144: output[0][33] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+1980);
   /* #145: @0 = 0.53125 */
@@ -20235,7 +20898,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w079;
   res1[3]=w080;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #148: output[0][34] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2040);
   /* #149: @0 = 0.546875 */
@@ -20252,7 +20915,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w081;
   res1[3]=w082;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #152: output[0][35] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2100);
   /* #153: @0 = 0.5625 */
@@ -20269,7 +20932,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w083;
   res1[3]=w084;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #156: output[0][36] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2160);
   /* #157: @0 = 0.578125 */
@@ -20286,7 +20949,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w085;
   res1[3]=w086;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #160: output[0][37] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2220);
   /* #161: @0 = 0.59375 */
@@ -20303,7 +20966,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w087;
   res1[3]=w088;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #164: output[0][38] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2280);
   /* #165: @0 = 0.609375 */
@@ -20320,7 +20983,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w089;
   res1[3]=w090;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #168: output[0][39] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2340);
   /* #169: @0 = 0.625 */
@@ -20337,7 +21000,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w091;
   res1[3]=w092;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #172: output[0][40] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2400);
   /* #173: @0 = 0.640625 */
@@ -20354,7 +21017,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w093;
   res1[3]=w094;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #176: output[0][41] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2460);
   /* #177: @0 = 0.65625 */
@@ -20371,7 +21034,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w095;
   res1[3]=w096;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #180: output[0][42] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2520);
   /* #181: @0 = 0.671875 */
@@ -20388,7 +21051,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w097;
   res1[3]=w098;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #184: output[0][43] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2580);
   /* #185: @0 = 0.6875 */
@@ -20405,7 +21068,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w099;
   res1[3]=w100;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #188: output[0][44] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2640);
   /* #189: @0 = 0.703125 */
@@ -20422,7 +21085,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w101;
   res1[3]=w102;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #192: output[0][45] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2700);
   /* #193: @0 = 0.71875 */
@@ -20439,7 +21102,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w103;
   res1[3]=w104;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #196: output[0][46] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2760);
   /* #197: @0 = 0.734375 */
@@ -20456,7 +21119,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w105;
   res1[3]=w106;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #200: output[0][47] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2820);
   /* #201: @0 = 0.75 */
@@ -20473,7 +21136,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w107;
   res1[3]=w108;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #204: output[0][48] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2880);
   /* #205: @0 = 0.765625 */
@@ -20490,7 +21153,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w109;
   res1[3]=w110;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #208: output[0][49] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+2940);
   /* #209: @0 = 0.78125 */
@@ -20507,7 +21170,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w111;
   res1[3]=w112;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #212: output[0][50] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+3000);
   /* #213: @0 = 0.796875 */
@@ -20524,7 +21187,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w113;
   res1[3]=w114;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #216: output[0][51] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+3060);
   /* #217: @0 = 0.8125 */
@@ -20541,7 +21204,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w115;
   res1[3]=w116;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #220: output[0][52] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+3120);
   /* #221: @0 = 0.828125 */
@@ -20558,7 +21221,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w117;
   res1[3]=w118;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #224: output[0][53] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+3180);
   /* #225: @0 = 0.84375 */
@@ -20575,7 +21238,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w119;
   res1[3]=w120;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #228: output[0][54] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+3240);
   /* #229: @0 = 0.859375 */
@@ -20592,7 +21255,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w121;
   res1[3]=w122;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #232: output[0][55] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+3300);
   /* #233: @0 = 0.875 */
@@ -20609,7 +21272,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w123;
   res1[3]=w124;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #236: output[0][56] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+3360);
   /* #237: @0 = 0.890625 */
@@ -20626,7 +21289,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w125;
   res1[3]=w126;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #240: output[0][57] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+3420);
   /* #241: @0 = 0.90625 */
@@ -20643,7 +21306,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w127;
   res1[3]=w128;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #244: output[0][58] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+3480);
   /* #245: @0 = 0.921875 */
@@ -20660,7 +21323,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w129;
   res1[3]=w130;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #248: output[0][59] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+3540);
   /* #249: @0 = 0.9375 */
@@ -20677,7 +21340,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w131;
   res1[3]=w132;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #252: output[0][60] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+3600);
   /* #253: @0 = 0.953125 */
@@ -20694,7 +21357,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w133;
   res1[3]=w134;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #256: output[0][61] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+3660);
   /* #257: @0 = 0.96875 */
@@ -20711,7 +21374,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w135;
   res1[3]=w136;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #260: output[0][62] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+3720);
   /* #261: @0 = 0.984375 */
@@ -20728,7 +21391,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w137;
   res1[3]=w138;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #264: output[0][63] = @10 */
   if (res[0]) casadi_copy(w010, 60, res[0]+3780);
   /* #265: output[0][64] = @8 */
@@ -20869,7 +21532,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w004;
   res1[0]=w139;
   res1[1]=w140;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #332: output[1][64] = @139 */
   if (res[1]) casadi_copy(w139, 9, res[1]+6912);
   /* #333: output[2][0] = @12 */
@@ -21009,14 +21672,14 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w006;
   arg1[2]=w004;
   res1[0]=w141;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #400: output[3][0] = @141 */
   casadi_copy(w141, 4, res[3]);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_768(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f73(arg, res, iw, w, mem);
+  return casadi_f97(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_trace_768_checkout(void) {
@@ -21095,7 +21758,7 @@ CASADI_SYMBOL_EXPORT int compass_trace_768_work_bytes(casadi_int *sz_arg, casadi
 }
 
 /* compass_advance:(t,w[5],h,p[6])->(w_end[5],g[9],dg[9]) */
-static int casadi_f74(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f98(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+3, *rr, *w0=w+81, w1, *w2=w+86, *w3=w+92, w4, *w5=w+94, *w6=w+118, *w7=w+123, *w8=w+127, *w9=w+136;
   const casadi_real **arg1=arg+4, *cs;
   /* #0: @0 = input[1][0] */
@@ -21108,14 +21771,14 @@ static int casadi_f74(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w1);
   arg1[1]=w2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = input[2][0] */
   w4 = arg[2] ? arg[2][0] : 0;
   /* #5: @5 = turns(@4, @2) */
   arg1[0]=(&w4);
   arg1[1]=w2;
   res1[0]=w5;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #6: @6 = working_step(@0, @3, @5, @4, @2) */
   arg1[0]=w0;
   arg1[1]=w3;
@@ -21123,7 +21786,7 @@ static int casadi_f74(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w4);
   arg1[4]=w2;
   res1[0]=w6;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
   /* #7: output[0][0] = @6 */
   casadi_copy(w6, 5, res[0]);
   /* #8: @1 = (@1+@4) */
@@ -21136,7 +21799,7 @@ static int casadi_f74(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=w2;
   res1[0]=w8;
   res1[1]=w9;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #11: output[1][0] = @8 */
   casadi_copy(w8, 9, res[1]);
   /* #12: output[2][0] = @9 */
@@ -21145,7 +21808,7 @@ static int casadi_f74(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int compass_advance(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f74(arg, res, iw, w, mem);
+  return casadi_f98(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int compass_advance_checkout(void) {
@@ -21222,6 +21885,437 @@ CASADI_SYMBOL_EXPORT int compass_advance_work_bytes(casadi_int *sz_arg, casadi_i
   if (sz_res) *sz_res = 5*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
   if (sz_w) *sz_w = 145*sizeof(casadi_real);
+  return 0;
+}
+
+/* compass_begin:(u[4],p[6])->(y[4x4]) */
+static int casadi_f99(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *rr, *w0=w+2, *w1=w+6, *w2=w+9, *w3=w+15;
+  const casadi_real **arg1=arg+2, *cs;
+  /* #0: @0 = input[0][0] */
+  casadi_copy(arg[0], 4, w0);
+  /* #1: @1 = @0[:3] */
+  for (rr=w1, cs=w0+0; cs!=w0+3; cs+=1) *rr++ = *cs;
+  /* #2: @2 = input[1][0] */
+  casadi_copy(arg[1], 6, w2);
+  /* #3: {@0, @3} = start(@1, @2) */
+  arg1[0]=w1;
+  arg1[1]=w2;
+  res1[0]=w0;
+  res1[1]=w3;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  /* #4: output[0][0] = @0 */
+  casadi_copy(w0, 4, res[0]);
+  /* #5: output[0][1] = @3 */
+  if (res[0]) casadi_copy(w3, 12, res[0]+4);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_begin(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f99(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int compass_begin_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void compass_begin_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_begin_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_begin_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_begin_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_begin_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real compass_begin_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_begin_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_begin_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "y";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_begin_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_begin_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s6;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int compass_begin_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 4;
+  if (sz_res) *sz_res = 3;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 27;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_begin_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 4*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 3*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 27*sizeof(casadi_real);
+  return 0;
+}
+
+/* compass_swing:(t,h,y[4x4],p[6])->(y_end[4x4]) */
+static int casadi_f100(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, w1, w2, *w3=w+294, *w4=w+300, *w5=w+324;
+  const casadi_real **arg1=arg+4, *wr0;
+  /* #0: @0 = input[2][0] */
+  wr0 = arg[2] ? arg[2] : casadi_zeros;
+  /* #1: @1 = input[0][0] */
+  w1 = arg[0] ? arg[0][0] : 0;
+  /* #2: @2 = input[1][0] */
+  w2 = arg[1] ? arg[1][0] : 0;
+  /* #3: @3 = input[3][0] */
+  casadi_copy(arg[3], 6, w3);
+  /* #4: @4 = turns(@2, @3) */
+  arg1[0]=(&w2);
+  arg1[1]=w3;
+  res1[0]=w4;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  /* #5: @5 = variational_steps(@0, @1, @4, @2, @3) */
+  arg1[0]=wr0;
+  arg1[1]=(&w1);
+  arg1[2]=w4;
+  arg1[3]=(&w2);
+  arg1[4]=w3;
+  res1[0]=w5;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  /* #6: output[0][0] = @5 */
+  casadi_copy(w5, 16, res[0]);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_swing(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f100(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int compass_swing_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void compass_swing_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_swing_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_swing_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_swing_n_in(void) { return 4;}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_swing_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real compass_swing_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_swing_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "t";
+    case 1: return "h";
+    case 2: return "y";
+    case 3: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_swing_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "y_end";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_swing_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s25;
+    case 1: return casadi_s25;
+    case 2: return casadi_s6;
+    case 3: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_swing_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s6;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int compass_swing_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 14;
+  if (sz_res) *sz_res = 3;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 340;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_swing_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 14*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 3*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 340*sizeof(casadi_real);
+  return 0;
+}
+
+/* compass_end:(y[4x4],u[4],p[6])->(J[4x4],R[4]) */
+static int casadi_f101(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+2, *rr, *w1=w+24, *w2=w+28, w3, *w4=w+31, *w5=w+37;
+  const casadi_real **arg1=arg+3, *cs, *wr0;
+  /* #0: @0 = input[0][0] */
+  wr0 = arg[0] ? arg[0] : casadi_zeros;
+  /* #1: @1 = input[1][0] */
+  casadi_copy(arg[1], 4, w1);
+  /* #2: @2 = @1[:3] */
+  for (rr=w2, cs=w1+0; cs!=w1+3; cs+=1) *rr++ = *cs;
+  /* #3: @3 = @1[3] */
+  for (rr=(&w3), cs=w1+3; cs!=w1+4; cs+=1) *rr++ = *cs;
+  /* #4: @4 = input[2][0] */
+  casadi_copy(arg[2], 6, w4);
+  /* #5: {@5, @1} = landing_with_derivative(@0, @2, @3, @4) */
+  arg1[0]=wr0;
+  arg1[1]=w2;
+  arg1[2]=(&w3);
+  arg1[3]=w4;
+  res1[0]=w5;
+  res1[1]=w1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  /* #6: output[0][0] = @5 */
+  casadi_copy(w5, 16, res[0]);
+  /* #7: output[1][0] = @1 */
+  casadi_copy(w1, 4, res[1]);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_end(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f101(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int compass_end_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void compass_end_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_end_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_end_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_end_n_in(void) { return 3;}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_end_n_out(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_real compass_end_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_end_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "y";
+    case 1: return "u";
+    case 2: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_end_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "J";
+    case 1: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_end_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s6;
+    case 1: return casadi_s4;
+    case 2: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_end_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s6;
+    case 1: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int compass_end_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 7;
+  if (sz_res) *sz_res = 4;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 53;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_end_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 7*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 4*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 53*sizeof(casadi_real);
+  return 0;
+}
+
+/* compass_observed_swing:(t,h,w[5],p[6])->(w_end[5],nodes[5x12],g[9x12],dg[9x12]) */
+static int casadi_f102(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+4, w0, w1, *w2=w+302, *w3=w+308, *w4=w+332, *w5=w+337, *w6=w+342, *w7=w+402, *w8=w+510;
+  const casadi_real **arg1=arg+4;
+  /* #0: @0 = input[0][0] */
+  w0 = arg[0] ? arg[0][0] : 0;
+  /* #1: @1 = input[1][0] */
+  w1 = arg[1] ? arg[1][0] : 0;
+  /* #2: @2 = input[3][0] */
+  casadi_copy(arg[3], 6, w2);
+  /* #3: @3 = turns(@1, @2) */
+  arg1[0]=(&w1);
+  arg1[1]=w2;
+  res1[0]=w3;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  /* #4: @4 = input[2][0] */
+  casadi_copy(arg[2], 5, w4);
+  /* #5: {@5, @6, @7, @8} = working_steps(@0, @3, @4, @1, @2) */
+  arg1[0]=(&w0);
+  arg1[1]=w3;
+  arg1[2]=w4;
+  arg1[3]=(&w1);
+  arg1[4]=w2;
+  res1[0]=w5;
+  res1[1]=w6;
+  res1[2]=w7;
+  res1[3]=w8;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  /* #6: output[0][0] = @5 */
+  casadi_copy(w5, 5, res[0]);
+  /* #7: output[1][0] = @6 */
+  casadi_copy(w6, 60, res[1]);
+  /* #8: output[2][0] = @7 */
+  casadi_copy(w7, 108, res[2]);
+  /* #9: output[3][0] = @8 */
+  casadi_copy(w8, 108, res[3]);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_observed_swing(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f102(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int compass_observed_swing_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void compass_observed_swing_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_observed_swing_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void compass_observed_swing_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_observed_swing_n_in(void) { return 4;}
+
+CASADI_SYMBOL_EXPORT casadi_int compass_observed_swing_n_out(void) { return 4;}
+
+CASADI_SYMBOL_EXPORT casadi_real compass_observed_swing_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_observed_swing_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "t";
+    case 1: return "h";
+    case 2: return "w";
+    case 3: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* compass_observed_swing_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "w_end";
+    case 1: return "nodes";
+    case 2: return "g";
+    case 3: return "dg";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_observed_swing_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s25;
+    case 1: return casadi_s25;
+    case 2: return casadi_s26;
+    case 3: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* compass_observed_swing_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s26;
+    case 1: return casadi_s28;
+    case 2: return casadi_s29;
+    case 3: return casadi_s29;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int compass_observed_swing_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 14;
+  if (sz_res) *sz_res = 10;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 618;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int compass_observed_swing_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 14*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 618*sizeof(casadi_real);
   return 0;
 }
 

@@ -1,5 +1,5 @@
 /* Rimless wheel: kernels of the solver
- * Printed by CasADi 3.8.2 from equations 0d25f4d034d0c7ba.
+ * Printed by CasADi 3.8.2 from equations 87fd8388a466376b.
  * Do not edit: run `make derive`.
  * SPDX-License-Identifier: BSD-3-Clause
  */
@@ -100,6 +100,10 @@
 #define casadi_f72 CASADI_PREFIX(f72)
 #define casadi_f73 CASADI_PREFIX(f73)
 #define casadi_f74 CASADI_PREFIX(f74)
+#define casadi_f75 CASADI_PREFIX(f75)
+#define casadi_f76 CASADI_PREFIX(f76)
+#define casadi_f77 CASADI_PREFIX(f77)
+#define casadi_f78 CASADI_PREFIX(f78)
 #define casadi_f8 CASADI_PREFIX(f8)
 #define casadi_f9 CASADI_PREFIX(f9)
 #define casadi_fabs CASADI_PREFIX(fabs)
@@ -135,6 +139,9 @@
 #define casadi_s24 CASADI_PREFIX(s24)
 #define casadi_s25 CASADI_PREFIX(s25)
 #define casadi_s26 CASADI_PREFIX(s26)
+#define casadi_s27 CASADI_PREFIX(s27)
+#define casadi_s28 CASADI_PREFIX(s28)
+#define casadi_s29 CASADI_PREFIX(s29)
 #define casadi_s3 CASADI_PREFIX(s3)
 #define casadi_s4 CASADI_PREFIX(s4)
 #define casadi_s5 CASADI_PREFIX(s5)
@@ -461,6 +468,9 @@ static const casadi_int casadi_s23[3] = {7, 769, 1};
 static const casadi_int casadi_s24[3] = {1, 1, 1};
 static const casadi_int casadi_s25[3] = {2, 1, 1};
 static const casadi_int casadi_s26[3] = {7, 1, 1};
+static const casadi_int casadi_s27[3] = {2, 3, 1};
+static const casadi_int casadi_s28[3] = {2, 12, 1};
+static const casadi_int casadi_s29[3] = {7, 12, 1};
 
 static const casadi_real casadi_zeros[24] = 
   {0.};
@@ -15965,6 +15975,437 @@ CASADI_SYMBOL_EXPORT int rimless_wheel_advance_work_bytes(casadi_int *sz_arg, ca
   if (sz_res) *sz_res = 5*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
   if (sz_w) *sz_w = 93*sizeof(casadi_real);
+  return 0;
+}
+
+/* rimless_wheel_begin:(u[3],p[3])->(y[2x3]) */
+static int casadi_f75(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *rr, *w0=w+2, *w1=w+5, *w2=w+7, *w3=w+9;
+  const casadi_real **arg1=arg+2, *cs;
+  /* #0: @0 = input[0][0] */
+  casadi_copy(arg[0], 3, w0);
+  /* #1: @1 = @0[:2] */
+  for (rr=w1, cs=w0+0; cs!=w0+2; cs+=1) *rr++ = *cs;
+  /* #2: @0 = input[1][0] */
+  casadi_copy(arg[1], 3, w0);
+  /* #3: {@2, @3} = start(@1, @0) */
+  arg1[0]=w1;
+  arg1[1]=w0;
+  res1[0]=w2;
+  res1[1]=w3;
+  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  /* #4: output[0][0] = @2 */
+  casadi_copy(w2, 2, res[0]);
+  /* #5: output[0][1] = @3 */
+  if (res[0]) casadi_copy(w3, 4, res[0]+2);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int rimless_wheel_begin(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f75(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int rimless_wheel_begin_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void rimless_wheel_begin_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void rimless_wheel_begin_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void rimless_wheel_begin_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int rimless_wheel_begin_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int rimless_wheel_begin_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real rimless_wheel_begin_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* rimless_wheel_begin_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* rimless_wheel_begin_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "y";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* rimless_wheel_begin_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* rimless_wheel_begin_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s27;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int rimless_wheel_begin_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 4;
+  if (sz_res) *sz_res = 3;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 13;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int rimless_wheel_begin_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 4*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 3*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 13*sizeof(casadi_real);
+  return 0;
+}
+
+/* rimless_wheel_swing:(t,h,y[2x3],p[3])->(y_end[2x3]) */
+static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *w0=w+135, w1, w2, *w3=w+141, *w4=w+144, *w5=w+168;
+  const casadi_real **arg1=arg+4;
+  /* #0: @0 = input[2][0] */
+  casadi_copy(arg[2], 6, w0);
+  /* #1: @1 = input[0][0] */
+  w1 = arg[0] ? arg[0][0] : 0;
+  /* #2: @2 = input[1][0] */
+  w2 = arg[1] ? arg[1][0] : 0;
+  /* #3: @3 = input[3][0] */
+  casadi_copy(arg[3], 3, w3);
+  /* #4: @4 = turns(@2, @3) */
+  arg1[0]=(&w2);
+  arg1[1]=w3;
+  res1[0]=w4;
+  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  /* #5: @5 = variational_steps(@0, @1, @4, @2, @3) */
+  arg1[0]=w0;
+  arg1[1]=(&w1);
+  arg1[2]=w4;
+  arg1[3]=(&w2);
+  arg1[4]=w3;
+  res1[0]=w5;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  /* #6: output[0][0] = @5 */
+  casadi_copy(w5, 6, res[0]);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int rimless_wheel_swing(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f76(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int rimless_wheel_swing_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void rimless_wheel_swing_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void rimless_wheel_swing_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void rimless_wheel_swing_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int rimless_wheel_swing_n_in(void) { return 4;}
+
+CASADI_SYMBOL_EXPORT casadi_int rimless_wheel_swing_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real rimless_wheel_swing_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* rimless_wheel_swing_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "t";
+    case 1: return "h";
+    case 2: return "y";
+    case 3: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* rimless_wheel_swing_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "y_end";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* rimless_wheel_swing_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s24;
+    case 1: return casadi_s24;
+    case 2: return casadi_s27;
+    case 3: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* rimless_wheel_swing_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s27;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int rimless_wheel_swing_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 14;
+  if (sz_res) *sz_res = 3;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 174;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int rimless_wheel_swing_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 14*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 3*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 174*sizeof(casadi_real);
+  return 0;
+}
+
+/* rimless_wheel_end:(y[2x3],u[3],p[3])->(J[3x3],R[3]) */
+static int casadi_f77(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+2, *rr, *w0=w+10, *w1=w+16, *w2=w+19, w3, *w4=w+21, *w5=w+30;
+  const casadi_real **arg1=arg+3, *cs;
+  /* #0: @0 = input[0][0] */
+  casadi_copy(arg[0], 6, w0);
+  /* #1: @1 = input[1][0] */
+  casadi_copy(arg[1], 3, w1);
+  /* #2: @2 = @1[:2] */
+  for (rr=w2, cs=w1+0; cs!=w1+2; cs+=1) *rr++ = *cs;
+  /* #3: @3 = @1[2] */
+  for (rr=(&w3), cs=w1+2; cs!=w1+3; cs+=1) *rr++ = *cs;
+  /* #4: @1 = input[2][0] */
+  casadi_copy(arg[2], 3, w1);
+  /* #5: {@4, @5} = landing_with_derivative(@0, @2, @3, @1) */
+  arg1[0]=w0;
+  arg1[1]=w2;
+  arg1[2]=(&w3);
+  arg1[3]=w1;
+  res1[0]=w4;
+  res1[1]=w5;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  /* #6: output[0][0] = @4 */
+  casadi_copy(w4, 9, res[0]);
+  /* #7: output[1][0] = @5 */
+  casadi_copy(w5, 3, res[1]);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int rimless_wheel_end(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f77(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int rimless_wheel_end_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void rimless_wheel_end_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void rimless_wheel_end_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void rimless_wheel_end_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int rimless_wheel_end_n_in(void) { return 3;}
+
+CASADI_SYMBOL_EXPORT casadi_int rimless_wheel_end_n_out(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_real rimless_wheel_end_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* rimless_wheel_end_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "y";
+    case 1: return "u";
+    case 2: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* rimless_wheel_end_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "J";
+    case 1: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* rimless_wheel_end_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s27;
+    case 1: return casadi_s4;
+    case 2: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* rimless_wheel_end_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s5;
+    case 1: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int rimless_wheel_end_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 7;
+  if (sz_res) *sz_res = 4;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 33;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int rimless_wheel_end_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 7*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 4*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 33*sizeof(casadi_real);
+  return 0;
+}
+
+/* rimless_wheel_observed_swing:(t,h,w[2],p[3])->(w_end[2],nodes[2x12],g[7x12],dg[7x12]) */
+static int casadi_f78(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+4, w0, w1, *w2=w+195, *w3=w+198, *w4=w+222, *w5=w+224, *w6=w+226, *w7=w+250, *w8=w+334;
+  const casadi_real **arg1=arg+4;
+  /* #0: @0 = input[0][0] */
+  w0 = arg[0] ? arg[0][0] : 0;
+  /* #1: @1 = input[1][0] */
+  w1 = arg[1] ? arg[1][0] : 0;
+  /* #2: @2 = input[3][0] */
+  casadi_copy(arg[3], 3, w2);
+  /* #3: @3 = turns(@1, @2) */
+  arg1[0]=(&w1);
+  arg1[1]=w2;
+  res1[0]=w3;
+  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  /* #4: @4 = input[2][0] */
+  casadi_copy(arg[2], 2, w4);
+  /* #5: {@5, @6, @7, @8} = working_steps(@0, @3, @4, @1, @2) */
+  arg1[0]=(&w0);
+  arg1[1]=w3;
+  arg1[2]=w4;
+  arg1[3]=(&w1);
+  arg1[4]=w2;
+  res1[0]=w5;
+  res1[1]=w6;
+  res1[2]=w7;
+  res1[3]=w8;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  /* #6: output[0][0] = @5 */
+  casadi_copy(w5, 2, res[0]);
+  /* #7: output[1][0] = @6 */
+  casadi_copy(w6, 24, res[1]);
+  /* #8: output[2][0] = @7 */
+  casadi_copy(w7, 84, res[2]);
+  /* #9: output[3][0] = @8 */
+  casadi_copy(w8, 84, res[3]);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int rimless_wheel_observed_swing(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f78(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int rimless_wheel_observed_swing_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void rimless_wheel_observed_swing_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void rimless_wheel_observed_swing_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void rimless_wheel_observed_swing_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int rimless_wheel_observed_swing_n_in(void) { return 4;}
+
+CASADI_SYMBOL_EXPORT casadi_int rimless_wheel_observed_swing_n_out(void) { return 4;}
+
+CASADI_SYMBOL_EXPORT casadi_real rimless_wheel_observed_swing_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* rimless_wheel_observed_swing_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "t";
+    case 1: return "h";
+    case 2: return "w";
+    case 3: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* rimless_wheel_observed_swing_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "w_end";
+    case 1: return "nodes";
+    case 2: return "g";
+    case 3: return "dg";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* rimless_wheel_observed_swing_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s24;
+    case 1: return casadi_s24;
+    case 2: return casadi_s25;
+    case 3: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* rimless_wheel_observed_swing_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s25;
+    case 1: return casadi_s28;
+    case 2: return casadi_s29;
+    case 3: return casadi_s29;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int rimless_wheel_observed_swing_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 14;
+  if (sz_res) *sz_res = 10;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 418;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int rimless_wheel_observed_swing_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 14*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 418*sizeof(casadi_real);
   return 0;
 }
 

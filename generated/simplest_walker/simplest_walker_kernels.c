@@ -1,5 +1,5 @@
 /* Simplest walker: kernels of the solver
- * Printed by CasADi 3.8.2 from equations 5ef6595e3328df8d.
+ * Printed by CasADi 3.8.2 from equations e3c62ed55941fad4.
  * Do not edit: run `make derive`.
  * SPDX-License-Identifier: BSD-3-Clause
  */
@@ -24,12 +24,17 @@
 
 /* Add prefix to internal symbols */
 #define casadi_axpy CASADI_PREFIX(axpy)
+#define casadi_c0 CASADI_PREFIX(c0)
+#define casadi_c1 CASADI_PREFIX(c1)
 #define casadi_clear CASADI_PREFIX(clear)
 #define casadi_copy CASADI_PREFIX(copy)
 #define casadi_dot CASADI_PREFIX(dot)
 #define casadi_f0 CASADI_PREFIX(f0)
 #define casadi_f1 CASADI_PREFIX(f1)
 #define casadi_f10 CASADI_PREFIX(f10)
+#define casadi_f100 CASADI_PREFIX(f100)
+#define casadi_f101 CASADI_PREFIX(f101)
+#define casadi_f102 CASADI_PREFIX(f102)
 #define casadi_f11 CASADI_PREFIX(f11)
 #define casadi_f12 CASADI_PREFIX(f12)
 #define casadi_f13 CASADI_PREFIX(f13)
@@ -100,8 +105,33 @@
 #define casadi_f72 CASADI_PREFIX(f72)
 #define casadi_f73 CASADI_PREFIX(f73)
 #define casadi_f74 CASADI_PREFIX(f74)
+#define casadi_f75 CASADI_PREFIX(f75)
+#define casadi_f76 CASADI_PREFIX(f76)
+#define casadi_f77 CASADI_PREFIX(f77)
+#define casadi_f78 CASADI_PREFIX(f78)
+#define casadi_f79 CASADI_PREFIX(f79)
 #define casadi_f8 CASADI_PREFIX(f8)
+#define casadi_f80 CASADI_PREFIX(f80)
+#define casadi_f81 CASADI_PREFIX(f81)
+#define casadi_f82 CASADI_PREFIX(f82)
+#define casadi_f83 CASADI_PREFIX(f83)
+#define casadi_f84 CASADI_PREFIX(f84)
+#define casadi_f85 CASADI_PREFIX(f85)
+#define casadi_f86 CASADI_PREFIX(f86)
+#define casadi_f87 CASADI_PREFIX(f87)
+#define casadi_f88 CASADI_PREFIX(f88)
+#define casadi_f89 CASADI_PREFIX(f89)
 #define casadi_f9 CASADI_PREFIX(f9)
+#define casadi_f90 CASADI_PREFIX(f90)
+#define casadi_f91 CASADI_PREFIX(f91)
+#define casadi_f92 CASADI_PREFIX(f92)
+#define casadi_f93 CASADI_PREFIX(f93)
+#define casadi_f94 CASADI_PREFIX(f94)
+#define casadi_f95 CASADI_PREFIX(f95)
+#define casadi_f96 CASADI_PREFIX(f96)
+#define casadi_f97 CASADI_PREFIX(f97)
+#define casadi_f98 CASADI_PREFIX(f98)
+#define casadi_f99 CASADI_PREFIX(f99)
 #define casadi_fabs CASADI_PREFIX(fabs)
 #define casadi_fmax CASADI_PREFIX(fmax)
 #define casadi_house CASADI_PREFIX(house)
@@ -135,6 +165,9 @@
 #define casadi_s24 CASADI_PREFIX(s24)
 #define casadi_s25 CASADI_PREFIX(s25)
 #define casadi_s26 CASADI_PREFIX(s26)
+#define casadi_s27 CASADI_PREFIX(s27)
+#define casadi_s28 CASADI_PREFIX(s28)
+#define casadi_s29 CASADI_PREFIX(s29)
 #define casadi_s3 CASADI_PREFIX(s3)
 #define casadi_s4 CASADI_PREFIX(s4)
 #define casadi_s5 CASADI_PREFIX(s5)
@@ -461,12 +494,20 @@ static const casadi_int casadi_s23[3] = {4, 769, 1};
 static const casadi_int casadi_s24[3] = {7, 769, 1};
 static const casadi_int casadi_s25[3] = {4, 1, 1};
 static const casadi_int casadi_s26[3] = {7, 1, 1};
+static const casadi_int casadi_s27[3] = {4, 3, 1};
+static const casadi_int casadi_s28[3] = {4, 12, 1};
+static const casadi_int casadi_s29[3] = {7, 12, 1};
+
+static const casadi_real casadi_c0[9] = 
+  {1., 1., 5.0000000000000000e-01, 1., 1., 5.0000000000000000e-01, 1., 1.,
+  5.0000000000000000e-01};
+static const casadi_real casadi_c1[3] = {1., 1., 2.};
 
 static const casadi_real casadi_zeros[24] = 
   {0.};
 
 /* start:(z[2],p)->(y[4],dy_dz[4x2]) */
-static int casadi_f3(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2, a3, a4;
   a0=arg[0]? arg[0][0] : 0;
   if (res[0]!=0) res[0][0]=a0;
@@ -499,7 +540,7 @@ static int casadi_f3(const casadi_real** arg, casadi_real** res, casadi_int* iw,
 }
 
 /* turns:(h,p)->(turns[2x12]) */
-static int casadi_f4(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f6(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1;
   a0=1.;
   if (res[0]!=0) res[0][0]=a0;
@@ -531,7 +572,7 @@ static int casadi_f4(const casadi_real** arg, casadi_real** res, casadi_int* iw,
 }
 
 /* phase:(t,p)->(phase[2]) */
-static int casadi_f6(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f8(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0;
   a0=1.;
   if (res[0]!=0) res[0][0]=a0;
@@ -541,7 +582,7 @@ static int casadi_f6(const casadi_real** arg, casadi_real** res, casadi_int* iw,
 }
 
 /* variational_step:(y[4x3],phase[2],turns[2x12],h,p)->(y_end[4x3]) */
-static int casadi_f7(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f9(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a000, a001, a002, a003, a004, a005, a006, a007, a008, a009, a010, a011;
   casadi_real a012, a013, a014, a015, a016, a017, a018, a019, a020, a021, a022, a023;
   casadi_real a024, a025, a026, a027, a028, a029, a030, a031, a032, a033, a034, a035;
@@ -2653,7 +2694,7 @@ static int casadi_f7(const casadi_real** arg, casadi_real** res, casadi_int* iw,
 }
 
 /* variational_steps:(y[4x3],t,turns[2x12],h,p)->(y_end[4x3]) */
-static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f7(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *w0=w+212, w1, w2, *w3=w+224, w5, *w6=w+226, w7;
   const casadi_real **arg1=arg+5, *wr0, *wr4;
   /* #0: @0 = input[0][0] */
@@ -2666,7 +2707,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w1);
   arg1[1]=(&w2);
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = input[2][0] */
   wr4 = arg[2] ? arg[2] : casadi_zeros;
   /* #5: @5 = input[3][0] */
@@ -2678,14 +2719,14 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=(&w2);
   res1[0]=w6;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
   /* #7: @7 = (@1+@5) */
   w7  = (w1+w5);
   /* #8: @3 = phase(@7, @2) */
   arg1[0]=(&w7);
   arg1[1]=(&w2);
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #9: @0 = variational_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -2693,7 +2734,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=(&w2);
   res1[0]=w0;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
   /* #10: @7 = (2.*@5) */
   w7 = (2.* w5 );
   /* #11: @7 = (@1+@7) */
@@ -2702,7 +2743,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w7);
   arg1[1]=(&w2);
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #13: @6 = variational_step(@0, @3, @4, @5, @2) */
   arg1[0]=w0;
   arg1[1]=w3;
@@ -2710,7 +2751,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=(&w2);
   res1[0]=w6;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
   /* #14: @7 = 3 */
   w7 = 3.;
   /* #15: @7 = (@7*@5) */
@@ -2721,7 +2762,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w7);
   arg1[1]=(&w2);
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #18: @0 = variational_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -2729,7 +2770,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=(&w2);
   res1[0]=w0;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
   /* #19: @7 = 4 */
   w7 = 4.;
   /* #20: @7 = (@7*@5) */
@@ -2740,7 +2781,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w7);
   arg1[1]=(&w2);
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #23: @6 = variational_step(@0, @3, @4, @5, @2) */
   arg1[0]=w0;
   arg1[1]=w3;
@@ -2748,7 +2789,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=(&w2);
   res1[0]=w6;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
   /* #24: @7 = 5 */
   w7 = 5.;
   /* #25: @7 = (@7*@5) */
@@ -2759,7 +2800,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w7);
   arg1[1]=(&w2);
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #28: @0 = variational_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -2767,7 +2808,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=(&w2);
   res1[0]=w0;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
   /* #29: @7 = 6 */
   w7 = 6.;
   /* #30: @7 = (@7*@5) */
@@ -2778,7 +2819,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w7);
   arg1[1]=(&w2);
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #33: @6 = variational_step(@0, @3, @4, @5, @2) */
   arg1[0]=w0;
   arg1[1]=w3;
@@ -2786,7 +2827,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=(&w2);
   res1[0]=w6;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
   /* #34: @7 = 7 */
   w7 = 7.;
   /* #35: @7 = (@7*@5) */
@@ -2797,7 +2838,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w7);
   arg1[1]=(&w2);
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #38: @0 = variational_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -2805,7 +2846,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=(&w2);
   res1[0]=w0;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
   /* #39: @7 = 8 */
   w7 = 8.;
   /* #40: @7 = (@7*@5) */
@@ -2816,7 +2857,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w7);
   arg1[1]=(&w2);
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #43: @6 = variational_step(@0, @3, @4, @5, @2) */
   arg1[0]=w0;
   arg1[1]=w3;
@@ -2824,7 +2865,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=(&w2);
   res1[0]=w6;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
   /* #44: @7 = 9 */
   w7 = 9.;
   /* #45: @7 = (@7*@5) */
@@ -2835,7 +2876,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w7);
   arg1[1]=(&w2);
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #48: @0 = variational_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -2843,7 +2884,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=(&w2);
   res1[0]=w0;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
   /* #49: @7 = 10 */
   w7 = 10.;
   /* #50: @7 = (@7*@5) */
@@ -2854,7 +2895,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w7);
   arg1[1]=(&w2);
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #53: @6 = variational_step(@0, @3, @4, @5, @2) */
   arg1[0]=w0;
   arg1[1]=w3;
@@ -2862,7 +2903,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=(&w2);
   res1[0]=w6;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
   /* #54: @7 = 11 */
   w7 = 11.;
   /* #55: @7 = (@7*@5) */
@@ -2873,7 +2914,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w1);
   arg1[1]=(&w2);
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #58: @0 = variational_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -2881,14 +2922,14 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=(&w2);
   res1[0]=w0;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
   /* #59: output[0][0] = @0 */
   casadi_copy(w0, 12, res[0]);
   return 0;
 }
 
 /* landing_with_derivative:(y[4x3],z[2],T,p)->(J[3x3],R[3]) */
-static int casadi_f8(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2, a3, a4, a5, a6, a7, a8, a9;
   a0=arg[0]? arg[0][4] : 0;
   a1=arg[0]? arg[0][5] : 0;
@@ -2953,7 +2994,7 @@ static int casadi_f8(const casadi_real** arg, casadi_real** res, casadi_int* iw,
 }
 
 /* simplest_walker_jacobian_12:(u[3],p)->(J[3x3],R[3]) */
-static int casadi_f2(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f4(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+266, *w01=w+269, w02, *w03=w+271, *w04=w+275, *w05=w+283, w06, w07, w08, *w09=w+295;
   casadi_real *w10=w+319, *w11=w+331;
@@ -2969,7 +3010,7 @@ static int casadi_f2(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[1]=(&w02);
   res1[0]=w03;
   res1[1]=w04;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @5 = horzcat(@3, @4) */
   rr=w05;
   for (i=0, cs=w03; i<4; ++i) *rr++ = *cs++;
@@ -2986,7 +3027,7 @@ static int casadi_f2(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w08);
   arg1[1]=(&w02);
   res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
   arg1[0]=w05;
   arg1[1]=(&w06);
@@ -2994,7 +3035,7 @@ static int casadi_f2(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #11: {@11, @0} = landing_with_derivative(@10, @1, @7, @2) */
   arg1[0]=w10;
   arg1[1]=w01;
@@ -3002,7 +3043,7 @@ static int casadi_f2(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w02);
   res1[0]=w11;
   res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @11 */
   casadi_copy(w11, 9, res[0]);
   /* #13: output[1][0] = @0 */
@@ -3010,8 +3051,41 @@ static int casadi_f2(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   return 0;
 }
 
+/* scaled_jacobian_12:(u[3],p)->(J[3x3],R[3]) */
+static int casadi_f3(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_int i;
+  casadi_real **res1=res+2, *rr, *w0=w+344, *w1=w+353, w2, *w3=w+356, *w4=w+365;
+  const casadi_real **arg1=arg+2, *cr, *cs, *wr0;
+  /* #0: @0 = 
+  [[1, 1, 1], 
+   [1, 1, 1], 
+   [0.5, 0.5, 0.5]] */
+  wr0 = casadi_c0;
+  /* #1: @1 = input[0][0] */
+  casadi_copy(arg[0], 3, w1);
+  /* #2: @2 = input[1][0] */
+  w2 = arg[1] ? arg[1][0] : 0;
+  /* #3: {@3, @4} = simplest_walker_jacobian_12(@1, @2) */
+  arg1[0]=w1;
+  arg1[1]=(&w2);
+  res1[0]=w3;
+  res1[1]=w4;
+  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  /* #4: @0 = (@0*@3) */
+  for (i=0, rr=w0, cr=wr0, cs=w3; i<9; ++i) (*rr++)  = ((*cr++)*(*cs++));
+  /* #5: output[0][0] = @0 */
+  casadi_copy(w0, 9, res[0]);
+  /* #6: @1 = [1, 1, 2] */
+  casadi_copy(casadi_c1, 3, w1);
+  /* #7: @4 = (@4/@1) */
+  for (i=0, rr=w4, cs=w1; i<3; ++i) (*rr++) /= (*cs++);
+  /* #8: output[1][0] = @4 */
+  casadi_copy(w4, 3, res[1]);
+  return 0;
+}
+
 /* newton_12:(u0[3],p)->(u[3]) */
-static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f2(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 3;
@@ -3037,7 +3111,7 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f2(arg+2, res+1, iw, w+36, 0)) return 1;
+    if (casadi_f3(arg+2, res+1, iw, w+36, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -3045,8 +3119,26 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   return 0;
 }
 
+/* scaled_newton_12:(i0[3],i1)->(o0[3]) */
+static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *w0=w+411, w1, *w2=w+414;
+  const casadi_real **arg1=arg+2;
+  /* #0: @0 = input[0][0] */
+  casadi_copy(arg[0], 3, w0);
+  /* #1: @1 = input[1][0] */
+  w1 = arg[1] ? arg[1][0] : 0;
+  /* #2: @2 = newton_12(@0, @1) */
+  arg1[0]=w0;
+  arg1[1]=(&w1);
+  res1[0]=w2;
+  if (casadi_f2(arg1, res1, iw, w, 0)) return 1;
+  /* #3: output[0][0] = @2 */
+  casadi_copy(w2, 3, res[0]);
+  return 0;
+}
+
 /* plain_step:(y[4],phase[2],turns[2x12],h,p)->(y_end[4]) */
-static int casadi_f11(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f13(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a000, a001, a002, a003, a004, a005, a006, a007, a008, a009, a010, a011;
   casadi_real a012, a013, a014, a015, a016, a017, a018, a019, a020, a021, a022, a023;
   casadi_real a024, a025, a026, a027, a028, a029, a030, a031, a032, a033, a034, a035;
@@ -3882,7 +3974,7 @@ static int casadi_f11(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* plain_steps:(y[4],t,turns[2x12],h,p)->(y_end[4]) */
-static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f12(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *w0=w+117, w1, w2, *w3=w+121, w5, *w6=w+123, w7;
   const casadi_real **arg1=arg+5, *wr4;
   /* #0: @0 = input[0][0] */
@@ -3895,7 +3987,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w1);
   arg1[1]=(&w2);
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = input[2][0] */
   wr4 = arg[2] ? arg[2] : casadi_zeros;
   /* #5: @5 = input[3][0] */
@@ -3907,14 +3999,14 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=(&w2);
   res1[0]=w6;
-  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
   /* #7: @7 = (@1+@5) */
   w7  = (w1+w5);
   /* #8: @3 = phase(@7, @2) */
   arg1[0]=(&w7);
   arg1[1]=(&w2);
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #9: @0 = plain_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -3922,7 +4014,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=(&w2);
   res1[0]=w0;
-  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
   /* #10: @7 = (2.*@5) */
   w7 = (2.* w5 );
   /* #11: @7 = (@1+@7) */
@@ -3931,7 +4023,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w7);
   arg1[1]=(&w2);
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #13: @6 = plain_step(@0, @3, @4, @5, @2) */
   arg1[0]=w0;
   arg1[1]=w3;
@@ -3939,7 +4031,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=(&w2);
   res1[0]=w6;
-  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
   /* #14: @7 = 3 */
   w7 = 3.;
   /* #15: @7 = (@7*@5) */
@@ -3950,7 +4042,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w7);
   arg1[1]=(&w2);
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #18: @0 = plain_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -3958,7 +4050,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=(&w2);
   res1[0]=w0;
-  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
   /* #19: @7 = 4 */
   w7 = 4.;
   /* #20: @7 = (@7*@5) */
@@ -3969,7 +4061,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w7);
   arg1[1]=(&w2);
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #23: @6 = plain_step(@0, @3, @4, @5, @2) */
   arg1[0]=w0;
   arg1[1]=w3;
@@ -3977,7 +4069,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=(&w2);
   res1[0]=w6;
-  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
   /* #24: @7 = 5 */
   w7 = 5.;
   /* #25: @7 = (@7*@5) */
@@ -3988,7 +4080,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w7);
   arg1[1]=(&w2);
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #28: @0 = plain_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -3996,7 +4088,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=(&w2);
   res1[0]=w0;
-  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
   /* #29: @7 = 6 */
   w7 = 6.;
   /* #30: @7 = (@7*@5) */
@@ -4007,7 +4099,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w7);
   arg1[1]=(&w2);
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #33: @6 = plain_step(@0, @3, @4, @5, @2) */
   arg1[0]=w0;
   arg1[1]=w3;
@@ -4015,7 +4107,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=(&w2);
   res1[0]=w6;
-  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
   /* #34: @7 = 7 */
   w7 = 7.;
   /* #35: @7 = (@7*@5) */
@@ -4026,7 +4118,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w7);
   arg1[1]=(&w2);
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #38: @0 = plain_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -4034,7 +4126,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=(&w2);
   res1[0]=w0;
-  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
   /* #39: @7 = 8 */
   w7 = 8.;
   /* #40: @7 = (@7*@5) */
@@ -4045,7 +4137,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w7);
   arg1[1]=(&w2);
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #43: @6 = plain_step(@0, @3, @4, @5, @2) */
   arg1[0]=w0;
   arg1[1]=w3;
@@ -4053,7 +4145,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=(&w2);
   res1[0]=w6;
-  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
   /* #44: @7 = 9 */
   w7 = 9.;
   /* #45: @7 = (@7*@5) */
@@ -4064,7 +4156,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w7);
   arg1[1]=(&w2);
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #48: @0 = plain_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -4072,7 +4164,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=(&w2);
   res1[0]=w0;
-  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
   /* #49: @7 = 10 */
   w7 = 10.;
   /* #50: @7 = (@7*@5) */
@@ -4083,7 +4175,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w7);
   arg1[1]=(&w2);
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #53: @6 = plain_step(@0, @3, @4, @5, @2) */
   arg1[0]=w0;
   arg1[1]=w3;
@@ -4091,7 +4183,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=(&w2);
   res1[0]=w6;
-  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
   /* #54: @7 = 11 */
   w7 = 11.;
   /* #55: @7 = (@7*@5) */
@@ -4102,7 +4194,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w1);
   arg1[1]=(&w2);
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #58: @0 = plain_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -4110,14 +4202,14 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=(&w2);
   res1[0]=w0;
-  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
   /* #59: output[0][0] = @0 */
   casadi_copy(w0, 4, res[0]);
   return 0;
 }
 
 /* landing:(y[4],z[2],p)->(R[3]) */
-static int casadi_f12(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f14(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2, a3;
   a0=arg[0]? arg[0][0] : 0;
   a1=arg[0]? arg[0][1] : 0;
@@ -4138,7 +4230,7 @@ static int casadi_f12(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* simplest_walker_residual_12:(u[3],p)->(R[3]) */
-static int casadi_f9(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f11(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+155, *w1=w+158, w2, *w3=w+160, w4, w5, w6, *w7=w+164, *w8=w+188;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
@@ -4152,7 +4244,7 @@ static int casadi_f9(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[1]=(&w2);
   res1[0]=w3;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = 0 */
   w4 = 0.;
   /* #5: @5 = @0[2] */
@@ -4165,7 +4257,7 @@ static int casadi_f9(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w5);
   arg1[1]=(&w2);
   res1[0]=w7;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #9: @8 = plain_steps(@3, @4, @7, @5, @2) */
   arg1[0]=w3;
   arg1[1]=(&w4);
@@ -4173,13 +4265,13 @@ static int casadi_f9(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #10: @0 = landing(@8, @1, @2) */
   arg1[0]=w8;
   arg1[1]=w1;
   arg1[2]=(&w2);
   res1[0]=w0;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #11: output[0][0] = @0 */
   casadi_copy(w0, 3, res[0]);
   return 0;
@@ -4187,13 +4279,13 @@ static int casadi_f9(const casadi_real** arg, casadi_real** res, casadi_int* iw,
 
 /* simplest_walker_search_12:(u0[3],p)->(u[3],R[3]) */
 static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+2, *w0=w+386, w1, *w2=w+389;
+  casadi_real **res1=res+2, *w0=w+418, w1, *w2=w+421;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 3, w0);
   /* #1: @1 = input[1][0] */
   w1 = arg[1] ? arg[1][0] : 0;
-  /* #2: @2 = newton_12(@0, @1) */
+  /* #2: @2 = scaled_newton_12(@0, @1) */
   arg1[0]=w0;
   arg1[1]=(&w1);
   res1[0]=w2;
@@ -4204,7 +4296,7 @@ static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=w2;
   arg1[1]=(&w1);
   res1[0]=w0;
-  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @0 */
   casadi_copy(w0, 3, res[1]);
   return 0;
@@ -4270,23 +4362,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* simplest_walker_search_12_sparsity_out(ca
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_search_12_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 16;
-  if (sz_res) *sz_res = 7;
+  if (sz_arg) *sz_arg = 20;
+  if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 392;
+  if (sz_w) *sz_w = 424;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_search_12_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 16*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 7*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 20*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 392*sizeof(casadi_real);
+  if (sz_w) *sz_w = 424*sizeof(casadi_real);
   return 0;
 }
 
 /* simplest_walker_jacobian_24:(u[3],p)->(J[3x3],R[3]) */
-static int casadi_f15(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+266, *w01=w+269, w02, *w03=w+271, *w04=w+275, *w05=w+283, w06, w07, w08, *w09=w+295;
   casadi_real *w10=w+319, *w11=w+331;
@@ -4302,7 +4394,7 @@ static int casadi_f15(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w02);
   res1[0]=w03;
   res1[1]=w04;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @5 = horzcat(@3, @4) */
   rr=w05;
   for (i=0, cs=w03; i<4; ++i) *rr++ = *cs++;
@@ -4319,7 +4411,7 @@ static int casadi_f15(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w08);
   arg1[1]=(&w02);
   res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
   arg1[0]=w05;
   arg1[1]=(&w06);
@@ -4327,7 +4419,7 @@ static int casadi_f15(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #11: @6 = 0.5 */
   w06 = 5.0000000000000000e-01;
   /* #12: @6 = (@6*@7) */
@@ -4339,7 +4431,7 @@ static int casadi_f15(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #14: {@11, @0} = landing_with_derivative(@5, @1, @7, @2) */
   arg1[0]=w05;
   arg1[1]=w01;
@@ -4347,7 +4439,7 @@ static int casadi_f15(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w02);
   res1[0]=w11;
   res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #15: output[0][0] = @11 */
   casadi_copy(w11, 9, res[0]);
   /* #16: output[1][0] = @0 */
@@ -4355,8 +4447,41 @@ static int casadi_f15(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
+/* scaled_jacobian_24:(u[3],p)->(J[3x3],R[3]) */
+static int casadi_f18(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_int i;
+  casadi_real **res1=res+2, *rr, *w0=w+344, *w1=w+353, w2, *w3=w+356, *w4=w+365;
+  const casadi_real **arg1=arg+2, *cr, *cs, *wr0;
+  /* #0: @0 = 
+  [[1, 1, 1], 
+   [1, 1, 1], 
+   [0.5, 0.5, 0.5]] */
+  wr0 = casadi_c0;
+  /* #1: @1 = input[0][0] */
+  casadi_copy(arg[0], 3, w1);
+  /* #2: @2 = input[1][0] */
+  w2 = arg[1] ? arg[1][0] : 0;
+  /* #3: {@3, @4} = simplest_walker_jacobian_24(@1, @2) */
+  arg1[0]=w1;
+  arg1[1]=(&w2);
+  res1[0]=w3;
+  res1[1]=w4;
+  if (casadi_f19(arg1, res1, iw, w, 0)) return 1;
+  /* #4: @0 = (@0*@3) */
+  for (i=0, rr=w0, cr=wr0, cs=w3; i<9; ++i) (*rr++)  = ((*cr++)*(*cs++));
+  /* #5: output[0][0] = @0 */
+  casadi_copy(w0, 9, res[0]);
+  /* #6: @1 = [1, 1, 2] */
+  casadi_copy(casadi_c1, 3, w1);
+  /* #7: @4 = (@4/@1) */
+  for (i=0, rr=w4, cs=w1; i<3; ++i) (*rr++) /= (*cs++);
+  /* #8: output[1][0] = @4 */
+  casadi_copy(w4, 3, res[1]);
+  return 0;
+}
+
 /* newton_24:(u0[3],p)->(u[3]) */
-static int casadi_f14(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f17(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 3;
@@ -4382,7 +4507,7 @@ static int casadi_f14(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f15(arg+2, res+1, iw, w+36, 0)) return 1;
+    if (casadi_f18(arg+2, res+1, iw, w+36, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -4390,8 +4515,26 @@ static int casadi_f14(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* simplest_walker_residual_24:(u[3],p)->(R[3]) */
+/* scaled_newton_24:(i0[3],i1)->(o0[3]) */
 static int casadi_f16(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *w0=w+411, w1, *w2=w+414;
+  const casadi_real **arg1=arg+2;
+  /* #0: @0 = input[0][0] */
+  casadi_copy(arg[0], 3, w0);
+  /* #1: @1 = input[1][0] */
+  w1 = arg[1] ? arg[1][0] : 0;
+  /* #2: @2 = newton_24(@0, @1) */
+  arg1[0]=w0;
+  arg1[1]=(&w1);
+  res1[0]=w2;
+  if (casadi_f17(arg1, res1, iw, w, 0)) return 1;
+  /* #3: output[0][0] = @2 */
+  casadi_copy(w2, 3, res[0]);
+  return 0;
+}
+
+/* simplest_walker_residual_24:(u[3],p)->(R[3]) */
+static int casadi_f20(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+155, *w1=w+158, w2, *w3=w+160, w4, w5, w6, *w7=w+164, *w8=w+188;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
@@ -4405,7 +4548,7 @@ static int casadi_f16(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w2);
   res1[0]=w3;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = 0 */
   w4 = 0.;
   /* #5: @5 = @0[2] */
@@ -4418,7 +4561,7 @@ static int casadi_f16(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w6);
   arg1[1]=(&w2);
   res1[0]=w7;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #9: @8 = plain_steps(@3, @4, @7, @6, @2) */
   arg1[0]=w3;
   arg1[1]=(&w4);
@@ -4426,7 +4569,7 @@ static int casadi_f16(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #10: @4 = 0.5 */
   w4 = 5.0000000000000000e-01;
   /* #11: @4 = (@4*@5) */
@@ -4438,45 +4581,45 @@ static int casadi_f16(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #13: @0 = landing(@3, @1, @2) */
   arg1[0]=w3;
   arg1[1]=w1;
   arg1[2]=(&w2);
   res1[0]=w0;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #14: output[0][0] = @0 */
   casadi_copy(w0, 3, res[0]);
   return 0;
 }
 
 /* simplest_walker_search_24:(u0[3],p)->(u[3],R[3]) */
-static int casadi_f13(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+2, *w0=w+386, w1, *w2=w+389;
+static int casadi_f15(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+2, *w0=w+418, w1, *w2=w+421;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 3, w0);
   /* #1: @1 = input[1][0] */
   w1 = arg[1] ? arg[1][0] : 0;
-  /* #2: @2 = newton_24(@0, @1) */
+  /* #2: @2 = scaled_newton_24(@0, @1) */
   arg1[0]=w0;
   arg1[1]=(&w1);
   res1[0]=w2;
-  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f16(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 3, res[0]);
   /* #4: @0 = simplest_walker_residual_24(@2, @1) */
   arg1[0]=w2;
   arg1[1]=(&w1);
   res1[0]=w0;
-  if (casadi_f16(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f20(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @0 */
   casadi_copy(w0, 3, res[1]);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_search_24(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f13(arg, res, iw, w, mem);
+  return casadi_f15(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_search_24_checkout(void) {
@@ -4535,23 +4678,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* simplest_walker_search_24_sparsity_out(ca
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_search_24_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 16;
-  if (sz_res) *sz_res = 7;
+  if (sz_arg) *sz_arg = 20;
+  if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 392;
+  if (sz_w) *sz_w = 424;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_search_24_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 16*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 7*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 20*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 392*sizeof(casadi_real);
+  if (sz_w) *sz_w = 424*sizeof(casadi_real);
   return 0;
 }
 
 /* simplest_walker_jacobian_48:(u[3],p)->(J[3x3],R[3]) */
-static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f25(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+266, *w01=w+269, w02, *w03=w+271, *w04=w+275, *w05=w+283, w06, w07, w08, *w09=w+295;
   casadi_real *w10=w+319, *w11=w+331;
@@ -4567,7 +4710,7 @@ static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w02);
   res1[0]=w03;
   res1[1]=w04;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @5 = horzcat(@3, @4) */
   rr=w05;
   for (i=0, cs=w03; i<4; ++i) *rr++ = *cs++;
@@ -4584,7 +4727,7 @@ static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w08);
   arg1[1]=(&w02);
   res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
   arg1[0]=w05;
   arg1[1]=(&w06);
@@ -4592,7 +4735,7 @@ static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #11: @6 = 0.25 */
   w06 = 2.5000000000000000e-01;
   /* #12: @6 = (@6*@7) */
@@ -4604,7 +4747,7 @@ static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #14: @6 = 0.5 */
   w06 = 5.0000000000000000e-01;
   /* #15: @6 = (@6*@7) */
@@ -4616,7 +4759,7 @@ static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #17: @6 = 0.75 */
   w06 = 7.5000000000000000e-01;
   /* #18: @6 = (@6*@7) */
@@ -4628,7 +4771,7 @@ static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #20: {@11, @0} = landing_with_derivative(@5, @1, @7, @2) */
   arg1[0]=w05;
   arg1[1]=w01;
@@ -4636,7 +4779,7 @@ static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w02);
   res1[0]=w11;
   res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #21: output[0][0] = @11 */
   casadi_copy(w11, 9, res[0]);
   /* #22: output[1][0] = @0 */
@@ -4644,8 +4787,41 @@ static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
+/* scaled_jacobian_48:(u[3],p)->(J[3x3],R[3]) */
+static int casadi_f24(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_int i;
+  casadi_real **res1=res+2, *rr, *w0=w+344, *w1=w+353, w2, *w3=w+356, *w4=w+365;
+  const casadi_real **arg1=arg+2, *cr, *cs, *wr0;
+  /* #0: @0 = 
+  [[1, 1, 1], 
+   [1, 1, 1], 
+   [0.5, 0.5, 0.5]] */
+  wr0 = casadi_c0;
+  /* #1: @1 = input[0][0] */
+  casadi_copy(arg[0], 3, w1);
+  /* #2: @2 = input[1][0] */
+  w2 = arg[1] ? arg[1][0] : 0;
+  /* #3: {@3, @4} = simplest_walker_jacobian_48(@1, @2) */
+  arg1[0]=w1;
+  arg1[1]=(&w2);
+  res1[0]=w3;
+  res1[1]=w4;
+  if (casadi_f25(arg1, res1, iw, w, 0)) return 1;
+  /* #4: @0 = (@0*@3) */
+  for (i=0, rr=w0, cr=wr0, cs=w3; i<9; ++i) (*rr++)  = ((*cr++)*(*cs++));
+  /* #5: output[0][0] = @0 */
+  casadi_copy(w0, 9, res[0]);
+  /* #6: @1 = [1, 1, 2] */
+  casadi_copy(casadi_c1, 3, w1);
+  /* #7: @4 = (@4/@1) */
+  for (i=0, rr=w4, cs=w1; i<3; ++i) (*rr++) /= (*cs++);
+  /* #8: output[1][0] = @4 */
+  casadi_copy(w4, 3, res[1]);
+  return 0;
+}
+
 /* newton_48:(u0[3],p)->(u[3]) */
-static int casadi_f18(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f23(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 3;
@@ -4671,7 +4847,7 @@ static int casadi_f18(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f19(arg+2, res+1, iw, w+36, 0)) return 1;
+    if (casadi_f24(arg+2, res+1, iw, w+36, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -4679,8 +4855,26 @@ static int casadi_f18(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
+/* scaled_newton_48:(i0[3],i1)->(o0[3]) */
+static int casadi_f22(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *w0=w+411, w1, *w2=w+414;
+  const casadi_real **arg1=arg+2;
+  /* #0: @0 = input[0][0] */
+  casadi_copy(arg[0], 3, w0);
+  /* #1: @1 = input[1][0] */
+  w1 = arg[1] ? arg[1][0] : 0;
+  /* #2: @2 = newton_48(@0, @1) */
+  arg1[0]=w0;
+  arg1[1]=(&w1);
+  res1[0]=w2;
+  if (casadi_f23(arg1, res1, iw, w, 0)) return 1;
+  /* #3: output[0][0] = @2 */
+  casadi_copy(w2, 3, res[0]);
+  return 0;
+}
+
 /* simplest_walker_residual_48:(u[3],p)->(R[3]) */
-static int casadi_f20(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f26(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+155, *w1=w+158, w2, *w3=w+160, w4, w5, w6, *w7=w+164, *w8=w+188;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
@@ -4694,7 +4888,7 @@ static int casadi_f20(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w2);
   res1[0]=w3;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = 0 */
   w4 = 0.;
   /* #5: @5 = @0[2] */
@@ -4707,7 +4901,7 @@ static int casadi_f20(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w6);
   arg1[1]=(&w2);
   res1[0]=w7;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #9: @8 = plain_steps(@3, @4, @7, @6, @2) */
   arg1[0]=w3;
   arg1[1]=(&w4);
@@ -4715,7 +4909,7 @@ static int casadi_f20(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #10: @4 = 0.25 */
   w4 = 2.5000000000000000e-01;
   /* #11: @4 = (@4*@5) */
@@ -4727,7 +4921,7 @@ static int casadi_f20(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #13: @4 = 0.5 */
   w4 = 5.0000000000000000e-01;
   /* #14: @4 = (@4*@5) */
@@ -4739,7 +4933,7 @@ static int casadi_f20(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #16: @4 = 0.75 */
   w4 = 7.5000000000000000e-01;
   /* #17: @4 = (@4*@5) */
@@ -4751,45 +4945,45 @@ static int casadi_f20(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #19: @0 = landing(@3, @1, @2) */
   arg1[0]=w3;
   arg1[1]=w1;
   arg1[2]=(&w2);
   res1[0]=w0;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][0] = @0 */
   casadi_copy(w0, 3, res[0]);
   return 0;
 }
 
 /* simplest_walker_search_48:(u0[3],p)->(u[3],R[3]) */
-static int casadi_f17(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+2, *w0=w+386, w1, *w2=w+389;
+static int casadi_f21(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+2, *w0=w+418, w1, *w2=w+421;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 3, w0);
   /* #1: @1 = input[1][0] */
   w1 = arg[1] ? arg[1][0] : 0;
-  /* #2: @2 = newton_48(@0, @1) */
+  /* #2: @2 = scaled_newton_48(@0, @1) */
   arg1[0]=w0;
   arg1[1]=(&w1);
   res1[0]=w2;
-  if (casadi_f18(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f22(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 3, res[0]);
   /* #4: @0 = simplest_walker_residual_48(@2, @1) */
   arg1[0]=w2;
   arg1[1]=(&w1);
   res1[0]=w0;
-  if (casadi_f20(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f26(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @0 */
   casadi_copy(w0, 3, res[1]);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_search_48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f17(arg, res, iw, w, mem);
+  return casadi_f21(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_search_48_checkout(void) {
@@ -4848,23 +5042,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* simplest_walker_search_48_sparsity_out(ca
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_search_48_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 16;
-  if (sz_res) *sz_res = 7;
+  if (sz_arg) *sz_arg = 20;
+  if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 392;
+  if (sz_w) *sz_w = 424;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_search_48_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 16*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 7*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 20*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 392*sizeof(casadi_real);
+  if (sz_w) *sz_w = 424*sizeof(casadi_real);
   return 0;
 }
 
 /* coarse_jacobian_24:(u[3],p)->(J[3x3],R[3]) */
-static int casadi_f23(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f31(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+344, w1, *w2=w+347, *w3=w+356;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
@@ -4876,21 +5070,54 @@ static int casadi_f23(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w1);
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f2(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 9, res[0]);
   /* #4: @3 = simplest_walker_residual_24(@0, @1) */
   arg1[0]=w0;
   arg1[1]=(&w1);
   res1[0]=w3;
-  if (casadi_f16(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f20(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 3, res[1]);
   return 0;
 }
 
+/* scaled_jacobian_24:(u[3],p)->(J[3x3],R[3]) */
+static int casadi_f30(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_int i;
+  casadi_real **res1=res+2, *rr, *w0=w+360, *w1=w+369, w2, *w3=w+372, *w4=w+381;
+  const casadi_real **arg1=arg+2, *cr, *cs, *wr0;
+  /* #0: @0 = 
+  [[1, 1, 1], 
+   [1, 1, 1], 
+   [0.5, 0.5, 0.5]] */
+  wr0 = casadi_c0;
+  /* #1: @1 = input[0][0] */
+  casadi_copy(arg[0], 3, w1);
+  /* #2: @2 = input[1][0] */
+  w2 = arg[1] ? arg[1][0] : 0;
+  /* #3: {@3, @4} = coarse_jacobian_24(@1, @2) */
+  arg1[0]=w1;
+  arg1[1]=(&w2);
+  res1[0]=w3;
+  res1[1]=w4;
+  if (casadi_f31(arg1, res1, iw, w, 0)) return 1;
+  /* #4: @0 = (@0*@3) */
+  for (i=0, rr=w0, cr=wr0, cs=w3; i<9; ++i) (*rr++)  = ((*cr++)*(*cs++));
+  /* #5: output[0][0] = @0 */
+  casadi_copy(w0, 9, res[0]);
+  /* #6: @1 = [1, 1, 2] */
+  casadi_copy(casadi_c1, 3, w1);
+  /* #7: @4 = (@4/@1) */
+  for (i=0, rr=w4, cs=w1; i<3; ++i) (*rr++) /= (*cs++);
+  /* #8: output[1][0] = @4 */
+  casadi_copy(w4, 3, res[1]);
+  return 0;
+}
+
 /* newton_24:(u0[3],p)->(u[3]) */
-static int casadi_f22(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f29(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 3;
@@ -4916,7 +5143,7 @@ static int casadi_f22(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f23(arg+2, res+1, iw, w+36, 0)) return 1;
+    if (casadi_f30(arg+2, res+1, iw, w+36, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -4924,9 +5151,9 @@ static int casadi_f22(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* simplest_walker_limit_cycle_24:(u0[3],p)->(u[3],J[3x3],R[3]) */
-static int casadi_f21(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+3, *w0=w+402, w1, *w2=w+405, *w3=w+408;
+/* scaled_newton_24:(i0[3],i1)->(o0[3]) */
+static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *w0=w+427, w1, *w2=w+430;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 3, w0);
@@ -4936,7 +5163,25 @@ static int casadi_f21(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=w0;
   arg1[1]=(&w1);
   res1[0]=w2;
-  if (casadi_f22(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f29(arg1, res1, iw, w, 0)) return 1;
+  /* #3: output[0][0] = @2 */
+  casadi_copy(w2, 3, res[0]);
+  return 0;
+}
+
+/* simplest_walker_limit_cycle_24:(u0[3],p)->(u[3],J[3x3],R[3]) */
+static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+3, *w0=w+434, w1, *w2=w+437, *w3=w+440;
+  const casadi_real **arg1=arg+2;
+  /* #0: @0 = input[0][0] */
+  casadi_copy(arg[0], 3, w0);
+  /* #1: @1 = input[1][0] */
+  w1 = arg[1] ? arg[1][0] : 0;
+  /* #2: @2 = scaled_newton_24(@0, @1) */
+  arg1[0]=w0;
+  arg1[1]=(&w1);
+  res1[0]=w2;
+  if (casadi_f28(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 3, res[0]);
   /* #4: {@3, @0} = simplest_walker_jacobian_24(@2, @1) */
@@ -4944,7 +5189,7 @@ static int casadi_f21(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w1);
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f15(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f19(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 9, res[1]);
   /* #6: output[2][0] = @0 */
@@ -4953,7 +5198,7 @@ static int casadi_f21(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_24(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f21(arg, res, iw, w, mem);
+  return casadi_f27(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_24_checkout(void) {
@@ -5014,23 +5259,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* simplest_walker_limit_cycle_24_sparsity_o
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_24_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18;
-  if (sz_res) *sz_res = 10;
+  if (sz_arg) *sz_arg = 22;
+  if (sz_res) *sz_res = 13;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 417;
+  if (sz_w) *sz_w = 449;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_24_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 22*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 13*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 417*sizeof(casadi_real);
+  if (sz_w) *sz_w = 449*sizeof(casadi_real);
   return 0;
 }
 
 /* simplest_walker_residual_36:(u[3],p)->(R[3]) */
-static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f37(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+155, *w1=w+158, w2, *w3=w+160, w4, w5, w6, *w7=w+164, *w8=w+188;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
@@ -5044,7 +5289,7 @@ static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w2);
   res1[0]=w3;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = 0 */
   w4 = 0.;
   /* #5: @5 = @0[2] */
@@ -5057,7 +5302,7 @@ static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w6);
   arg1[1]=(&w2);
   res1[0]=w7;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #9: @8 = plain_steps(@3, @4, @7, @6, @2) */
   arg1[0]=w3;
   arg1[1]=(&w4);
@@ -5065,7 +5310,7 @@ static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #10: @4 = 0.333333 */
   w4 = 3.3333333333333331e-01;
   /* #11: @4 = (@4*@5) */
@@ -5077,7 +5322,7 @@ static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #13: @4 = 0.666667 */
   w4 = 6.6666666666666663e-01;
   /* #14: @4 = (@4*@5) */
@@ -5089,20 +5334,20 @@ static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #16: @0 = landing(@8, @1, @2) */
   arg1[0]=w8;
   arg1[1]=w1;
   arg1[2]=(&w2);
   res1[0]=w0;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #17: output[0][0] = @0 */
   casadi_copy(w0, 3, res[0]);
   return 0;
 }
 
 /* coarse_jacobian_36:(u[3],p)->(J[3x3],R[3]) */
-static int casadi_f26(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+344, w1, *w2=w+347, *w3=w+356;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
@@ -5114,21 +5359,54 @@ static int casadi_f26(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w1);
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f2(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 9, res[0]);
   /* #4: @3 = simplest_walker_residual_36(@0, @1) */
   arg1[0]=w0;
   arg1[1]=(&w1);
   res1[0]=w3;
-  if (casadi_f27(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f37(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 3, res[1]);
   return 0;
 }
 
+/* scaled_jacobian_36:(u[3],p)->(J[3x3],R[3]) */
+static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_int i;
+  casadi_real **res1=res+2, *rr, *w0=w+360, *w1=w+369, w2, *w3=w+372, *w4=w+381;
+  const casadi_real **arg1=arg+2, *cr, *cs, *wr0;
+  /* #0: @0 = 
+  [[1, 1, 1], 
+   [1, 1, 1], 
+   [0.5, 0.5, 0.5]] */
+  wr0 = casadi_c0;
+  /* #1: @1 = input[0][0] */
+  casadi_copy(arg[0], 3, w1);
+  /* #2: @2 = input[1][0] */
+  w2 = arg[1] ? arg[1][0] : 0;
+  /* #3: {@3, @4} = coarse_jacobian_36(@1, @2) */
+  arg1[0]=w1;
+  arg1[1]=(&w2);
+  res1[0]=w3;
+  res1[1]=w4;
+  if (casadi_f36(arg1, res1, iw, w, 0)) return 1;
+  /* #4: @0 = (@0*@3) */
+  for (i=0, rr=w0, cr=wr0, cs=w3; i<9; ++i) (*rr++)  = ((*cr++)*(*cs++));
+  /* #5: output[0][0] = @0 */
+  casadi_copy(w0, 9, res[0]);
+  /* #6: @1 = [1, 1, 2] */
+  casadi_copy(casadi_c1, 3, w1);
+  /* #7: @4 = (@4/@1) */
+  for (i=0, rr=w4, cs=w1; i<3; ++i) (*rr++) /= (*cs++);
+  /* #8: output[1][0] = @4 */
+  casadi_copy(w4, 3, res[1]);
+  return 0;
+}
+
 /* newton_36:(u0[3],p)->(u[3]) */
-static int casadi_f25(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f34(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 3;
@@ -5154,7 +5432,7 @@ static int casadi_f25(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f26(arg+2, res+1, iw, w+36, 0)) return 1;
+    if (casadi_f35(arg+2, res+1, iw, w+36, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -5162,8 +5440,26 @@ static int casadi_f25(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
+/* scaled_newton_36:(i0[3],i1)->(o0[3]) */
+static int casadi_f33(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *w0=w+427, w1, *w2=w+430;
+  const casadi_real **arg1=arg+2;
+  /* #0: @0 = input[0][0] */
+  casadi_copy(arg[0], 3, w0);
+  /* #1: @1 = input[1][0] */
+  w1 = arg[1] ? arg[1][0] : 0;
+  /* #2: @2 = newton_36(@0, @1) */
+  arg1[0]=w0;
+  arg1[1]=(&w1);
+  res1[0]=w2;
+  if (casadi_f34(arg1, res1, iw, w, 0)) return 1;
+  /* #3: output[0][0] = @2 */
+  casadi_copy(w2, 3, res[0]);
+  return 0;
+}
+
 /* simplest_walker_jacobian_36:(u[3],p)->(J[3x3],R[3]) */
-static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f38(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+266, *w01=w+269, w02, *w03=w+271, *w04=w+275, *w05=w+283, w06, w07, w08, *w09=w+295;
   casadi_real *w10=w+319, *w11=w+331;
@@ -5179,7 +5475,7 @@ static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w02);
   res1[0]=w03;
   res1[1]=w04;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @5 = horzcat(@3, @4) */
   rr=w05;
   for (i=0, cs=w03; i<4; ++i) *rr++ = *cs++;
@@ -5196,7 +5492,7 @@ static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w08);
   arg1[1]=(&w02);
   res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
   arg1[0]=w05;
   arg1[1]=(&w06);
@@ -5204,7 +5500,7 @@ static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #11: @6 = 0.333333 */
   w06 = 3.3333333333333331e-01;
   /* #12: @6 = (@6*@7) */
@@ -5216,7 +5512,7 @@ static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #14: @6 = 0.666667 */
   w06 = 6.6666666666666663e-01;
   /* #15: @6 = (@6*@7) */
@@ -5228,7 +5524,7 @@ static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #17: {@11, @0} = landing_with_derivative(@10, @1, @7, @2) */
   arg1[0]=w10;
   arg1[1]=w01;
@@ -5236,7 +5532,7 @@ static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w02);
   res1[0]=w11;
   res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #18: output[0][0] = @11 */
   casadi_copy(w11, 9, res[0]);
   /* #19: output[1][0] = @0 */
@@ -5245,18 +5541,18 @@ static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* simplest_walker_limit_cycle_36:(u0[3],p)->(u[3],J[3x3],R[3]) */
-static int casadi_f24(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+3, *w0=w+402, w1, *w2=w+405, *w3=w+408;
+static int casadi_f32(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+3, *w0=w+434, w1, *w2=w+437, *w3=w+440;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 3, w0);
   /* #1: @1 = input[1][0] */
   w1 = arg[1] ? arg[1][0] : 0;
-  /* #2: @2 = newton_36(@0, @1) */
+  /* #2: @2 = scaled_newton_36(@0, @1) */
   arg1[0]=w0;
   arg1[1]=(&w1);
   res1[0]=w2;
-  if (casadi_f25(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f33(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 3, res[0]);
   /* #4: {@3, @0} = simplest_walker_jacobian_36(@2, @1) */
@@ -5264,7 +5560,7 @@ static int casadi_f24(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w1);
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f28(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f38(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 9, res[1]);
   /* #6: output[2][0] = @0 */
@@ -5273,7 +5569,7 @@ static int casadi_f24(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_36(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f24(arg, res, iw, w, mem);
+  return casadi_f32(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_36_checkout(void) {
@@ -5334,23 +5630,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* simplest_walker_limit_cycle_36_sparsity_o
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_36_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18;
-  if (sz_res) *sz_res = 10;
+  if (sz_arg) *sz_arg = 22;
+  if (sz_res) *sz_res = 13;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 417;
+  if (sz_w) *sz_w = 449;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_36_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 22*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 13*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 417*sizeof(casadi_real);
+  if (sz_w) *sz_w = 449*sizeof(casadi_real);
   return 0;
 }
 
 /* coarse_jacobian_48:(u[3],p)->(J[3x3],R[3]) */
-static int casadi_f31(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f43(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+344, w1, *w2=w+347, *w3=w+356;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
@@ -5362,21 +5658,54 @@ static int casadi_f31(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w1);
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f15(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f19(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 9, res[0]);
   /* #4: @3 = simplest_walker_residual_48(@0, @1) */
   arg1[0]=w0;
   arg1[1]=(&w1);
   res1[0]=w3;
-  if (casadi_f20(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f26(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 3, res[1]);
   return 0;
 }
 
+/* scaled_jacobian_48:(u[3],p)->(J[3x3],R[3]) */
+static int casadi_f42(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_int i;
+  casadi_real **res1=res+2, *rr, *w0=w+360, *w1=w+369, w2, *w3=w+372, *w4=w+381;
+  const casadi_real **arg1=arg+2, *cr, *cs, *wr0;
+  /* #0: @0 = 
+  [[1, 1, 1], 
+   [1, 1, 1], 
+   [0.5, 0.5, 0.5]] */
+  wr0 = casadi_c0;
+  /* #1: @1 = input[0][0] */
+  casadi_copy(arg[0], 3, w1);
+  /* #2: @2 = input[1][0] */
+  w2 = arg[1] ? arg[1][0] : 0;
+  /* #3: {@3, @4} = coarse_jacobian_48(@1, @2) */
+  arg1[0]=w1;
+  arg1[1]=(&w2);
+  res1[0]=w3;
+  res1[1]=w4;
+  if (casadi_f43(arg1, res1, iw, w, 0)) return 1;
+  /* #4: @0 = (@0*@3) */
+  for (i=0, rr=w0, cr=wr0, cs=w3; i<9; ++i) (*rr++)  = ((*cr++)*(*cs++));
+  /* #5: output[0][0] = @0 */
+  casadi_copy(w0, 9, res[0]);
+  /* #6: @1 = [1, 1, 2] */
+  casadi_copy(casadi_c1, 3, w1);
+  /* #7: @4 = (@4/@1) */
+  for (i=0, rr=w4, cs=w1; i<3; ++i) (*rr++) /= (*cs++);
+  /* #8: output[1][0] = @4 */
+  casadi_copy(w4, 3, res[1]);
+  return 0;
+}
+
 /* newton_48:(u0[3],p)->(u[3]) */
-static int casadi_f30(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 3;
@@ -5402,7 +5731,7 @@ static int casadi_f30(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f31(arg+2, res+1, iw, w+36, 0)) return 1;
+    if (casadi_f42(arg+2, res+1, iw, w+36, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -5410,9 +5739,9 @@ static int casadi_f30(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* simplest_walker_limit_cycle_48:(u0[3],p)->(u[3],J[3x3],R[3]) */
-static int casadi_f29(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+3, *w0=w+402, w1, *w2=w+405, *w3=w+408;
+/* scaled_newton_48:(i0[3],i1)->(o0[3]) */
+static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *w0=w+427, w1, *w2=w+430;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 3, w0);
@@ -5422,7 +5751,25 @@ static int casadi_f29(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=w0;
   arg1[1]=(&w1);
   res1[0]=w2;
-  if (casadi_f30(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f41(arg1, res1, iw, w, 0)) return 1;
+  /* #3: output[0][0] = @2 */
+  casadi_copy(w2, 3, res[0]);
+  return 0;
+}
+
+/* simplest_walker_limit_cycle_48:(u0[3],p)->(u[3],J[3x3],R[3]) */
+static int casadi_f39(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+3, *w0=w+434, w1, *w2=w+437, *w3=w+440;
+  const casadi_real **arg1=arg+2;
+  /* #0: @0 = input[0][0] */
+  casadi_copy(arg[0], 3, w0);
+  /* #1: @1 = input[1][0] */
+  w1 = arg[1] ? arg[1][0] : 0;
+  /* #2: @2 = scaled_newton_48(@0, @1) */
+  arg1[0]=w0;
+  arg1[1]=(&w1);
+  res1[0]=w2;
+  if (casadi_f40(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 3, res[0]);
   /* #4: {@3, @0} = simplest_walker_jacobian_48(@2, @1) */
@@ -5430,7 +5777,7 @@ static int casadi_f29(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w1);
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f19(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f25(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 9, res[1]);
   /* #6: output[2][0] = @0 */
@@ -5439,7 +5786,7 @@ static int casadi_f29(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f29(arg, res, iw, w, mem);
+  return casadi_f39(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_48_checkout(void) {
@@ -5500,23 +5847,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* simplest_walker_limit_cycle_48_sparsity_o
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_48_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18;
-  if (sz_res) *sz_res = 10;
+  if (sz_arg) *sz_arg = 22;
+  if (sz_res) *sz_res = 13;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 417;
+  if (sz_w) *sz_w = 449;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_48_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 22*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 13*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 417*sizeof(casadi_real);
+  if (sz_w) *sz_w = 449*sizeof(casadi_real);
   return 0;
 }
 
 /* simplest_walker_residual_72:(u[3],p)->(R[3]) */
-static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f49(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+155, *w1=w+158, w2, *w3=w+160, w4, w5, w6, *w7=w+164, *w8=w+188;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
@@ -5530,7 +5877,7 @@ static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w2);
   res1[0]=w3;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = 0 */
   w4 = 0.;
   /* #5: @5 = @0[2] */
@@ -5543,7 +5890,7 @@ static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w6);
   arg1[1]=(&w2);
   res1[0]=w7;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #9: @8 = plain_steps(@3, @4, @7, @6, @2) */
   arg1[0]=w3;
   arg1[1]=(&w4);
@@ -5551,7 +5898,7 @@ static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #10: @4 = 0.166667 */
   w4 = 1.6666666666666666e-01;
   /* #11: @4 = (@4*@5) */
@@ -5563,7 +5910,7 @@ static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #13: @4 = 0.333333 */
   w4 = 3.3333333333333331e-01;
   /* #14: @4 = (@4*@5) */
@@ -5575,7 +5922,7 @@ static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #16: @4 = 0.5 */
   w4 = 5.0000000000000000e-01;
   /* #17: @4 = (@4*@5) */
@@ -5587,7 +5934,7 @@ static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #19: @4 = 0.666667 */
   w4 = 6.6666666666666663e-01;
   /* #20: @4 = (@4*@5) */
@@ -5599,7 +5946,7 @@ static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #22: @4 = 0.833333 */
   w4 = 8.3333333333333337e-01;
   /* #23: @4 = (@4*@5) */
@@ -5611,20 +5958,20 @@ static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #25: @0 = landing(@3, @1, @2) */
   arg1[0]=w3;
   arg1[1]=w1;
   arg1[2]=(&w2);
   res1[0]=w0;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #26: output[0][0] = @0 */
   casadi_copy(w0, 3, res[0]);
   return 0;
 }
 
 /* coarse_jacobian_72:(u[3],p)->(J[3x3],R[3]) */
-static int casadi_f34(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+344, w1, *w2=w+347, *w3=w+356;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
@@ -5636,21 +5983,54 @@ static int casadi_f34(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w1);
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f28(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f38(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 9, res[0]);
   /* #4: @3 = simplest_walker_residual_72(@0, @1) */
   arg1[0]=w0;
   arg1[1]=(&w1);
   res1[0]=w3;
-  if (casadi_f35(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f49(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 3, res[1]);
   return 0;
 }
 
+/* scaled_jacobian_72:(u[3],p)->(J[3x3],R[3]) */
+static int casadi_f47(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_int i;
+  casadi_real **res1=res+2, *rr, *w0=w+360, *w1=w+369, w2, *w3=w+372, *w4=w+381;
+  const casadi_real **arg1=arg+2, *cr, *cs, *wr0;
+  /* #0: @0 = 
+  [[1, 1, 1], 
+   [1, 1, 1], 
+   [0.5, 0.5, 0.5]] */
+  wr0 = casadi_c0;
+  /* #1: @1 = input[0][0] */
+  casadi_copy(arg[0], 3, w1);
+  /* #2: @2 = input[1][0] */
+  w2 = arg[1] ? arg[1][0] : 0;
+  /* #3: {@3, @4} = coarse_jacobian_72(@1, @2) */
+  arg1[0]=w1;
+  arg1[1]=(&w2);
+  res1[0]=w3;
+  res1[1]=w4;
+  if (casadi_f48(arg1, res1, iw, w, 0)) return 1;
+  /* #4: @0 = (@0*@3) */
+  for (i=0, rr=w0, cr=wr0, cs=w3; i<9; ++i) (*rr++)  = ((*cr++)*(*cs++));
+  /* #5: output[0][0] = @0 */
+  casadi_copy(w0, 9, res[0]);
+  /* #6: @1 = [1, 1, 2] */
+  casadi_copy(casadi_c1, 3, w1);
+  /* #7: @4 = (@4/@1) */
+  for (i=0, rr=w4, cs=w1; i<3; ++i) (*rr++) /= (*cs++);
+  /* #8: output[1][0] = @4 */
+  casadi_copy(w4, 3, res[1]);
+  return 0;
+}
+
 /* newton_72:(u0[3],p)->(u[3]) */
-static int casadi_f33(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 3;
@@ -5676,7 +6056,7 @@ static int casadi_f33(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f34(arg+2, res+1, iw, w+36, 0)) return 1;
+    if (casadi_f47(arg+2, res+1, iw, w+36, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -5684,8 +6064,26 @@ static int casadi_f33(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
+/* scaled_newton_72:(i0[3],i1)->(o0[3]) */
+static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *w0=w+427, w1, *w2=w+430;
+  const casadi_real **arg1=arg+2;
+  /* #0: @0 = input[0][0] */
+  casadi_copy(arg[0], 3, w0);
+  /* #1: @1 = input[1][0] */
+  w1 = arg[1] ? arg[1][0] : 0;
+  /* #2: @2 = newton_72(@0, @1) */
+  arg1[0]=w0;
+  arg1[1]=(&w1);
+  res1[0]=w2;
+  if (casadi_f46(arg1, res1, iw, w, 0)) return 1;
+  /* #3: output[0][0] = @2 */
+  casadi_copy(w2, 3, res[0]);
+  return 0;
+}
+
 /* simplest_walker_jacobian_72:(u[3],p)->(J[3x3],R[3]) */
-static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+266, *w01=w+269, w02, *w03=w+271, *w04=w+275, *w05=w+283, w06, w07, w08, *w09=w+295;
   casadi_real *w10=w+319, *w11=w+331;
@@ -5701,7 +6099,7 @@ static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w02);
   res1[0]=w03;
   res1[1]=w04;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @5 = horzcat(@3, @4) */
   rr=w05;
   for (i=0, cs=w03; i<4; ++i) *rr++ = *cs++;
@@ -5718,7 +6116,7 @@ static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w08);
   arg1[1]=(&w02);
   res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
   arg1[0]=w05;
   arg1[1]=(&w06);
@@ -5726,7 +6124,7 @@ static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #11: @6 = 0.166667 */
   w06 = 1.6666666666666666e-01;
   /* #12: @6 = (@6*@7) */
@@ -5738,7 +6136,7 @@ static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #14: @6 = 0.333333 */
   w06 = 3.3333333333333331e-01;
   /* #15: @6 = (@6*@7) */
@@ -5750,7 +6148,7 @@ static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #17: @6 = 0.5 */
   w06 = 5.0000000000000000e-01;
   /* #18: @6 = (@6*@7) */
@@ -5762,7 +6160,7 @@ static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #20: @6 = 0.666667 */
   w06 = 6.6666666666666663e-01;
   /* #21: @6 = (@6*@7) */
@@ -5774,7 +6172,7 @@ static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #23: @6 = 0.833333 */
   w06 = 8.3333333333333337e-01;
   /* #24: @6 = (@6*@7) */
@@ -5786,7 +6184,7 @@ static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #26: {@11, @0} = landing_with_derivative(@5, @1, @7, @2) */
   arg1[0]=w05;
   arg1[1]=w01;
@@ -5794,7 +6192,7 @@ static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w02);
   res1[0]=w11;
   res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #27: output[0][0] = @11 */
   casadi_copy(w11, 9, res[0]);
   /* #28: output[1][0] = @0 */
@@ -5803,18 +6201,18 @@ static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* simplest_walker_limit_cycle_72:(u0[3],p)->(u[3],J[3x3],R[3]) */
-static int casadi_f32(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+3, *w0=w+402, w1, *w2=w+405, *w3=w+408;
+static int casadi_f44(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+3, *w0=w+434, w1, *w2=w+437, *w3=w+440;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 3, w0);
   /* #1: @1 = input[1][0] */
   w1 = arg[1] ? arg[1][0] : 0;
-  /* #2: @2 = newton_72(@0, @1) */
+  /* #2: @2 = scaled_newton_72(@0, @1) */
   arg1[0]=w0;
   arg1[1]=(&w1);
   res1[0]=w2;
-  if (casadi_f33(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f45(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 3, res[0]);
   /* #4: {@3, @0} = simplest_walker_jacobian_72(@2, @1) */
@@ -5822,7 +6220,7 @@ static int casadi_f32(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w1);
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f36(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f50(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 9, res[1]);
   /* #6: output[2][0] = @0 */
@@ -5831,7 +6229,7 @@ static int casadi_f32(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_72(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f32(arg, res, iw, w, mem);
+  return casadi_f44(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_72_checkout(void) {
@@ -5892,23 +6290,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* simplest_walker_limit_cycle_72_sparsity_o
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_72_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18;
-  if (sz_res) *sz_res = 10;
+  if (sz_arg) *sz_arg = 22;
+  if (sz_res) *sz_res = 13;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 417;
+  if (sz_w) *sz_w = 449;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_72_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 22*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 13*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 417*sizeof(casadi_real);
+  if (sz_w) *sz_w = 449*sizeof(casadi_real);
   return 0;
 }
 
 /* simplest_walker_residual_96:(u[3],p)->(R[3]) */
-static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+155, *w1=w+158, w2, *w3=w+160, w4, w5, w6, *w7=w+164, *w8=w+188;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
@@ -5922,7 +6320,7 @@ static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w2);
   res1[0]=w3;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = 0 */
   w4 = 0.;
   /* #5: @5 = @0[2] */
@@ -5935,7 +6333,7 @@ static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w6);
   arg1[1]=(&w2);
   res1[0]=w7;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #9: @8 = plain_steps(@3, @4, @7, @6, @2) */
   arg1[0]=w3;
   arg1[1]=(&w4);
@@ -5943,7 +6341,7 @@ static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #10: @4 = 0.125 */
   w4 = 1.2500000000000000e-01;
   /* #11: @4 = (@4*@5) */
@@ -5955,7 +6353,7 @@ static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #13: @4 = 0.25 */
   w4 = 2.5000000000000000e-01;
   /* #14: @4 = (@4*@5) */
@@ -5967,7 +6365,7 @@ static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #16: @4 = 0.375 */
   w4 = 3.7500000000000000e-01;
   /* #17: @4 = (@4*@5) */
@@ -5979,7 +6377,7 @@ static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #19: @4 = 0.5 */
   w4 = 5.0000000000000000e-01;
   /* #20: @4 = (@4*@5) */
@@ -5991,7 +6389,7 @@ static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #22: @4 = 0.625 */
   w4 = 6.2500000000000000e-01;
   /* #23: @4 = (@4*@5) */
@@ -6003,7 +6401,7 @@ static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #25: @4 = 0.75 */
   w4 = 7.5000000000000000e-01;
   /* #26: @4 = (@4*@5) */
@@ -6015,7 +6413,7 @@ static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #28: @4 = 0.875 */
   w4 = 8.7500000000000000e-01;
   /* #29: @4 = (@4*@5) */
@@ -6027,20 +6425,20 @@ static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #31: @0 = landing(@3, @1, @2) */
   arg1[0]=w3;
   arg1[1]=w1;
   arg1[2]=(&w2);
   res1[0]=w0;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][0] = @0 */
   casadi_copy(w0, 3, res[0]);
   return 0;
 }
 
 /* coarse_jacobian_96:(u[3],p)->(J[3x3],R[3]) */
-static int casadi_f39(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+344, w1, *w2=w+347, *w3=w+356;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
@@ -6052,21 +6450,54 @@ static int casadi_f39(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w1);
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f19(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f25(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 9, res[0]);
   /* #4: @3 = simplest_walker_residual_96(@0, @1) */
   arg1[0]=w0;
   arg1[1]=(&w1);
   res1[0]=w3;
-  if (casadi_f40(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f56(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 3, res[1]);
   return 0;
 }
 
+/* scaled_jacobian_96:(u[3],p)->(J[3x3],R[3]) */
+static int casadi_f54(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_int i;
+  casadi_real **res1=res+2, *rr, *w0=w+360, *w1=w+369, w2, *w3=w+372, *w4=w+381;
+  const casadi_real **arg1=arg+2, *cr, *cs, *wr0;
+  /* #0: @0 = 
+  [[1, 1, 1], 
+   [1, 1, 1], 
+   [0.5, 0.5, 0.5]] */
+  wr0 = casadi_c0;
+  /* #1: @1 = input[0][0] */
+  casadi_copy(arg[0], 3, w1);
+  /* #2: @2 = input[1][0] */
+  w2 = arg[1] ? arg[1][0] : 0;
+  /* #3: {@3, @4} = coarse_jacobian_96(@1, @2) */
+  arg1[0]=w1;
+  arg1[1]=(&w2);
+  res1[0]=w3;
+  res1[1]=w4;
+  if (casadi_f55(arg1, res1, iw, w, 0)) return 1;
+  /* #4: @0 = (@0*@3) */
+  for (i=0, rr=w0, cr=wr0, cs=w3; i<9; ++i) (*rr++)  = ((*cr++)*(*cs++));
+  /* #5: output[0][0] = @0 */
+  casadi_copy(w0, 9, res[0]);
+  /* #6: @1 = [1, 1, 2] */
+  casadi_copy(casadi_c1, 3, w1);
+  /* #7: @4 = (@4/@1) */
+  for (i=0, rr=w4, cs=w1; i<3; ++i) (*rr++) /= (*cs++);
+  /* #8: output[1][0] = @4 */
+  casadi_copy(w4, 3, res[1]);
+  return 0;
+}
+
 /* newton_96:(u0[3],p)->(u[3]) */
-static int casadi_f38(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f53(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 3;
@@ -6092,7 +6523,7 @@ static int casadi_f38(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f39(arg+2, res+1, iw, w+36, 0)) return 1;
+    if (casadi_f54(arg+2, res+1, iw, w+36, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -6100,8 +6531,26 @@ static int casadi_f38(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
+/* scaled_newton_96:(i0[3],i1)->(o0[3]) */
+static int casadi_f52(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *w0=w+427, w1, *w2=w+430;
+  const casadi_real **arg1=arg+2;
+  /* #0: @0 = input[0][0] */
+  casadi_copy(arg[0], 3, w0);
+  /* #1: @1 = input[1][0] */
+  w1 = arg[1] ? arg[1][0] : 0;
+  /* #2: @2 = newton_96(@0, @1) */
+  arg1[0]=w0;
+  arg1[1]=(&w1);
+  res1[0]=w2;
+  if (casadi_f53(arg1, res1, iw, w, 0)) return 1;
+  /* #3: output[0][0] = @2 */
+  casadi_copy(w2, 3, res[0]);
+  return 0;
+}
+
 /* simplest_walker_jacobian_96:(u[3],p)->(J[3x3],R[3]) */
-static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f57(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+266, *w01=w+269, w02, *w03=w+271, *w04=w+275, *w05=w+283, w06, w07, w08, *w09=w+295;
   casadi_real *w10=w+319, *w11=w+331;
@@ -6117,7 +6566,7 @@ static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w02);
   res1[0]=w03;
   res1[1]=w04;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @5 = horzcat(@3, @4) */
   rr=w05;
   for (i=0, cs=w03; i<4; ++i) *rr++ = *cs++;
@@ -6134,7 +6583,7 @@ static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w08);
   arg1[1]=(&w02);
   res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
   arg1[0]=w05;
   arg1[1]=(&w06);
@@ -6142,7 +6591,7 @@ static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #11: @6 = 0.125 */
   w06 = 1.2500000000000000e-01;
   /* #12: @6 = (@6*@7) */
@@ -6154,7 +6603,7 @@ static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #14: @6 = 0.25 */
   w06 = 2.5000000000000000e-01;
   /* #15: @6 = (@6*@7) */
@@ -6166,7 +6615,7 @@ static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #17: @6 = 0.375 */
   w06 = 3.7500000000000000e-01;
   /* #18: @6 = (@6*@7) */
@@ -6178,7 +6627,7 @@ static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #20: @6 = 0.5 */
   w06 = 5.0000000000000000e-01;
   /* #21: @6 = (@6*@7) */
@@ -6190,7 +6639,7 @@ static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #23: @6 = 0.625 */
   w06 = 6.2500000000000000e-01;
   /* #24: @6 = (@6*@7) */
@@ -6202,7 +6651,7 @@ static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #26: @6 = 0.75 */
   w06 = 7.5000000000000000e-01;
   /* #27: @6 = (@6*@7) */
@@ -6214,7 +6663,7 @@ static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #29: @6 = 0.875 */
   w06 = 8.7500000000000000e-01;
   /* #30: @6 = (@6*@7) */
@@ -6226,7 +6675,7 @@ static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #32: {@11, @0} = landing_with_derivative(@5, @1, @7, @2) */
   arg1[0]=w05;
   arg1[1]=w01;
@@ -6234,7 +6683,7 @@ static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w02);
   res1[0]=w11;
   res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #33: output[0][0] = @11 */
   casadi_copy(w11, 9, res[0]);
   /* #34: output[1][0] = @0 */
@@ -6243,18 +6692,18 @@ static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* simplest_walker_limit_cycle_96:(u0[3],p)->(u[3],J[3x3],R[3]) */
-static int casadi_f37(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+3, *w0=w+402, w1, *w2=w+405, *w3=w+408;
+static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+3, *w0=w+434, w1, *w2=w+437, *w3=w+440;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 3, w0);
   /* #1: @1 = input[1][0] */
   w1 = arg[1] ? arg[1][0] : 0;
-  /* #2: @2 = newton_96(@0, @1) */
+  /* #2: @2 = scaled_newton_96(@0, @1) */
   arg1[0]=w0;
   arg1[1]=(&w1);
   res1[0]=w2;
-  if (casadi_f38(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f52(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 3, res[0]);
   /* #4: {@3, @0} = simplest_walker_jacobian_96(@2, @1) */
@@ -6262,7 +6711,7 @@ static int casadi_f37(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w1);
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f41(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f57(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 9, res[1]);
   /* #6: output[2][0] = @0 */
@@ -6271,7 +6720,7 @@ static int casadi_f37(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_96(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f37(arg, res, iw, w, mem);
+  return casadi_f51(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_96_checkout(void) {
@@ -6332,23 +6781,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* simplest_walker_limit_cycle_96_sparsity_o
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_96_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18;
-  if (sz_res) *sz_res = 10;
+  if (sz_arg) *sz_arg = 22;
+  if (sz_res) *sz_res = 13;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 417;
+  if (sz_w) *sz_w = 449;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_96_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 22*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 13*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 417*sizeof(casadi_real);
+  if (sz_w) *sz_w = 449*sizeof(casadi_real);
   return 0;
 }
 
 /* simplest_walker_residual_144:(u[3],p)->(R[3]) */
-static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+155, *w1=w+158, w2, *w3=w+160, w4, w5, w6, *w7=w+164, *w8=w+188;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
@@ -6362,7 +6811,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w2);
   res1[0]=w3;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = 0 */
   w4 = 0.;
   /* #5: @5 = @0[2] */
@@ -6375,7 +6824,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w6);
   arg1[1]=(&w2);
   res1[0]=w7;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #9: @8 = plain_steps(@3, @4, @7, @6, @2) */
   arg1[0]=w3;
   arg1[1]=(&w4);
@@ -6383,7 +6832,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #10: @4 = 0.0833333 */
   w4 = 8.3333333333333329e-02;
   /* #11: @4 = (@4*@5) */
@@ -6395,7 +6844,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #13: @4 = 0.166667 */
   w4 = 1.6666666666666666e-01;
   /* #14: @4 = (@4*@5) */
@@ -6407,7 +6856,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #16: @4 = 0.25 */
   w4 = 2.5000000000000000e-01;
   /* #17: @4 = (@4*@5) */
@@ -6419,7 +6868,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #19: @4 = 0.333333 */
   w4 = 3.3333333333333331e-01;
   /* #20: @4 = (@4*@5) */
@@ -6431,7 +6880,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #22: @4 = 0.416667 */
   w4 = 4.1666666666666669e-01;
   /* #23: @4 = (@4*@5) */
@@ -6443,7 +6892,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #25: @4 = 0.5 */
   w4 = 5.0000000000000000e-01;
   /* #26: @4 = (@4*@5) */
@@ -6455,7 +6904,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #28: @4 = 0.583333 */
   w4 = 5.8333333333333337e-01;
   /* #29: @4 = (@4*@5) */
@@ -6467,7 +6916,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #31: @4 = 0.666667 */
   w4 = 6.6666666666666663e-01;
   /* #32: @4 = (@4*@5) */
@@ -6479,7 +6928,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #34: @4 = 0.75 */
   w4 = 7.5000000000000000e-01;
   /* #35: @4 = (@4*@5) */
@@ -6491,7 +6940,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #37: @4 = 0.833333 */
   w4 = 8.3333333333333337e-01;
   /* #38: @4 = (@4*@5) */
@@ -6503,7 +6952,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #40: @4 = 0.916667 */
   w4 = 9.1666666666666663e-01;
   /* #41: @4 = (@4*@5) */
@@ -6515,20 +6964,20 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #43: @0 = landing(@3, @1, @2) */
   arg1[0]=w3;
   arg1[1]=w1;
   arg1[2]=(&w2);
   res1[0]=w0;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #44: output[0][0] = @0 */
   casadi_copy(w0, 3, res[0]);
   return 0;
 }
 
 /* coarse_jacobian_144:(u[3],p)->(J[3x3],R[3]) */
-static int casadi_f44(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+344, w1, *w2=w+347, *w3=w+356;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
@@ -6540,21 +6989,54 @@ static int casadi_f44(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w1);
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f36(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f50(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 9, res[0]);
   /* #4: @3 = simplest_walker_residual_144(@0, @1) */
   arg1[0]=w0;
   arg1[1]=(&w1);
   res1[0]=w3;
-  if (casadi_f45(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 3, res[1]);
   return 0;
 }
 
+/* scaled_jacobian_144:(u[3],p)->(J[3x3],R[3]) */
+static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_int i;
+  casadi_real **res1=res+2, *rr, *w0=w+360, *w1=w+369, w2, *w3=w+372, *w4=w+381;
+  const casadi_real **arg1=arg+2, *cr, *cs, *wr0;
+  /* #0: @0 = 
+  [[1, 1, 1], 
+   [1, 1, 1], 
+   [0.5, 0.5, 0.5]] */
+  wr0 = casadi_c0;
+  /* #1: @1 = input[0][0] */
+  casadi_copy(arg[0], 3, w1);
+  /* #2: @2 = input[1][0] */
+  w2 = arg[1] ? arg[1][0] : 0;
+  /* #3: {@3, @4} = coarse_jacobian_144(@1, @2) */
+  arg1[0]=w1;
+  arg1[1]=(&w2);
+  res1[0]=w3;
+  res1[1]=w4;
+  if (casadi_f62(arg1, res1, iw, w, 0)) return 1;
+  /* #4: @0 = (@0*@3) */
+  for (i=0, rr=w0, cr=wr0, cs=w3; i<9; ++i) (*rr++)  = ((*cr++)*(*cs++));
+  /* #5: output[0][0] = @0 */
+  casadi_copy(w0, 9, res[0]);
+  /* #6: @1 = [1, 1, 2] */
+  casadi_copy(casadi_c1, 3, w1);
+  /* #7: @4 = (@4/@1) */
+  for (i=0, rr=w4, cs=w1; i<3; ++i) (*rr++) /= (*cs++);
+  /* #8: output[1][0] = @4 */
+  casadi_copy(w4, 3, res[1]);
+  return 0;
+}
+
 /* newton_144:(u0[3],p)->(u[3]) */
-static int casadi_f43(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 3;
@@ -6580,7 +7062,7 @@ static int casadi_f43(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f44(arg+2, res+1, iw, w+36, 0)) return 1;
+    if (casadi_f61(arg+2, res+1, iw, w+36, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -6588,8 +7070,26 @@ static int casadi_f43(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
+/* scaled_newton_144:(i0[3],i1)->(o0[3]) */
+static int casadi_f59(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *w0=w+427, w1, *w2=w+430;
+  const casadi_real **arg1=arg+2;
+  /* #0: @0 = input[0][0] */
+  casadi_copy(arg[0], 3, w0);
+  /* #1: @1 = input[1][0] */
+  w1 = arg[1] ? arg[1][0] : 0;
+  /* #2: @2 = newton_144(@0, @1) */
+  arg1[0]=w0;
+  arg1[1]=(&w1);
+  res1[0]=w2;
+  if (casadi_f60(arg1, res1, iw, w, 0)) return 1;
+  /* #3: output[0][0] = @2 */
+  casadi_copy(w2, 3, res[0]);
+  return 0;
+}
+
 /* simplest_walker_jacobian_144:(u[3],p)->(J[3x3],R[3]) */
-static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f64(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+266, *w01=w+269, w02, *w03=w+271, *w04=w+275, *w05=w+283, w06, w07, w08, *w09=w+295;
   casadi_real *w10=w+319, *w11=w+331;
@@ -6605,7 +7105,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w02);
   res1[0]=w03;
   res1[1]=w04;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @5 = horzcat(@3, @4) */
   rr=w05;
   for (i=0, cs=w03; i<4; ++i) *rr++ = *cs++;
@@ -6622,7 +7122,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w08);
   arg1[1]=(&w02);
   res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
   arg1[0]=w05;
   arg1[1]=(&w06);
@@ -6630,7 +7130,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #11: @6 = 0.0833333 */
   w06 = 8.3333333333333329e-02;
   /* #12: @6 = (@6*@7) */
@@ -6642,7 +7142,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #14: @6 = 0.166667 */
   w06 = 1.6666666666666666e-01;
   /* #15: @6 = (@6*@7) */
@@ -6654,7 +7154,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #17: @6 = 0.25 */
   w06 = 2.5000000000000000e-01;
   /* #18: @6 = (@6*@7) */
@@ -6666,7 +7166,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #20: @6 = 0.333333 */
   w06 = 3.3333333333333331e-01;
   /* #21: @6 = (@6*@7) */
@@ -6678,7 +7178,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #23: @6 = 0.416667 */
   w06 = 4.1666666666666669e-01;
   /* #24: @6 = (@6*@7) */
@@ -6690,7 +7190,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #26: @6 = 0.5 */
   w06 = 5.0000000000000000e-01;
   /* #27: @6 = (@6*@7) */
@@ -6702,7 +7202,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #29: @6 = 0.583333 */
   w06 = 5.8333333333333337e-01;
   /* #30: @6 = (@6*@7) */
@@ -6714,7 +7214,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #32: @6 = 0.666667 */
   w06 = 6.6666666666666663e-01;
   /* #33: @6 = (@6*@7) */
@@ -6726,7 +7226,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #35: @6 = 0.75 */
   w06 = 7.5000000000000000e-01;
   /* #36: @6 = (@6*@7) */
@@ -6738,7 +7238,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #38: @6 = 0.833333 */
   w06 = 8.3333333333333337e-01;
   /* #39: @6 = (@6*@7) */
@@ -6750,7 +7250,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #41: @6 = 0.916667 */
   w06 = 9.1666666666666663e-01;
   /* #42: @6 = (@6*@7) */
@@ -6762,7 +7262,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #44: {@11, @0} = landing_with_derivative(@5, @1, @7, @2) */
   arg1[0]=w05;
   arg1[1]=w01;
@@ -6770,7 +7270,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w02);
   res1[0]=w11;
   res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #45: output[0][0] = @11 */
   casadi_copy(w11, 9, res[0]);
   /* #46: output[1][0] = @0 */
@@ -6779,18 +7279,18 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* simplest_walker_limit_cycle_144:(u0[3],p)->(u[3],J[3x3],R[3]) */
-static int casadi_f42(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+3, *w0=w+402, w1, *w2=w+405, *w3=w+408;
+static int casadi_f58(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+3, *w0=w+434, w1, *w2=w+437, *w3=w+440;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 3, w0);
   /* #1: @1 = input[1][0] */
   w1 = arg[1] ? arg[1][0] : 0;
-  /* #2: @2 = newton_144(@0, @1) */
+  /* #2: @2 = scaled_newton_144(@0, @1) */
   arg1[0]=w0;
   arg1[1]=(&w1);
   res1[0]=w2;
-  if (casadi_f43(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f59(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 3, res[0]);
   /* #4: {@3, @0} = simplest_walker_jacobian_144(@2, @1) */
@@ -6798,7 +7298,7 @@ static int casadi_f42(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w1);
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f46(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 9, res[1]);
   /* #6: output[2][0] = @0 */
@@ -6807,7 +7307,7 @@ static int casadi_f42(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_144(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f42(arg, res, iw, w, mem);
+  return casadi_f58(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_144_checkout(void) {
@@ -6868,23 +7368,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* simplest_walker_limit_cycle_144_sparsity_
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_144_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18;
-  if (sz_res) *sz_res = 10;
+  if (sz_arg) *sz_arg = 22;
+  if (sz_res) *sz_res = 13;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 417;
+  if (sz_w) *sz_w = 449;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_144_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 22*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 13*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 417*sizeof(casadi_real);
+  if (sz_w) *sz_w = 449*sizeof(casadi_real);
   return 0;
 }
 
 /* simplest_walker_residual_192:(u[3],p)->(R[3]) */
-static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+155, *w1=w+158, w2, *w3=w+160, w4, w5, w6, *w7=w+164, *w8=w+188;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
@@ -6898,7 +7398,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w2);
   res1[0]=w3;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = 0 */
   w4 = 0.;
   /* #5: @5 = @0[2] */
@@ -6911,7 +7411,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w6);
   arg1[1]=(&w2);
   res1[0]=w7;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #9: @8 = plain_steps(@3, @4, @7, @6, @2) */
   arg1[0]=w3;
   arg1[1]=(&w4);
@@ -6919,7 +7419,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #10: @4 = 0.0625 */
   w4 = 6.2500000000000000e-02;
   /* #11: @4 = (@4*@5) */
@@ -6931,7 +7431,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #13: @4 = 0.125 */
   w4 = 1.2500000000000000e-01;
   /* #14: @4 = (@4*@5) */
@@ -6943,7 +7443,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #16: @4 = 0.1875 */
   w4 = 1.8750000000000000e-01;
   /* #17: @4 = (@4*@5) */
@@ -6955,7 +7455,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #19: @4 = 0.25 */
   w4 = 2.5000000000000000e-01;
   /* #20: @4 = (@4*@5) */
@@ -6967,7 +7467,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #22: @4 = 0.3125 */
   w4 = 3.1250000000000000e-01;
   /* #23: @4 = (@4*@5) */
@@ -6979,7 +7479,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #25: @4 = 0.375 */
   w4 = 3.7500000000000000e-01;
   /* #26: @4 = (@4*@5) */
@@ -6991,7 +7491,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #28: @4 = 0.4375 */
   w4 = 4.3750000000000000e-01;
   /* #29: @4 = (@4*@5) */
@@ -7003,7 +7503,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #31: @4 = 0.5 */
   w4 = 5.0000000000000000e-01;
   /* #32: @4 = (@4*@5) */
@@ -7015,7 +7515,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #34: @4 = 0.5625 */
   w4 = 5.6250000000000000e-01;
   /* #35: @4 = (@4*@5) */
@@ -7027,7 +7527,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #37: @4 = 0.625 */
   w4 = 6.2500000000000000e-01;
   /* #38: @4 = (@4*@5) */
@@ -7039,7 +7539,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #40: @4 = 0.6875 */
   w4 = 6.8750000000000000e-01;
   /* #41: @4 = (@4*@5) */
@@ -7051,7 +7551,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #43: @4 = 0.75 */
   w4 = 7.5000000000000000e-01;
   /* #44: @4 = (@4*@5) */
@@ -7063,7 +7563,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #46: @4 = 0.8125 */
   w4 = 8.1250000000000000e-01;
   /* #47: @4 = (@4*@5) */
@@ -7075,7 +7575,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #49: @4 = 0.875 */
   w4 = 8.7500000000000000e-01;
   /* #50: @4 = (@4*@5) */
@@ -7087,7 +7587,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #52: @4 = 0.9375 */
   w4 = 9.3750000000000000e-01;
   /* #53: @4 = (@4*@5) */
@@ -7099,20 +7599,20 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #55: @0 = landing(@3, @1, @2) */
   arg1[0]=w3;
   arg1[1]=w1;
   arg1[2]=(&w2);
   res1[0]=w0;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #56: output[0][0] = @0 */
   casadi_copy(w0, 3, res[0]);
   return 0;
 }
 
 /* coarse_jacobian_192:(u[3],p)->(J[3x3],R[3]) */
-static int casadi_f49(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+344, w1, *w2=w+347, *w3=w+356;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
@@ -7124,21 +7624,54 @@ static int casadi_f49(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w1);
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f41(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f57(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 9, res[0]);
   /* #4: @3 = simplest_walker_residual_192(@0, @1) */
   arg1[0]=w0;
   arg1[1]=(&w1);
   res1[0]=w3;
-  if (casadi_f50(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f70(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 3, res[1]);
   return 0;
 }
 
+/* scaled_jacobian_192:(u[3],p)->(J[3x3],R[3]) */
+static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_int i;
+  casadi_real **res1=res+2, *rr, *w0=w+360, *w1=w+369, w2, *w3=w+372, *w4=w+381;
+  const casadi_real **arg1=arg+2, *cr, *cs, *wr0;
+  /* #0: @0 = 
+  [[1, 1, 1], 
+   [1, 1, 1], 
+   [0.5, 0.5, 0.5]] */
+  wr0 = casadi_c0;
+  /* #1: @1 = input[0][0] */
+  casadi_copy(arg[0], 3, w1);
+  /* #2: @2 = input[1][0] */
+  w2 = arg[1] ? arg[1][0] : 0;
+  /* #3: {@3, @4} = coarse_jacobian_192(@1, @2) */
+  arg1[0]=w1;
+  arg1[1]=(&w2);
+  res1[0]=w3;
+  res1[1]=w4;
+  if (casadi_f69(arg1, res1, iw, w, 0)) return 1;
+  /* #4: @0 = (@0*@3) */
+  for (i=0, rr=w0, cr=wr0, cs=w3; i<9; ++i) (*rr++)  = ((*cr++)*(*cs++));
+  /* #5: output[0][0] = @0 */
+  casadi_copy(w0, 9, res[0]);
+  /* #6: @1 = [1, 1, 2] */
+  casadi_copy(casadi_c1, 3, w1);
+  /* #7: @4 = (@4/@1) */
+  for (i=0, rr=w4, cs=w1; i<3; ++i) (*rr++) /= (*cs++);
+  /* #8: output[1][0] = @4 */
+  casadi_copy(w4, 3, res[1]);
+  return 0;
+}
+
 /* newton_192:(u0[3],p)->(u[3]) */
-static int casadi_f48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 3;
@@ -7164,7 +7697,7 @@ static int casadi_f48(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f49(arg+2, res+1, iw, w+36, 0)) return 1;
+    if (casadi_f68(arg+2, res+1, iw, w+36, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -7172,8 +7705,26 @@ static int casadi_f48(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
+/* scaled_newton_192:(i0[3],i1)->(o0[3]) */
+static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *w0=w+427, w1, *w2=w+430;
+  const casadi_real **arg1=arg+2;
+  /* #0: @0 = input[0][0] */
+  casadi_copy(arg[0], 3, w0);
+  /* #1: @1 = input[1][0] */
+  w1 = arg[1] ? arg[1][0] : 0;
+  /* #2: @2 = newton_192(@0, @1) */
+  arg1[0]=w0;
+  arg1[1]=(&w1);
+  res1[0]=w2;
+  if (casadi_f67(arg1, res1, iw, w, 0)) return 1;
+  /* #3: output[0][0] = @2 */
+  casadi_copy(w2, 3, res[0]);
+  return 0;
+}
+
 /* simplest_walker_jacobian_192:(u[3],p)->(J[3x3],R[3]) */
-static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+266, *w01=w+269, w02, *w03=w+271, *w04=w+275, *w05=w+283, w06, w07, w08, *w09=w+295;
   casadi_real *w10=w+319, *w11=w+331;
@@ -7189,7 +7740,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w02);
   res1[0]=w03;
   res1[1]=w04;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @5 = horzcat(@3, @4) */
   rr=w05;
   for (i=0, cs=w03; i<4; ++i) *rr++ = *cs++;
@@ -7206,7 +7757,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w08);
   arg1[1]=(&w02);
   res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
   arg1[0]=w05;
   arg1[1]=(&w06);
@@ -7214,7 +7765,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #11: @6 = 0.0625 */
   w06 = 6.2500000000000000e-02;
   /* #12: @6 = (@6*@7) */
@@ -7226,7 +7777,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #14: @6 = 0.125 */
   w06 = 1.2500000000000000e-01;
   /* #15: @6 = (@6*@7) */
@@ -7238,7 +7789,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #17: @6 = 0.1875 */
   w06 = 1.8750000000000000e-01;
   /* #18: @6 = (@6*@7) */
@@ -7250,7 +7801,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #20: @6 = 0.25 */
   w06 = 2.5000000000000000e-01;
   /* #21: @6 = (@6*@7) */
@@ -7262,7 +7813,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #23: @6 = 0.3125 */
   w06 = 3.1250000000000000e-01;
   /* #24: @6 = (@6*@7) */
@@ -7274,7 +7825,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #26: @6 = 0.375 */
   w06 = 3.7500000000000000e-01;
   /* #27: @6 = (@6*@7) */
@@ -7286,7 +7837,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #29: @6 = 0.4375 */
   w06 = 4.3750000000000000e-01;
   /* #30: @6 = (@6*@7) */
@@ -7298,7 +7849,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #32: @6 = 0.5 */
   w06 = 5.0000000000000000e-01;
   /* #33: @6 = (@6*@7) */
@@ -7310,7 +7861,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #35: @6 = 0.5625 */
   w06 = 5.6250000000000000e-01;
   /* #36: @6 = (@6*@7) */
@@ -7322,7 +7873,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #38: @6 = 0.625 */
   w06 = 6.2500000000000000e-01;
   /* #39: @6 = (@6*@7) */
@@ -7334,7 +7885,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #41: @6 = 0.6875 */
   w06 = 6.8750000000000000e-01;
   /* #42: @6 = (@6*@7) */
@@ -7346,7 +7897,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #44: @6 = 0.75 */
   w06 = 7.5000000000000000e-01;
   /* #45: @6 = (@6*@7) */
@@ -7358,7 +7909,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #47: @6 = 0.8125 */
   w06 = 8.1250000000000000e-01;
   /* #48: @6 = (@6*@7) */
@@ -7370,7 +7921,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #50: @6 = 0.875 */
   w06 = 8.7500000000000000e-01;
   /* #51: @6 = (@6*@7) */
@@ -7382,7 +7933,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #53: @6 = 0.9375 */
   w06 = 9.3750000000000000e-01;
   /* #54: @6 = (@6*@7) */
@@ -7394,7 +7945,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #56: {@11, @0} = landing_with_derivative(@5, @1, @7, @2) */
   arg1[0]=w05;
   arg1[1]=w01;
@@ -7402,7 +7953,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w02);
   res1[0]=w11;
   res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #57: output[0][0] = @11 */
   casadi_copy(w11, 9, res[0]);
   /* #58: output[1][0] = @0 */
@@ -7411,18 +7962,18 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* simplest_walker_limit_cycle_192:(u0[3],p)->(u[3],J[3x3],R[3]) */
-static int casadi_f47(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+3, *w0=w+402, w1, *w2=w+405, *w3=w+408;
+static int casadi_f65(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+3, *w0=w+434, w1, *w2=w+437, *w3=w+440;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 3, w0);
   /* #1: @1 = input[1][0] */
   w1 = arg[1] ? arg[1][0] : 0;
-  /* #2: @2 = newton_192(@0, @1) */
+  /* #2: @2 = scaled_newton_192(@0, @1) */
   arg1[0]=w0;
   arg1[1]=(&w1);
   res1[0]=w2;
-  if (casadi_f48(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f66(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 3, res[0]);
   /* #4: {@3, @0} = simplest_walker_jacobian_192(@2, @1) */
@@ -7430,7 +7981,7 @@ static int casadi_f47(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w1);
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f51(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f71(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 9, res[1]);
   /* #6: output[2][0] = @0 */
@@ -7439,7 +7990,7 @@ static int casadi_f47(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_192(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f47(arg, res, iw, w, mem);
+  return casadi_f65(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_192_checkout(void) {
@@ -7500,23 +8051,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* simplest_walker_limit_cycle_192_sparsity_
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_192_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18;
-  if (sz_res) *sz_res = 10;
+  if (sz_arg) *sz_arg = 22;
+  if (sz_res) *sz_res = 13;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 417;
+  if (sz_w) *sz_w = 449;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_192_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 22*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 13*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 417*sizeof(casadi_real);
+  if (sz_w) *sz_w = 449*sizeof(casadi_real);
   return 0;
 }
 
 /* simplest_walker_residual_288:(u[3],p)->(R[3]) */
-static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f77(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+155, *w1=w+158, w2, *w3=w+160, w4, w5, w6, *w7=w+164, *w8=w+188;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
@@ -7530,7 +8081,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w2);
   res1[0]=w3;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = 0 */
   w4 = 0.;
   /* #5: @5 = @0[2] */
@@ -7543,7 +8094,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w6);
   arg1[1]=(&w2);
   res1[0]=w7;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #9: @8 = plain_steps(@3, @4, @7, @6, @2) */
   arg1[0]=w3;
   arg1[1]=(&w4);
@@ -7551,7 +8102,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #10: @4 = 0.0416667 */
   w4 = 4.1666666666666664e-02;
   /* #11: @4 = (@4*@5) */
@@ -7563,7 +8114,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #13: @4 = 0.0833333 */
   w4 = 8.3333333333333329e-02;
   /* #14: @4 = (@4*@5) */
@@ -7575,7 +8126,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #16: @4 = 0.125 */
   w4 = 1.2500000000000000e-01;
   /* #17: @4 = (@4*@5) */
@@ -7587,7 +8138,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #19: @4 = 0.166667 */
   w4 = 1.6666666666666666e-01;
   /* #20: @4 = (@4*@5) */
@@ -7599,7 +8150,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #22: @4 = 0.208333 */
   w4 = 2.0833333333333334e-01;
   /* #23: @4 = (@4*@5) */
@@ -7611,7 +8162,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #25: @4 = 0.25 */
   w4 = 2.5000000000000000e-01;
   /* #26: @4 = (@4*@5) */
@@ -7623,7 +8174,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #28: @4 = 0.291667 */
   w4 = 2.9166666666666669e-01;
   /* #29: @4 = (@4*@5) */
@@ -7635,7 +8186,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #31: @4 = 0.333333 */
   w4 = 3.3333333333333331e-01;
   /* #32: @4 = (@4*@5) */
@@ -7647,7 +8198,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #34: @4 = 0.375 */
   w4 = 3.7500000000000000e-01;
   /* #35: @4 = (@4*@5) */
@@ -7659,7 +8210,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #37: @4 = 0.416667 */
   w4 = 4.1666666666666669e-01;
   /* #38: @4 = (@4*@5) */
@@ -7671,7 +8222,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #40: @4 = 0.458333 */
   w4 = 4.5833333333333331e-01;
   /* #41: @4 = (@4*@5) */
@@ -7683,7 +8234,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #43: @4 = 0.5 */
   w4 = 5.0000000000000000e-01;
   /* #44: @4 = (@4*@5) */
@@ -7695,7 +8246,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #46: @4 = 0.541667 */
   w4 = 5.4166666666666663e-01;
   /* #47: @4 = (@4*@5) */
@@ -7707,7 +8258,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #49: @4 = 0.583333 */
   w4 = 5.8333333333333337e-01;
   /* #50: @4 = (@4*@5) */
@@ -7719,7 +8270,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #52: @4 = 0.625 */
   w4 = 6.2500000000000000e-01;
   /* #53: @4 = (@4*@5) */
@@ -7731,7 +8282,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #55: @4 = 0.666667 */
   w4 = 6.6666666666666663e-01;
   /* #56: @4 = (@4*@5) */
@@ -7743,7 +8294,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #58: @4 = 0.708333 */
   w4 = 7.0833333333333337e-01;
   /* #59: @4 = (@4*@5) */
@@ -7755,7 +8306,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #61: @4 = 0.75 */
   w4 = 7.5000000000000000e-01;
   /* #62: @4 = (@4*@5) */
@@ -7767,7 +8318,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #64: @4 = 0.791667 */
   w4 = 7.9166666666666663e-01;
   /* #65: @4 = (@4*@5) */
@@ -7779,7 +8330,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #67: @4 = 0.833333 */
   w4 = 8.3333333333333337e-01;
   /* #68: @4 = (@4*@5) */
@@ -7791,7 +8342,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #70: @4 = 0.875 */
   w4 = 8.7500000000000000e-01;
   /* #71: @4 = (@4*@5) */
@@ -7803,7 +8354,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #73: @4 = 0.916667 */
   w4 = 9.1666666666666663e-01;
   /* #74: @4 = (@4*@5) */
@@ -7815,7 +8366,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #76: @4 = 0.958333 */
   w4 = 9.5833333333333337e-01;
   /* #77: @4 = (@4*@5) */
@@ -7827,20 +8378,20 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #79: @0 = landing(@3, @1, @2) */
   arg1[0]=w3;
   arg1[1]=w1;
   arg1[2]=(&w2);
   res1[0]=w0;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #80: output[0][0] = @0 */
   casadi_copy(w0, 3, res[0]);
   return 0;
 }
 
 /* coarse_jacobian_288:(u[3],p)->(J[3x3],R[3]) */
-static int casadi_f54(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+344, w1, *w2=w+347, *w3=w+356;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
@@ -7852,21 +8403,54 @@ static int casadi_f54(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w1);
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f46(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 9, res[0]);
   /* #4: @3 = simplest_walker_residual_288(@0, @1) */
   arg1[0]=w0;
   arg1[1]=(&w1);
   res1[0]=w3;
-  if (casadi_f55(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 3, res[1]);
   return 0;
 }
 
+/* scaled_jacobian_288:(u[3],p)->(J[3x3],R[3]) */
+static int casadi_f75(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_int i;
+  casadi_real **res1=res+2, *rr, *w0=w+360, *w1=w+369, w2, *w3=w+372, *w4=w+381;
+  const casadi_real **arg1=arg+2, *cr, *cs, *wr0;
+  /* #0: @0 = 
+  [[1, 1, 1], 
+   [1, 1, 1], 
+   [0.5, 0.5, 0.5]] */
+  wr0 = casadi_c0;
+  /* #1: @1 = input[0][0] */
+  casadi_copy(arg[0], 3, w1);
+  /* #2: @2 = input[1][0] */
+  w2 = arg[1] ? arg[1][0] : 0;
+  /* #3: {@3, @4} = coarse_jacobian_288(@1, @2) */
+  arg1[0]=w1;
+  arg1[1]=(&w2);
+  res1[0]=w3;
+  res1[1]=w4;
+  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  /* #4: @0 = (@0*@3) */
+  for (i=0, rr=w0, cr=wr0, cs=w3; i<9; ++i) (*rr++)  = ((*cr++)*(*cs++));
+  /* #5: output[0][0] = @0 */
+  casadi_copy(w0, 9, res[0]);
+  /* #6: @1 = [1, 1, 2] */
+  casadi_copy(casadi_c1, 3, w1);
+  /* #7: @4 = (@4/@1) */
+  for (i=0, rr=w4, cs=w1; i<3; ++i) (*rr++) /= (*cs++);
+  /* #8: output[1][0] = @4 */
+  casadi_copy(w4, 3, res[1]);
+  return 0;
+}
+
 /* newton_288:(u0[3],p)->(u[3]) */
-static int casadi_f53(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f74(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 3;
@@ -7892,7 +8476,7 @@ static int casadi_f53(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f54(arg+2, res+1, iw, w+36, 0)) return 1;
+    if (casadi_f75(arg+2, res+1, iw, w+36, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -7900,8 +8484,26 @@ static int casadi_f53(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
+/* scaled_newton_288:(i0[3],i1)->(o0[3]) */
+static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *w0=w+427, w1, *w2=w+430;
+  const casadi_real **arg1=arg+2;
+  /* #0: @0 = input[0][0] */
+  casadi_copy(arg[0], 3, w0);
+  /* #1: @1 = input[1][0] */
+  w1 = arg[1] ? arg[1][0] : 0;
+  /* #2: @2 = newton_288(@0, @1) */
+  arg1[0]=w0;
+  arg1[1]=(&w1);
+  res1[0]=w2;
+  if (casadi_f74(arg1, res1, iw, w, 0)) return 1;
+  /* #3: output[0][0] = @2 */
+  casadi_copy(w2, 3, res[0]);
+  return 0;
+}
+
 /* simplest_walker_jacobian_288:(u[3],p)->(J[3x3],R[3]) */
-static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f78(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+266, *w01=w+269, w02, *w03=w+271, *w04=w+275, *w05=w+283, w06, w07, w08, *w09=w+295;
   casadi_real *w10=w+319, *w11=w+331;
@@ -7917,7 +8519,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w02);
   res1[0]=w03;
   res1[1]=w04;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @5 = horzcat(@3, @4) */
   rr=w05;
   for (i=0, cs=w03; i<4; ++i) *rr++ = *cs++;
@@ -7934,7 +8536,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w08);
   arg1[1]=(&w02);
   res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
   arg1[0]=w05;
   arg1[1]=(&w06);
@@ -7942,7 +8544,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #11: @6 = 0.0416667 */
   w06 = 4.1666666666666664e-02;
   /* #12: @6 = (@6*@7) */
@@ -7954,7 +8556,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #14: @6 = 0.0833333 */
   w06 = 8.3333333333333329e-02;
   /* #15: @6 = (@6*@7) */
@@ -7966,7 +8568,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #17: @6 = 0.125 */
   w06 = 1.2500000000000000e-01;
   /* #18: @6 = (@6*@7) */
@@ -7978,7 +8580,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #20: @6 = 0.166667 */
   w06 = 1.6666666666666666e-01;
   /* #21: @6 = (@6*@7) */
@@ -7990,7 +8592,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #23: @6 = 0.208333 */
   w06 = 2.0833333333333334e-01;
   /* #24: @6 = (@6*@7) */
@@ -8002,7 +8604,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #26: @6 = 0.25 */
   w06 = 2.5000000000000000e-01;
   /* #27: @6 = (@6*@7) */
@@ -8014,7 +8616,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #29: @6 = 0.291667 */
   w06 = 2.9166666666666669e-01;
   /* #30: @6 = (@6*@7) */
@@ -8026,7 +8628,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #32: @6 = 0.333333 */
   w06 = 3.3333333333333331e-01;
   /* #33: @6 = (@6*@7) */
@@ -8038,7 +8640,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #35: @6 = 0.375 */
   w06 = 3.7500000000000000e-01;
   /* #36: @6 = (@6*@7) */
@@ -8050,7 +8652,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #38: @6 = 0.416667 */
   w06 = 4.1666666666666669e-01;
   /* #39: @6 = (@6*@7) */
@@ -8062,7 +8664,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #41: @6 = 0.458333 */
   w06 = 4.5833333333333331e-01;
   /* #42: @6 = (@6*@7) */
@@ -8074,7 +8676,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #44: @6 = 0.5 */
   w06 = 5.0000000000000000e-01;
   /* #45: @6 = (@6*@7) */
@@ -8086,7 +8688,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #47: @6 = 0.541667 */
   w06 = 5.4166666666666663e-01;
   /* #48: @6 = (@6*@7) */
@@ -8098,7 +8700,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #50: @6 = 0.583333 */
   w06 = 5.8333333333333337e-01;
   /* #51: @6 = (@6*@7) */
@@ -8110,7 +8712,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #53: @6 = 0.625 */
   w06 = 6.2500000000000000e-01;
   /* #54: @6 = (@6*@7) */
@@ -8122,7 +8724,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #56: @6 = 0.666667 */
   w06 = 6.6666666666666663e-01;
   /* #57: @6 = (@6*@7) */
@@ -8134,7 +8736,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #59: @6 = 0.708333 */
   w06 = 7.0833333333333337e-01;
   /* #60: @6 = (@6*@7) */
@@ -8146,7 +8748,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #62: @6 = 0.75 */
   w06 = 7.5000000000000000e-01;
   /* #63: @6 = (@6*@7) */
@@ -8158,7 +8760,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #65: @6 = 0.791667 */
   w06 = 7.9166666666666663e-01;
   /* #66: @6 = (@6*@7) */
@@ -8170,7 +8772,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #68: @6 = 0.833333 */
   w06 = 8.3333333333333337e-01;
   /* #69: @6 = (@6*@7) */
@@ -8182,7 +8784,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #71: @6 = 0.875 */
   w06 = 8.7500000000000000e-01;
   /* #72: @6 = (@6*@7) */
@@ -8194,7 +8796,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #74: @6 = 0.916667 */
   w06 = 9.1666666666666663e-01;
   /* #75: @6 = (@6*@7) */
@@ -8206,7 +8808,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #77: @6 = 0.958333 */
   w06 = 9.5833333333333337e-01;
   /* #78: @6 = (@6*@7) */
@@ -8218,7 +8820,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #80: {@11, @0} = landing_with_derivative(@5, @1, @7, @2) */
   arg1[0]=w05;
   arg1[1]=w01;
@@ -8226,7 +8828,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w02);
   res1[0]=w11;
   res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #81: output[0][0] = @11 */
   casadi_copy(w11, 9, res[0]);
   /* #82: output[1][0] = @0 */
@@ -8235,18 +8837,18 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* simplest_walker_limit_cycle_288:(u0[3],p)->(u[3],J[3x3],R[3]) */
-static int casadi_f52(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+3, *w0=w+402, w1, *w2=w+405, *w3=w+408;
+static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+3, *w0=w+434, w1, *w2=w+437, *w3=w+440;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 3, w0);
   /* #1: @1 = input[1][0] */
   w1 = arg[1] ? arg[1][0] : 0;
-  /* #2: @2 = newton_288(@0, @1) */
+  /* #2: @2 = scaled_newton_288(@0, @1) */
   arg1[0]=w0;
   arg1[1]=(&w1);
   res1[0]=w2;
-  if (casadi_f53(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f73(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 3, res[0]);
   /* #4: {@3, @0} = simplest_walker_jacobian_288(@2, @1) */
@@ -8254,7 +8856,7 @@ static int casadi_f52(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w1);
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f56(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 9, res[1]);
   /* #6: output[2][0] = @0 */
@@ -8263,7 +8865,7 @@ static int casadi_f52(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_288(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f52(arg, res, iw, w, mem);
+  return casadi_f72(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_288_checkout(void) {
@@ -8324,23 +8926,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* simplest_walker_limit_cycle_288_sparsity_
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_288_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18;
-  if (sz_res) *sz_res = 10;
+  if (sz_arg) *sz_arg = 22;
+  if (sz_res) *sz_res = 13;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 417;
+  if (sz_w) *sz_w = 449;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_288_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 22*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 13*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 417*sizeof(casadi_real);
+  if (sz_w) *sz_w = 449*sizeof(casadi_real);
   return 0;
 }
 
 /* simplest_walker_residual_384:(u[3],p)->(R[3]) */
-static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+155, *w1=w+158, w2, *w3=w+160, w4, w5, w6, *w7=w+164, *w8=w+188;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = input[0][0] */
@@ -8354,7 +8956,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w2);
   res1[0]=w3;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = 0 */
   w4 = 0.;
   /* #5: @5 = @0[2] */
@@ -8367,7 +8969,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w6);
   arg1[1]=(&w2);
   res1[0]=w7;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #9: @8 = plain_steps(@3, @4, @7, @6, @2) */
   arg1[0]=w3;
   arg1[1]=(&w4);
@@ -8375,7 +8977,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #10: @4 = 0.03125 */
   w4 = 3.1250000000000000e-02;
   /* #11: @4 = (@4*@5) */
@@ -8387,7 +8989,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #13: @4 = 0.0625 */
   w4 = 6.2500000000000000e-02;
   /* #14: @4 = (@4*@5) */
@@ -8399,7 +9001,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #16: @4 = 0.09375 */
   w4 = 9.3750000000000000e-02;
   /* #17: @4 = (@4*@5) */
@@ -8411,7 +9013,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #19: @4 = 0.125 */
   w4 = 1.2500000000000000e-01;
   /* #20: @4 = (@4*@5) */
@@ -8423,7 +9025,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #22: @4 = 0.15625 */
   w4 = 1.5625000000000000e-01;
   /* #23: @4 = (@4*@5) */
@@ -8435,7 +9037,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #25: @4 = 0.1875 */
   w4 = 1.8750000000000000e-01;
   /* #26: @4 = (@4*@5) */
@@ -8447,7 +9049,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #28: @4 = 0.21875 */
   w4 = 2.1875000000000000e-01;
   /* #29: @4 = (@4*@5) */
@@ -8459,7 +9061,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #31: @4 = 0.25 */
   w4 = 2.5000000000000000e-01;
   /* #32: @4 = (@4*@5) */
@@ -8471,7 +9073,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #34: @4 = 0.28125 */
   w4 = 2.8125000000000000e-01;
   /* #35: @4 = (@4*@5) */
@@ -8483,7 +9085,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #37: @4 = 0.3125 */
   w4 = 3.1250000000000000e-01;
   /* #38: @4 = (@4*@5) */
@@ -8495,7 +9097,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #40: @4 = 0.34375 */
   w4 = 3.4375000000000000e-01;
   /* #41: @4 = (@4*@5) */
@@ -8507,7 +9109,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #43: @4 = 0.375 */
   w4 = 3.7500000000000000e-01;
   /* #44: @4 = (@4*@5) */
@@ -8519,7 +9121,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #46: @4 = 0.40625 */
   w4 = 4.0625000000000000e-01;
   /* #47: @4 = (@4*@5) */
@@ -8531,7 +9133,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #49: @4 = 0.4375 */
   w4 = 4.3750000000000000e-01;
   /* #50: @4 = (@4*@5) */
@@ -8543,7 +9145,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #52: @4 = 0.46875 */
   w4 = 4.6875000000000000e-01;
   /* #53: @4 = (@4*@5) */
@@ -8555,7 +9157,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #55: @4 = 0.5 */
   w4 = 5.0000000000000000e-01;
   /* #56: @4 = (@4*@5) */
@@ -8567,7 +9169,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #58: @4 = 0.53125 */
   w4 = 5.3125000000000000e-01;
   /* #59: @4 = (@4*@5) */
@@ -8579,7 +9181,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #61: @4 = 0.5625 */
   w4 = 5.6250000000000000e-01;
   /* #62: @4 = (@4*@5) */
@@ -8591,7 +9193,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #64: @4 = 0.59375 */
   w4 = 5.9375000000000000e-01;
   /* #65: @4 = (@4*@5) */
@@ -8603,7 +9205,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #67: @4 = 0.625 */
   w4 = 6.2500000000000000e-01;
   /* #68: @4 = (@4*@5) */
@@ -8615,7 +9217,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #70: @4 = 0.65625 */
   w4 = 6.5625000000000000e-01;
   /* #71: @4 = (@4*@5) */
@@ -8627,7 +9229,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #73: @4 = 0.6875 */
   w4 = 6.8750000000000000e-01;
   /* #74: @4 = (@4*@5) */
@@ -8639,7 +9241,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #76: @4 = 0.71875 */
   w4 = 7.1875000000000000e-01;
   /* #77: @4 = (@4*@5) */
@@ -8651,7 +9253,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #79: @4 = 0.75 */
   w4 = 7.5000000000000000e-01;
   /* #80: @4 = (@4*@5) */
@@ -8663,7 +9265,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #82: @4 = 0.78125 */
   w4 = 7.8125000000000000e-01;
   /* #83: @4 = (@4*@5) */
@@ -8675,7 +9277,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #85: @4 = 0.8125 */
   w4 = 8.1250000000000000e-01;
   /* #86: @4 = (@4*@5) */
@@ -8687,7 +9289,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #88: @4 = 0.84375 */
   w4 = 8.4375000000000000e-01;
   /* #89: @4 = (@4*@5) */
@@ -8699,7 +9301,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #91: @4 = 0.875 */
   w4 = 8.7500000000000000e-01;
   /* #92: @4 = (@4*@5) */
@@ -8711,7 +9313,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #94: @4 = 0.90625 */
   w4 = 9.0625000000000000e-01;
   /* #95: @4 = (@4*@5) */
@@ -8723,7 +9325,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #97: @4 = 0.9375 */
   w4 = 9.3750000000000000e-01;
   /* #98: @4 = (@4*@5) */
@@ -8735,7 +9337,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w8;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #100: @4 = 0.96875 */
   w4 = 9.6875000000000000e-01;
   /* #101: @4 = (@4*@5) */
@@ -8747,20 +9349,20 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=(&w2);
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #103: @0 = landing(@3, @1, @2) */
   arg1[0]=w3;
   arg1[1]=w1;
   arg1[2]=(&w2);
   res1[0]=w0;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #104: output[0][0] = @0 */
   casadi_copy(w0, 3, res[0]);
   return 0;
 }
 
 /* coarse_jacobian_384:(u[3],p)->(J[3x3],R[3]) */
-static int casadi_f59(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+344, w1, *w2=w+347, *w3=w+356;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
@@ -8772,21 +9374,54 @@ static int casadi_f59(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w1);
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f51(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f71(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 9, res[0]);
   /* #4: @3 = simplest_walker_residual_384(@0, @1) */
   arg1[0]=w0;
   arg1[1]=(&w1);
   res1[0]=w3;
-  if (casadi_f60(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f84(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 3, res[1]);
   return 0;
 }
 
+/* scaled_jacobian_384:(u[3],p)->(J[3x3],R[3]) */
+static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_int i;
+  casadi_real **res1=res+2, *rr, *w0=w+360, *w1=w+369, w2, *w3=w+372, *w4=w+381;
+  const casadi_real **arg1=arg+2, *cr, *cs, *wr0;
+  /* #0: @0 = 
+  [[1, 1, 1], 
+   [1, 1, 1], 
+   [0.5, 0.5, 0.5]] */
+  wr0 = casadi_c0;
+  /* #1: @1 = input[0][0] */
+  casadi_copy(arg[0], 3, w1);
+  /* #2: @2 = input[1][0] */
+  w2 = arg[1] ? arg[1][0] : 0;
+  /* #3: {@3, @4} = coarse_jacobian_384(@1, @2) */
+  arg1[0]=w1;
+  arg1[1]=(&w2);
+  res1[0]=w3;
+  res1[1]=w4;
+  if (casadi_f83(arg1, res1, iw, w, 0)) return 1;
+  /* #4: @0 = (@0*@3) */
+  for (i=0, rr=w0, cr=wr0, cs=w3; i<9; ++i) (*rr++)  = ((*cr++)*(*cs++));
+  /* #5: output[0][0] = @0 */
+  casadi_copy(w0, 9, res[0]);
+  /* #6: @1 = [1, 1, 2] */
+  casadi_copy(casadi_c1, 3, w1);
+  /* #7: @4 = (@4/@1) */
+  for (i=0, rr=w4, cs=w1; i<3; ++i) (*rr++) /= (*cs++);
+  /* #8: output[1][0] = @4 */
+  casadi_copy(w4, 3, res[1]);
+  return 0;
+}
+
 /* newton_384:(u0[3],p)->(u[3]) */
-static int casadi_f58(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 3;
@@ -8812,7 +9447,7 @@ static int casadi_f58(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f59(arg+2, res+1, iw, w+36, 0)) return 1;
+    if (casadi_f82(arg+2, res+1, iw, w+36, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -8820,8 +9455,26 @@ static int casadi_f58(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
+/* scaled_newton_384:(i0[3],i1)->(o0[3]) */
+static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *w0=w+427, w1, *w2=w+430;
+  const casadi_real **arg1=arg+2;
+  /* #0: @0 = input[0][0] */
+  casadi_copy(arg[0], 3, w0);
+  /* #1: @1 = input[1][0] */
+  w1 = arg[1] ? arg[1][0] : 0;
+  /* #2: @2 = newton_384(@0, @1) */
+  arg1[0]=w0;
+  arg1[1]=(&w1);
+  res1[0]=w2;
+  if (casadi_f81(arg1, res1, iw, w, 0)) return 1;
+  /* #3: output[0][0] = @2 */
+  casadi_copy(w2, 3, res[0]);
+  return 0;
+}
+
 /* simplest_walker_jacobian_384:(u[3],p)->(J[3x3],R[3]) */
-static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+266, *w01=w+269, w02, *w03=w+271, *w04=w+275, *w05=w+283, w06, w07, w08, *w09=w+295;
   casadi_real *w10=w+319, *w11=w+331;
@@ -8837,7 +9490,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w02);
   res1[0]=w03;
   res1[1]=w04;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @5 = horzcat(@3, @4) */
   rr=w05;
   for (i=0, cs=w03; i<4; ++i) *rr++ = *cs++;
@@ -8854,7 +9507,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w08);
   arg1[1]=(&w02);
   res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
   arg1[0]=w05;
   arg1[1]=(&w06);
@@ -8862,7 +9515,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #11: @6 = 0.03125 */
   w06 = 3.1250000000000000e-02;
   /* #12: @6 = (@6*@7) */
@@ -8874,7 +9527,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #14: @6 = 0.0625 */
   w06 = 6.2500000000000000e-02;
   /* #15: @6 = (@6*@7) */
@@ -8886,7 +9539,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #17: @6 = 0.09375 */
   w06 = 9.3750000000000000e-02;
   /* #18: @6 = (@6*@7) */
@@ -8898,7 +9551,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #20: @6 = 0.125 */
   w06 = 1.2500000000000000e-01;
   /* #21: @6 = (@6*@7) */
@@ -8910,7 +9563,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #23: @6 = 0.15625 */
   w06 = 1.5625000000000000e-01;
   /* #24: @6 = (@6*@7) */
@@ -8922,7 +9575,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #26: @6 = 0.1875 */
   w06 = 1.8750000000000000e-01;
   /* #27: @6 = (@6*@7) */
@@ -8934,7 +9587,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #29: @6 = 0.21875 */
   w06 = 2.1875000000000000e-01;
   /* #30: @6 = (@6*@7) */
@@ -8946,7 +9599,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #32: @6 = 0.25 */
   w06 = 2.5000000000000000e-01;
   /* #33: @6 = (@6*@7) */
@@ -8958,7 +9611,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #35: @6 = 0.28125 */
   w06 = 2.8125000000000000e-01;
   /* #36: @6 = (@6*@7) */
@@ -8970,7 +9623,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #38: @6 = 0.3125 */
   w06 = 3.1250000000000000e-01;
   /* #39: @6 = (@6*@7) */
@@ -8982,7 +9635,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #41: @6 = 0.34375 */
   w06 = 3.4375000000000000e-01;
   /* #42: @6 = (@6*@7) */
@@ -8994,7 +9647,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #44: @6 = 0.375 */
   w06 = 3.7500000000000000e-01;
   /* #45: @6 = (@6*@7) */
@@ -9006,7 +9659,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #47: @6 = 0.40625 */
   w06 = 4.0625000000000000e-01;
   /* #48: @6 = (@6*@7) */
@@ -9018,7 +9671,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #50: @6 = 0.4375 */
   w06 = 4.3750000000000000e-01;
   /* #51: @6 = (@6*@7) */
@@ -9030,7 +9683,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #53: @6 = 0.46875 */
   w06 = 4.6875000000000000e-01;
   /* #54: @6 = (@6*@7) */
@@ -9042,7 +9695,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #56: @6 = 0.5 */
   w06 = 5.0000000000000000e-01;
   /* #57: @6 = (@6*@7) */
@@ -9054,7 +9707,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #59: @6 = 0.53125 */
   w06 = 5.3125000000000000e-01;
   /* #60: @6 = (@6*@7) */
@@ -9066,7 +9719,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #62: @6 = 0.5625 */
   w06 = 5.6250000000000000e-01;
   /* #63: @6 = (@6*@7) */
@@ -9078,7 +9731,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #65: @6 = 0.59375 */
   w06 = 5.9375000000000000e-01;
   /* #66: @6 = (@6*@7) */
@@ -9090,7 +9743,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #68: @6 = 0.625 */
   w06 = 6.2500000000000000e-01;
   /* #69: @6 = (@6*@7) */
@@ -9102,7 +9755,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #71: @6 = 0.65625 */
   w06 = 6.5625000000000000e-01;
   /* #72: @6 = (@6*@7) */
@@ -9114,7 +9767,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #74: @6 = 0.6875 */
   w06 = 6.8750000000000000e-01;
   /* #75: @6 = (@6*@7) */
@@ -9126,7 +9779,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #77: @6 = 0.71875 */
   w06 = 7.1875000000000000e-01;
   /* #78: @6 = (@6*@7) */
@@ -9138,7 +9791,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #80: @6 = 0.75 */
   w06 = 7.5000000000000000e-01;
   /* #81: @6 = (@6*@7) */
@@ -9150,7 +9803,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #83: @6 = 0.78125 */
   w06 = 7.8125000000000000e-01;
   /* #84: @6 = (@6*@7) */
@@ -9162,7 +9815,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #86: @6 = 0.8125 */
   w06 = 8.1250000000000000e-01;
   /* #87: @6 = (@6*@7) */
@@ -9174,7 +9827,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #89: @6 = 0.84375 */
   w06 = 8.4375000000000000e-01;
   /* #90: @6 = (@6*@7) */
@@ -9186,7 +9839,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #92: @6 = 0.875 */
   w06 = 8.7500000000000000e-01;
   /* #93: @6 = (@6*@7) */
@@ -9198,7 +9851,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #95: @6 = 0.90625 */
   w06 = 9.0625000000000000e-01;
   /* #96: @6 = (@6*@7) */
@@ -9210,7 +9863,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #98: @6 = 0.9375 */
   w06 = 9.3750000000000000e-01;
   /* #99: @6 = (@6*@7) */
@@ -9222,7 +9875,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #101: @6 = 0.96875 */
   w06 = 9.6875000000000000e-01;
   /* #102: @6 = (@6*@7) */
@@ -9234,7 +9887,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=(&w02);
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #104: {@11, @0} = landing_with_derivative(@5, @1, @7, @2) */
   arg1[0]=w05;
   arg1[1]=w01;
@@ -9242,7 +9895,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w02);
   res1[0]=w11;
   res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #105: output[0][0] = @11 */
   casadi_copy(w11, 9, res[0]);
   /* #106: output[1][0] = @0 */
@@ -9251,18 +9904,18 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* simplest_walker_limit_cycle_384:(u0[3],p)->(u[3],J[3x3],R[3]) */
-static int casadi_f57(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+3, *w0=w+402, w1, *w2=w+405, *w3=w+408;
+static int casadi_f79(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+3, *w0=w+434, w1, *w2=w+437, *w3=w+440;
   const casadi_real **arg1=arg+2;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 3, w0);
   /* #1: @1 = input[1][0] */
   w1 = arg[1] ? arg[1][0] : 0;
-  /* #2: @2 = newton_384(@0, @1) */
+  /* #2: @2 = scaled_newton_384(@0, @1) */
   arg1[0]=w0;
   arg1[1]=(&w1);
   res1[0]=w2;
-  if (casadi_f58(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f80(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 3, res[0]);
   /* #4: {@3, @0} = simplest_walker_jacobian_384(@2, @1) */
@@ -9270,7 +9923,7 @@ static int casadi_f57(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w1);
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f61(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f85(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 9, res[1]);
   /* #6: output[2][0] = @0 */
@@ -9279,7 +9932,7 @@ static int casadi_f57(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_384(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f57(arg, res, iw, w, mem);
+  return casadi_f79(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_384_checkout(void) {
@@ -9340,23 +9993,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* simplest_walker_limit_cycle_384_sparsity_
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_384_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18;
-  if (sz_res) *sz_res = 10;
+  if (sz_arg) *sz_arg = 22;
+  if (sz_res) *sz_res = 13;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 417;
+  if (sz_w) *sz_w = 449;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_limit_cycle_384_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 22*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 13*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 417*sizeof(casadi_real);
+  if (sz_w) *sz_w = 449*sizeof(casadi_real);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_residual_12(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f9(arg, res, iw, w, mem);
+  return casadi_f11(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_residual_12_checkout(void) {
@@ -9429,7 +10082,7 @@ CASADI_SYMBOL_EXPORT int simplest_walker_residual_12_work_bytes(casadi_int *sz_a
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_residual_24(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f16(arg, res, iw, w, mem);
+  return casadi_f20(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_residual_24_checkout(void) {
@@ -9502,7 +10155,7 @@ CASADI_SYMBOL_EXPORT int simplest_walker_residual_24_work_bytes(casadi_int *sz_a
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_residual_36(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f27(arg, res, iw, w, mem);
+  return casadi_f37(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_residual_36_checkout(void) {
@@ -9575,7 +10228,7 @@ CASADI_SYMBOL_EXPORT int simplest_walker_residual_36_work_bytes(casadi_int *sz_a
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_residual_48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f20(arg, res, iw, w, mem);
+  return casadi_f26(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_residual_48_checkout(void) {
@@ -9648,7 +10301,7 @@ CASADI_SYMBOL_EXPORT int simplest_walker_residual_48_work_bytes(casadi_int *sz_a
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_residual_72(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f35(arg, res, iw, w, mem);
+  return casadi_f49(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_residual_72_checkout(void) {
@@ -9721,7 +10374,7 @@ CASADI_SYMBOL_EXPORT int simplest_walker_residual_72_work_bytes(casadi_int *sz_a
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_residual_96(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f40(arg, res, iw, w, mem);
+  return casadi_f56(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_residual_96_checkout(void) {
@@ -9794,7 +10447,7 @@ CASADI_SYMBOL_EXPORT int simplest_walker_residual_96_work_bytes(casadi_int *sz_a
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_residual_144(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f45(arg, res, iw, w, mem);
+  return casadi_f63(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_residual_144_checkout(void) {
@@ -9867,7 +10520,7 @@ CASADI_SYMBOL_EXPORT int simplest_walker_residual_144_work_bytes(casadi_int *sz_
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_residual_192(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f50(arg, res, iw, w, mem);
+  return casadi_f70(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_residual_192_checkout(void) {
@@ -9940,7 +10593,7 @@ CASADI_SYMBOL_EXPORT int simplest_walker_residual_192_work_bytes(casadi_int *sz_
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_residual_288(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f55(arg, res, iw, w, mem);
+  return casadi_f77(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_residual_288_checkout(void) {
@@ -10013,7 +10666,7 @@ CASADI_SYMBOL_EXPORT int simplest_walker_residual_288_work_bytes(casadi_int *sz_
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_residual_384(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f60(arg, res, iw, w, mem);
+  return casadi_f84(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_residual_384_checkout(void) {
@@ -10086,7 +10739,7 @@ CASADI_SYMBOL_EXPORT int simplest_walker_residual_384_work_bytes(casadi_int *sz_
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_jacobian_12(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f2(arg, res, iw, w, mem);
+  return casadi_f4(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_jacobian_12_checkout(void) {
@@ -10161,7 +10814,7 @@ CASADI_SYMBOL_EXPORT int simplest_walker_jacobian_12_work_bytes(casadi_int *sz_a
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_jacobian_24(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f15(arg, res, iw, w, mem);
+  return casadi_f19(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_jacobian_24_checkout(void) {
@@ -10236,7 +10889,7 @@ CASADI_SYMBOL_EXPORT int simplest_walker_jacobian_24_work_bytes(casadi_int *sz_a
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_jacobian_36(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f28(arg, res, iw, w, mem);
+  return casadi_f38(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_jacobian_36_checkout(void) {
@@ -10311,7 +10964,7 @@ CASADI_SYMBOL_EXPORT int simplest_walker_jacobian_36_work_bytes(casadi_int *sz_a
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_jacobian_48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f19(arg, res, iw, w, mem);
+  return casadi_f25(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_jacobian_48_checkout(void) {
@@ -10386,7 +11039,7 @@ CASADI_SYMBOL_EXPORT int simplest_walker_jacobian_48_work_bytes(casadi_int *sz_a
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_jacobian_72(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f36(arg, res, iw, w, mem);
+  return casadi_f50(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_jacobian_72_checkout(void) {
@@ -10461,7 +11114,7 @@ CASADI_SYMBOL_EXPORT int simplest_walker_jacobian_72_work_bytes(casadi_int *sz_a
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_jacobian_96(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f41(arg, res, iw, w, mem);
+  return casadi_f57(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_jacobian_96_checkout(void) {
@@ -10536,7 +11189,7 @@ CASADI_SYMBOL_EXPORT int simplest_walker_jacobian_96_work_bytes(casadi_int *sz_a
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_jacobian_144(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f46(arg, res, iw, w, mem);
+  return casadi_f64(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_jacobian_144_checkout(void) {
@@ -10611,7 +11264,7 @@ CASADI_SYMBOL_EXPORT int simplest_walker_jacobian_144_work_bytes(casadi_int *sz_
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_jacobian_192(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f51(arg, res, iw, w, mem);
+  return casadi_f71(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_jacobian_192_checkout(void) {
@@ -10686,7 +11339,7 @@ CASADI_SYMBOL_EXPORT int simplest_walker_jacobian_192_work_bytes(casadi_int *sz_
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_jacobian_288(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f56(arg, res, iw, w, mem);
+  return casadi_f78(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_jacobian_288_checkout(void) {
@@ -10761,7 +11414,7 @@ CASADI_SYMBOL_EXPORT int simplest_walker_jacobian_288_work_bytes(casadi_int *sz_
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_jacobian_384(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f61(arg, res, iw, w, mem);
+  return casadi_f85(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_jacobian_384_checkout(void) {
@@ -10836,7 +11489,7 @@ CASADI_SYMBOL_EXPORT int simplest_walker_jacobian_384_work_bytes(casadi_int *sz_
 }
 
 /* working_step:(y[4],phase[2],turns[2x12],h,p)->(y_end[4]) */
-static int casadi_f64(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f88(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a000, a001, a002, a003, a004, a005, a006, a007, a008, a009, a010, a011;
   casadi_real a012, a013, a014, a015, a016, a017, a018, a019, a020, a021, a022, a023;
   casadi_real a024, a025, a026, a027, a028, a029, a030, a031, a032, a033, a034, a035;
@@ -11672,7 +12325,7 @@ static int casadi_f64(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* observe:(t,y[4],p)->(g[7],dg[7]) */
-static int casadi_f65(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f89(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17;
   a00=arg[1]? arg[1][0] : 0;
@@ -11763,7 +12416,7 @@ static int casadi_f65(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* working_steps:(t,turns[2x12],w[4],h,p)->(w_end[4],nodes[4x12],g[7x12],dg[7x12]) */
-static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+4, *w00=w+117, w01, w02, *w03=w+121, w05, *w06=w+123, w07, *w08=w+127, *w09=w+131, *w10=w+135, *w11=w+139;
   casadi_real *w12=w+143, *w13=w+147, *w14=w+151, *w15=w+155, *w16=w+159, *w17=w+163, *w18=w+167, *w19=w+171, *w20=w+178, *w21=w+185, *w22=w+192, *w23=w+199;
   casadi_real *w24=w+206, *w25=w+213, *w26=w+220, *w27=w+227, *w28=w+234, *w29=w+241, *w30=w+248, *w31=w+255;
@@ -11778,7 +12431,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w01);
   arg1[1]=(&w02);
   res1[0]=w03;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = input[1][0] */
   wr04 = arg[1] ? arg[1] : casadi_zeros;
   /* #5: @5 = input[3][0] */
@@ -11790,14 +12443,14 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=(&w02);
   res1[0]=w06;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
   /* #7: @7 = (@1+@5) */
   w07  = (w01+w05);
   /* #8: @3 = phase(@7, @2) */
   arg1[0]=(&w07);
   arg1[1]=(&w02);
   res1[0]=w03;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #9: @8 = working_step(@6, @3, @4, @5, @2) */
   arg1[0]=w06;
   arg1[1]=w03;
@@ -11805,7 +12458,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=(&w02);
   res1[0]=w08;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
   /* #10: @7 = (2.*@5) */
   w07 = (2.* w05 );
   /* #11: @7 = (@1+@7) */
@@ -11814,7 +12467,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w07);
   arg1[1]=(&w02);
   res1[0]=w03;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #13: @9 = working_step(@8, @3, @4, @5, @2) */
   arg1[0]=w08;
   arg1[1]=w03;
@@ -11822,7 +12475,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=(&w02);
   res1[0]=w09;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
   /* #14: @7 = 3 */
   w07 = 3.;
   /* #15: @7 = (@7*@5) */
@@ -11833,7 +12486,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w07);
   arg1[1]=(&w02);
   res1[0]=w03;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #18: @10 = working_step(@9, @3, @4, @5, @2) */
   arg1[0]=w09;
   arg1[1]=w03;
@@ -11841,7 +12494,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=(&w02);
   res1[0]=w10;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
   /* #19: @7 = 4 */
   w07 = 4.;
   /* #20: @7 = (@7*@5) */
@@ -11852,7 +12505,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w07);
   arg1[1]=(&w02);
   res1[0]=w03;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #23: @11 = working_step(@10, @3, @4, @5, @2) */
   arg1[0]=w10;
   arg1[1]=w03;
@@ -11860,7 +12513,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=(&w02);
   res1[0]=w11;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
   /* #24: @7 = 5 */
   w07 = 5.;
   /* #25: @7 = (@7*@5) */
@@ -11871,7 +12524,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w07);
   arg1[1]=(&w02);
   res1[0]=w03;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #28: @12 = working_step(@11, @3, @4, @5, @2) */
   arg1[0]=w11;
   arg1[1]=w03;
@@ -11879,7 +12532,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=(&w02);
   res1[0]=w12;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
   /* #29: @7 = 6 */
   w07 = 6.;
   /* #30: @7 = (@7*@5) */
@@ -11890,7 +12543,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w07);
   arg1[1]=(&w02);
   res1[0]=w03;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #33: @13 = working_step(@12, @3, @4, @5, @2) */
   arg1[0]=w12;
   arg1[1]=w03;
@@ -11898,7 +12551,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=(&w02);
   res1[0]=w13;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
   /* #34: @7 = 7 */
   w07 = 7.;
   /* #35: @7 = (@7*@5) */
@@ -11909,7 +12562,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w07);
   arg1[1]=(&w02);
   res1[0]=w03;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #38: @14 = working_step(@13, @3, @4, @5, @2) */
   arg1[0]=w13;
   arg1[1]=w03;
@@ -11917,7 +12570,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=(&w02);
   res1[0]=w14;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
   /* #39: @7 = 8 */
   w07 = 8.;
   /* #40: @7 = (@7*@5) */
@@ -11928,7 +12581,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w07);
   arg1[1]=(&w02);
   res1[0]=w03;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #43: @15 = working_step(@14, @3, @4, @5, @2) */
   arg1[0]=w14;
   arg1[1]=w03;
@@ -11936,7 +12589,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=(&w02);
   res1[0]=w15;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
   /* #44: @7 = 9 */
   w07 = 9.;
   /* #45: @7 = (@7*@5) */
@@ -11947,7 +12600,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w07);
   arg1[1]=(&w02);
   res1[0]=w03;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #48: @16 = working_step(@15, @3, @4, @5, @2) */
   arg1[0]=w15;
   arg1[1]=w03;
@@ -11955,7 +12608,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=(&w02);
   res1[0]=w16;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
   /* #49: @7 = 10 */
   w07 = 10.;
   /* #50: @7 = (@7*@5) */
@@ -11966,7 +12619,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w07);
   arg1[1]=(&w02);
   res1[0]=w03;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #53: @17 = working_step(@16, @3, @4, @5, @2) */
   arg1[0]=w16;
   arg1[1]=w03;
@@ -11974,7 +12627,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=(&w02);
   res1[0]=w17;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
   /* #54: @7 = 11 */
   w07 = 11.;
   /* #55: @7 = (@7*@5) */
@@ -11985,7 +12638,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w07);
   arg1[1]=(&w02);
   res1[0]=w03;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #58: @18 = working_step(@17, @3, @4, @5, @2) */
   arg1[0]=w17;
   arg1[1]=w03;
@@ -11993,7 +12646,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=(&w02);
   res1[0]=w18;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
   /* #59: output[0][0] = @18 */
   casadi_copy(w18, 4, res[0]);
   /* #60: output[1][0] = @0 */
@@ -12026,7 +12679,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=(&w02);
   res1[0]=w19;
   res1[1]=w20;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #73: output[2][0] = @19 */
   casadi_copy(w19, 7, res[2]);
   /* #74: @7 = (@1+@5) */
@@ -12037,7 +12690,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=(&w02);
   res1[0]=w19;
   res1[1]=w21;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #76: output[2][1] = @19 */
   if (res[2]) casadi_copy(w19, 7, res[2]+7);
   /* #77: @7 = (2.*@5) */
@@ -12050,7 +12703,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=(&w02);
   res1[0]=w19;
   res1[1]=w22;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #80: output[2][2] = @19 */
   if (res[2]) casadi_copy(w19, 7, res[2]+14);
   /* #81: @7 = 3 */
@@ -12065,7 +12718,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=(&w02);
   res1[0]=w19;
   res1[1]=w23;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #85: output[2][3] = @19 */
   if (res[2]) casadi_copy(w19, 7, res[2]+21);
   /* #86: @7 = 4 */
@@ -12080,7 +12733,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=(&w02);
   res1[0]=w19;
   res1[1]=w24;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #90: output[2][4] = @19 */
   if (res[2]) casadi_copy(w19, 7, res[2]+28);
   /* #91: @7 = 5 */
@@ -12095,7 +12748,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=(&w02);
   res1[0]=w19;
   res1[1]=w25;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #95: output[2][5] = @19 */
   if (res[2]) casadi_copy(w19, 7, res[2]+35);
   /* #96: @7 = 6 */
@@ -12110,7 +12763,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=(&w02);
   res1[0]=w19;
   res1[1]=w26;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #100: output[2][6] = @19 */
   if (res[2]) casadi_copy(w19, 7, res[2]+42);
   /* #101: @7 = 7 */
@@ -12125,7 +12778,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=(&w02);
   res1[0]=w19;
   res1[1]=w27;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #105: output[2][7] = @19 */
   if (res[2]) casadi_copy(w19, 7, res[2]+49);
   /* #106: @7 = 8 */
@@ -12140,7 +12793,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=(&w02);
   res1[0]=w19;
   res1[1]=w28;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #110: output[2][8] = @19 */
   if (res[2]) casadi_copy(w19, 7, res[2]+56);
   /* #111: @7 = 9 */
@@ -12155,7 +12808,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=(&w02);
   res1[0]=w19;
   res1[1]=w29;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #115: output[2][9] = @19 */
   if (res[2]) casadi_copy(w19, 7, res[2]+63);
   /* #116: @7 = 10 */
@@ -12170,7 +12823,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=(&w02);
   res1[0]=w19;
   res1[1]=w30;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #120: output[2][10] = @19 */
   if (res[2]) casadi_copy(w19, 7, res[2]+70);
   /* #121: @7 = 11 */
@@ -12185,7 +12838,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=(&w02);
   res1[0]=w19;
   res1[1]=w31;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #125: output[2][11] = @19 */
   if (res[2]) casadi_copy(w19, 7, res[2]+77);
   /* #126: output[3][0] = @20 */
@@ -12216,7 +12869,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* simplest_walker_trace_48:(u[3],p)->(w[4x49],g[7x49],dg[7x49],R[3]) */
-static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+4, *rr, w00, *w01=w+290, w02, w03, w04, *w05=w+293, *w06=w+317, *w07=w+319, *w08=w+323, *w09=w+327;
   casadi_real *w10=w+375, *w11=w+459, *w12=w+543, *w13=w+627, *w14=w+711, *w15=w+795, *w16=w+879, *w17=w+963, *w18=w+1047, *w19=w+1054;
   const casadi_real **arg1=arg+2, *cs;
@@ -12236,7 +12889,7 @@ static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w03);
   arg1[1]=(&w04);
   res1[0]=w05;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:2] */
   for (rr=w06, cs=w01+0; cs!=w01+2; cs+=1) *rr++ = *cs;
   /* #8: {@7, NULL} = start(@6, @4) */
@@ -12244,7 +12897,7 @@ static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w04);
   res1[0]=w07;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #9: {@8, @9, @10, @11} = working_steps(@0, @5, @7, @3, @4) */
   arg1[0]=(&w00);
   arg1[1]=w05;
@@ -12255,7 +12908,7 @@ static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w10;
   res1[3]=w11;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #10: output[0][0] = @9 */
   casadi_copy(w09, 48, res[0]);
   /* #11: @0 = 0.25 */
@@ -12272,7 +12925,7 @@ static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w12;
   res1[3]=w13;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #14: output[0][1] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+48);
   /* #15: @0 = 0.5 */
@@ -12289,7 +12942,7 @@ static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w14;
   res1[3]=w15;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #18: output[0][2] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+96);
   /* #19: @0 = 0.75 */
@@ -12306,7 +12959,7 @@ static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w16;
   res1[3]=w17;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #22: output[0][3] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+144);
   /* #23: output[0][4] = @7 */
@@ -12325,7 +12978,7 @@ static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=(&w04);
   res1[0]=w18;
   res1[1]=w19;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #29: output[1][4] = @18 */
   if (res[1]) casadi_copy(w18, 7, res[1]+336);
   /* #30: output[2][0] = @11 */
@@ -12343,14 +12996,14 @@ static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w06;
   arg1[2]=(&w04);
   res1[0]=w01;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[3][0] = @1 */
   casadi_copy(w01, 3, res[3]);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_trace_48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f62(arg, res, iw, w, mem);
+  return casadi_f86(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_trace_48_checkout(void) {
@@ -12429,7 +13082,7 @@ CASADI_SYMBOL_EXPORT int simplest_walker_trace_48_work_bytes(casadi_int *sz_arg,
 }
 
 /* simplest_walker_trace_72:(u[3],p)->(w[4x73],g[7x73],dg[7x73],R[3]) */
-static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f90(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+4, *rr, w00, *w01=w+290, w02, w03, w04, *w05=w+293, *w06=w+317, *w07=w+319, *w08=w+323, *w09=w+327;
   casadi_real *w10=w+375, *w11=w+459, *w12=w+543, *w13=w+627, *w14=w+711, *w15=w+795, *w16=w+879, *w17=w+963, *w18=w+1047, *w19=w+1131, *w20=w+1215, *w21=w+1299;
   casadi_real *w22=w+1383, *w23=w+1390;
@@ -12450,7 +13103,7 @@ static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w03);
   arg1[1]=(&w04);
   res1[0]=w05;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:2] */
   for (rr=w06, cs=w01+0; cs!=w01+2; cs+=1) *rr++ = *cs;
   /* #8: {@7, NULL} = start(@6, @4) */
@@ -12458,7 +13111,7 @@ static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w04);
   res1[0]=w07;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #9: {@8, @9, @10, @11} = working_steps(@0, @5, @7, @3, @4) */
   arg1[0]=(&w00);
   arg1[1]=w05;
@@ -12469,7 +13122,7 @@ static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w10;
   res1[3]=w11;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #10: output[0][0] = @9 */
   casadi_copy(w09, 48, res[0]);
   /* #11: @0 = 0.166667 */
@@ -12486,7 +13139,7 @@ static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w12;
   res1[3]=w13;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #14: output[0][1] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+48);
   /* #15: @0 = 0.333333 */
@@ -12503,7 +13156,7 @@ static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w14;
   res1[3]=w15;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #18: output[0][2] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+96);
   /* #19: @0 = 0.5 */
@@ -12520,7 +13173,7 @@ static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w16;
   res1[3]=w17;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #22: output[0][3] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+144);
   /* #23: @0 = 0.666667 */
@@ -12537,7 +13190,7 @@ static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w18;
   res1[3]=w19;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #26: output[0][4] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+192);
   /* #27: @0 = 0.833333 */
@@ -12554,7 +13207,7 @@ static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w20;
   res1[3]=w21;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #30: output[0][5] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+240);
   /* #31: output[0][6] = @7 */
@@ -12577,7 +13230,7 @@ static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=(&w04);
   res1[0]=w22;
   res1[1]=w23;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #39: output[1][6] = @22 */
   if (res[1]) casadi_copy(w22, 7, res[1]+504);
   /* #40: output[2][0] = @11 */
@@ -12599,14 +13252,14 @@ static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w06;
   arg1[2]=(&w04);
   res1[0]=w01;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #48: output[3][0] = @1 */
   casadi_copy(w01, 3, res[3]);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_trace_72(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f66(arg, res, iw, w, mem);
+  return casadi_f90(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_trace_72_checkout(void) {
@@ -12685,7 +13338,7 @@ CASADI_SYMBOL_EXPORT int simplest_walker_trace_72_work_bytes(casadi_int *sz_arg,
 }
 
 /* simplest_walker_trace_96:(u[3],p)->(w[4x97],g[7x97],dg[7x97],R[3]) */
-static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f91(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+4, *rr, w00, *w01=w+290, w02, w03, w04, *w05=w+293, *w06=w+317, *w07=w+319, *w08=w+323, *w09=w+327;
   casadi_real *w10=w+375, *w11=w+459, *w12=w+543, *w13=w+627, *w14=w+711, *w15=w+795, *w16=w+879, *w17=w+963, *w18=w+1047, *w19=w+1131, *w20=w+1215, *w21=w+1299;
   casadi_real *w22=w+1383, *w23=w+1467, *w24=w+1551, *w25=w+1635, *w26=w+1719, *w27=w+1726;
@@ -12706,7 +13359,7 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w03);
   arg1[1]=(&w04);
   res1[0]=w05;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:2] */
   for (rr=w06, cs=w01+0; cs!=w01+2; cs+=1) *rr++ = *cs;
   /* #8: {@7, NULL} = start(@6, @4) */
@@ -12714,7 +13367,7 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w04);
   res1[0]=w07;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #9: {@8, @9, @10, @11} = working_steps(@0, @5, @7, @3, @4) */
   arg1[0]=(&w00);
   arg1[1]=w05;
@@ -12725,7 +13378,7 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w10;
   res1[3]=w11;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #10: output[0][0] = @9 */
   casadi_copy(w09, 48, res[0]);
   /* #11: @0 = 0.125 */
@@ -12742,7 +13395,7 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w12;
   res1[3]=w13;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #14: output[0][1] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+48);
   /* #15: @0 = 0.25 */
@@ -12759,7 +13412,7 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w14;
   res1[3]=w15;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #18: output[0][2] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+96);
   /* #19: @0 = 0.375 */
@@ -12776,7 +13429,7 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w16;
   res1[3]=w17;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #22: output[0][3] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+144);
   /* #23: @0 = 0.5 */
@@ -12793,7 +13446,7 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w18;
   res1[3]=w19;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #26: output[0][4] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+192);
   /* #27: @0 = 0.625 */
@@ -12810,7 +13463,7 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w20;
   res1[3]=w21;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #30: output[0][5] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+240);
   /* #31: @0 = 0.75 */
@@ -12827,7 +13480,7 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w22;
   res1[3]=w23;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #34: output[0][6] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+288);
   /* #35: @0 = 0.875 */
@@ -12844,7 +13497,7 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w24;
   res1[3]=w25;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #38: output[0][7] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+336);
   /* #39: output[0][8] = @7 */
@@ -12871,7 +13524,7 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=(&w04);
   res1[0]=w26;
   res1[1]=w27;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #49: output[1][8] = @26 */
   if (res[1]) casadi_copy(w26, 7, res[1]+672);
   /* #50: output[2][0] = @11 */
@@ -12897,14 +13550,14 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w06;
   arg1[2]=(&w04);
   res1[0]=w01;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #60: output[3][0] = @1 */
   casadi_copy(w01, 3, res[3]);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_trace_96(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f67(arg, res, iw, w, mem);
+  return casadi_f91(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_trace_96_checkout(void) {
@@ -12983,7 +13636,7 @@ CASADI_SYMBOL_EXPORT int simplest_walker_trace_96_work_bytes(casadi_int *sz_arg,
 }
 
 /* simplest_walker_trace_144:(u[3],p)->(w[4x145],g[7x145],dg[7x145],R[3]) */
-static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f92(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+4, *rr, w00, *w01=w+290, w02, w03, w04, *w05=w+293, *w06=w+317, *w07=w+319, *w08=w+323, *w09=w+327;
   casadi_real *w10=w+375, *w11=w+459, *w12=w+543, *w13=w+627, *w14=w+711, *w15=w+795, *w16=w+879, *w17=w+963, *w18=w+1047, *w19=w+1131, *w20=w+1215, *w21=w+1299;
   casadi_real *w22=w+1383, *w23=w+1467, *w24=w+1551, *w25=w+1635, *w26=w+1719, *w27=w+1803, *w28=w+1887, *w29=w+1971, *w30=w+2055, *w31=w+2139, *w32=w+2223, *w33=w+2307;
@@ -13005,7 +13658,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w03);
   arg1[1]=(&w04);
   res1[0]=w05;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:2] */
   for (rr=w06, cs=w01+0; cs!=w01+2; cs+=1) *rr++ = *cs;
   /* #8: {@7, NULL} = start(@6, @4) */
@@ -13013,7 +13666,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w04);
   res1[0]=w07;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #9: {@8, @9, @10, @11} = working_steps(@0, @5, @7, @3, @4) */
   arg1[0]=(&w00);
   arg1[1]=w05;
@@ -13024,7 +13677,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w10;
   res1[3]=w11;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #10: output[0][0] = @9 */
   casadi_copy(w09, 48, res[0]);
   /* #11: @0 = 0.0833333 */
@@ -13041,7 +13694,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w12;
   res1[3]=w13;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #14: output[0][1] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+48);
   /* #15: @0 = 0.166667 */
@@ -13058,7 +13711,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w14;
   res1[3]=w15;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #18: output[0][2] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+96);
   /* #19: @0 = 0.25 */
@@ -13075,7 +13728,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w16;
   res1[3]=w17;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #22: output[0][3] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+144);
   /* #23: @0 = 0.333333 */
@@ -13092,7 +13745,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w18;
   res1[3]=w19;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #26: output[0][4] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+192);
   /* #27: @0 = 0.416667 */
@@ -13109,7 +13762,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w20;
   res1[3]=w21;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #30: output[0][5] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+240);
   /* #31: @0 = 0.5 */
@@ -13126,7 +13779,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w22;
   res1[3]=w23;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #34: output[0][6] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+288);
   /* #35: @0 = 0.583333 */
@@ -13143,7 +13796,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w24;
   res1[3]=w25;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #38: output[0][7] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+336);
   /* #39: @0 = 0.666667 */
@@ -13160,7 +13813,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w26;
   res1[3]=w27;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #42: output[0][8] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+384);
   /* #43: @0 = 0.75 */
@@ -13177,7 +13830,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w28;
   res1[3]=w29;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #46: output[0][9] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+432);
   /* #47: @0 = 0.833333 */
@@ -13194,7 +13847,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w30;
   res1[3]=w31;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #50: output[0][10] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+480);
   /* #51: @0 = 0.916667 */
@@ -13211,7 +13864,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w32;
   res1[3]=w33;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #54: output[0][11] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+528);
   /* #55: output[0][12] = @7 */
@@ -13246,7 +13899,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=(&w04);
   res1[0]=w34;
   res1[1]=w35;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #69: output[1][12] = @34 */
   if (res[1]) casadi_copy(w34, 7, res[1]+1008);
   /* #70: output[2][0] = @11 */
@@ -13280,14 +13933,14 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w06;
   arg1[2]=(&w04);
   res1[0]=w01;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #84: output[3][0] = @1 */
   casadi_copy(w01, 3, res[3]);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_trace_144(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f68(arg, res, iw, w, mem);
+  return casadi_f92(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_trace_144_checkout(void) {
@@ -13366,7 +14019,7 @@ CASADI_SYMBOL_EXPORT int simplest_walker_trace_144_work_bytes(casadi_int *sz_arg
 }
 
 /* simplest_walker_trace_192:(u[3],p)->(w[4x193],g[7x193],dg[7x193],R[3]) */
-static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f93(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+4, *rr, w00, *w01=w+290, w02, w03, w04, *w05=w+293, *w06=w+317, *w07=w+319, *w08=w+323, *w09=w+327;
   casadi_real *w10=w+375, *w11=w+459, *w12=w+543, *w13=w+627, *w14=w+711, *w15=w+795, *w16=w+879, *w17=w+963, *w18=w+1047, *w19=w+1131, *w20=w+1215, *w21=w+1299;
   casadi_real *w22=w+1383, *w23=w+1467, *w24=w+1551, *w25=w+1635, *w26=w+1719, *w27=w+1803, *w28=w+1887, *w29=w+1971, *w30=w+2055, *w31=w+2139, *w32=w+2223, *w33=w+2307;
@@ -13388,7 +14041,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w03);
   arg1[1]=(&w04);
   res1[0]=w05;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:2] */
   for (rr=w06, cs=w01+0; cs!=w01+2; cs+=1) *rr++ = *cs;
   /* #8: {@7, NULL} = start(@6, @4) */
@@ -13396,7 +14049,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w04);
   res1[0]=w07;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #9: {@8, @9, @10, @11} = working_steps(@0, @5, @7, @3, @4) */
   arg1[0]=(&w00);
   arg1[1]=w05;
@@ -13407,7 +14060,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w10;
   res1[3]=w11;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #10: output[0][0] = @9 */
   casadi_copy(w09, 48, res[0]);
   /* #11: @0 = 0.0625 */
@@ -13424,7 +14077,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w12;
   res1[3]=w13;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #14: output[0][1] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+48);
   /* #15: @0 = 0.125 */
@@ -13441,7 +14094,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w14;
   res1[3]=w15;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #18: output[0][2] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+96);
   /* #19: @0 = 0.1875 */
@@ -13458,7 +14111,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w16;
   res1[3]=w17;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #22: output[0][3] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+144);
   /* #23: @0 = 0.25 */
@@ -13475,7 +14128,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w18;
   res1[3]=w19;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #26: output[0][4] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+192);
   /* #27: @0 = 0.3125 */
@@ -13492,7 +14145,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w20;
   res1[3]=w21;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #30: output[0][5] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+240);
   /* #31: @0 = 0.375 */
@@ -13509,7 +14162,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w22;
   res1[3]=w23;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #34: output[0][6] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+288);
   /* #35: @0 = 0.4375 */
@@ -13526,7 +14179,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w24;
   res1[3]=w25;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #38: output[0][7] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+336);
   /* #39: @0 = 0.5 */
@@ -13543,7 +14196,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w26;
   res1[3]=w27;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #42: output[0][8] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+384);
   /* #43: @0 = 0.5625 */
@@ -13560,7 +14213,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w28;
   res1[3]=w29;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #46: output[0][9] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+432);
   /* #47: @0 = 0.625 */
@@ -13577,7 +14230,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w30;
   res1[3]=w31;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #50: output[0][10] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+480);
   /* #51: @0 = 0.6875 */
@@ -13594,7 +14247,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w32;
   res1[3]=w33;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #54: output[0][11] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+528);
   /* #55: @0 = 0.75 */
@@ -13611,7 +14264,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w34;
   res1[3]=w35;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #58: output[0][12] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+576);
   /* #59: @0 = 0.8125 */
@@ -13628,7 +14281,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w36;
   res1[3]=w37;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #62: output[0][13] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+624);
   /* #63: @0 = 0.875 */
@@ -13645,7 +14298,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w38;
   res1[3]=w39;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #66: output[0][14] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+672);
   /* #67: @0 = 0.9375 */
@@ -13662,7 +14315,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w40;
   res1[3]=w41;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #70: output[0][15] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+720);
   /* #71: output[0][16] = @7 */
@@ -13705,7 +14358,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=(&w04);
   res1[0]=w42;
   res1[1]=w43;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #89: output[1][16] = @42 */
   if (res[1]) casadi_copy(w42, 7, res[1]+1344);
   /* #90: output[2][0] = @11 */
@@ -13747,14 +14400,14 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w06;
   arg1[2]=(&w04);
   res1[0]=w01;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #108: output[3][0] = @1 */
   casadi_copy(w01, 3, res[3]);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_trace_192(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f69(arg, res, iw, w, mem);
+  return casadi_f93(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_trace_192_checkout(void) {
@@ -13833,7 +14486,7 @@ CASADI_SYMBOL_EXPORT int simplest_walker_trace_192_work_bytes(casadi_int *sz_arg
 }
 
 /* simplest_walker_trace_288:(u[3],p)->(w[4x289],g[7x289],dg[7x289],R[3]) */
-static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f94(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+4, *rr, w00, *w01=w+290, w02, w03, w04, *w05=w+293, *w06=w+317, *w07=w+319, *w08=w+323, *w09=w+327;
   casadi_real *w10=w+375, *w11=w+459, *w12=w+543, *w13=w+627, *w14=w+711, *w15=w+795, *w16=w+879, *w17=w+963, *w18=w+1047, *w19=w+1131, *w20=w+1215, *w21=w+1299;
   casadi_real *w22=w+1383, *w23=w+1467, *w24=w+1551, *w25=w+1635, *w26=w+1719, *w27=w+1803, *w28=w+1887, *w29=w+1971, *w30=w+2055, *w31=w+2139, *w32=w+2223, *w33=w+2307;
@@ -13857,7 +14510,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w03);
   arg1[1]=(&w04);
   res1[0]=w05;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:2] */
   for (rr=w06, cs=w01+0; cs!=w01+2; cs+=1) *rr++ = *cs;
   /* #8: {@7, NULL} = start(@6, @4) */
@@ -13865,7 +14518,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w04);
   res1[0]=w07;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #9: {@8, @9, @10, @11} = working_steps(@0, @5, @7, @3, @4) */
   arg1[0]=(&w00);
   arg1[1]=w05;
@@ -13876,7 +14529,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w10;
   res1[3]=w11;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #10: output[0][0] = @9 */
   casadi_copy(w09, 48, res[0]);
   /* #11: @0 = 0.0416667 */
@@ -13893,7 +14546,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w12;
   res1[3]=w13;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #14: output[0][1] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+48);
   /* #15: @0 = 0.0833333 */
@@ -13910,7 +14563,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w14;
   res1[3]=w15;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #18: output[0][2] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+96);
   /* #19: @0 = 0.125 */
@@ -13927,7 +14580,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w16;
   res1[3]=w17;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #22: output[0][3] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+144);
   /* #23: @0 = 0.166667 */
@@ -13944,7 +14597,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w18;
   res1[3]=w19;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #26: output[0][4] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+192);
   /* #27: @0 = 0.208333 */
@@ -13961,7 +14614,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w20;
   res1[3]=w21;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #30: output[0][5] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+240);
   /* #31: @0 = 0.25 */
@@ -13978,7 +14631,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w22;
   res1[3]=w23;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #34: output[0][6] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+288);
   /* #35: @0 = 0.291667 */
@@ -13995,7 +14648,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w24;
   res1[3]=w25;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #38: output[0][7] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+336);
   /* #39: @0 = 0.333333 */
@@ -14012,7 +14665,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w26;
   res1[3]=w27;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #42: output[0][8] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+384);
   /* #43: @0 = 0.375 */
@@ -14029,7 +14682,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w28;
   res1[3]=w29;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #46: output[0][9] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+432);
   /* #47: @0 = 0.416667 */
@@ -14046,7 +14699,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w30;
   res1[3]=w31;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #50: output[0][10] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+480);
   /* #51: @0 = 0.458333 */
@@ -14063,7 +14716,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w32;
   res1[3]=w33;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #54: output[0][11] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+528);
   /* #55: @0 = 0.5 */
@@ -14080,7 +14733,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w34;
   res1[3]=w35;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #58: output[0][12] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+576);
   /* #59: @0 = 0.541667 */
@@ -14097,7 +14750,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w36;
   res1[3]=w37;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #62: output[0][13] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+624);
   /* #63: @0 = 0.583333 */
@@ -14114,7 +14767,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w38;
   res1[3]=w39;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #66: output[0][14] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+672);
   /* #67: @0 = 0.625 */
@@ -14131,7 +14784,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w40;
   res1[3]=w41;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #70: output[0][15] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+720);
   /* #71: @0 = 0.666667 */
@@ -14148,7 +14801,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w42;
   res1[3]=w43;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #74: output[0][16] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+768);
   /* #75: @0 = 0.708333 */
@@ -14165,7 +14818,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w44;
   res1[3]=w45;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #78: output[0][17] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+816);
   /* #79: @0 = 0.75 */
@@ -14182,7 +14835,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w46;
   res1[3]=w47;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #82: output[0][18] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+864);
   /* #83: @0 = 0.791667 */
@@ -14199,7 +14852,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w48;
   res1[3]=w49;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #86: output[0][19] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+912);
   /* #87: @0 = 0.833333 */
@@ -14216,7 +14869,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w50;
   res1[3]=w51;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #90: output[0][20] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+960);
   /* #91: @0 = 0.875 */
@@ -14233,7 +14886,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w52;
   res1[3]=w53;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #94: output[0][21] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+1008);
   /* #95: @0 = 0.916667 */
@@ -14250,7 +14903,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w54;
   res1[3]=w55;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #98: output[0][22] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+1056);
   /* #99: @0 = 0.958333 */
@@ -14267,7 +14920,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w56;
   res1[3]=w57;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #102: output[0][23] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+1104);
   /* #103: output[0][24] = @7 */
@@ -14326,7 +14979,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=(&w04);
   res1[0]=w58;
   res1[1]=w59;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #129: output[1][24] = @58 */
   if (res[1]) casadi_copy(w58, 7, res[1]+2016);
   /* #130: output[2][0] = @11 */
@@ -14384,14 +15037,14 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w06;
   arg1[2]=(&w04);
   res1[0]=w01;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #156: output[3][0] = @1 */
   casadi_copy(w01, 3, res[3]);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_trace_288(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f70(arg, res, iw, w, mem);
+  return casadi_f94(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_trace_288_checkout(void) {
@@ -14470,7 +15123,7 @@ CASADI_SYMBOL_EXPORT int simplest_walker_trace_288_work_bytes(casadi_int *sz_arg
 }
 
 /* simplest_walker_trace_384:(u[3],p)->(w[4x385],g[7x385],dg[7x385],R[3]) */
-static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f95(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+4, *rr, w00, *w01=w+290, w02, w03, w04, *w05=w+293, *w06=w+317, *w07=w+319, *w08=w+323, *w09=w+327;
   casadi_real *w10=w+375, *w11=w+459, *w12=w+543, *w13=w+627, *w14=w+711, *w15=w+795, *w16=w+879, *w17=w+963, *w18=w+1047, *w19=w+1131, *w20=w+1215, *w21=w+1299;
   casadi_real *w22=w+1383, *w23=w+1467, *w24=w+1551, *w25=w+1635, *w26=w+1719, *w27=w+1803, *w28=w+1887, *w29=w+1971, *w30=w+2055, *w31=w+2139, *w32=w+2223, *w33=w+2307;
@@ -14495,7 +15148,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w03);
   arg1[1]=(&w04);
   res1[0]=w05;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:2] */
   for (rr=w06, cs=w01+0; cs!=w01+2; cs+=1) *rr++ = *cs;
   /* #8: {@7, NULL} = start(@6, @4) */
@@ -14503,7 +15156,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w04);
   res1[0]=w07;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #9: {@8, @9, @10, @11} = working_steps(@0, @5, @7, @3, @4) */
   arg1[0]=(&w00);
   arg1[1]=w05;
@@ -14514,7 +15167,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w10;
   res1[3]=w11;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #10: output[0][0] = @9 */
   casadi_copy(w09, 48, res[0]);
   /* #11: @0 = 0.03125 */
@@ -14531,7 +15184,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w12;
   res1[3]=w13;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #14: output[0][1] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+48);
   /* #15: @0 = 0.0625 */
@@ -14548,7 +15201,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w14;
   res1[3]=w15;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #18: output[0][2] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+96);
   /* #19: @0 = 0.09375 */
@@ -14565,7 +15218,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w16;
   res1[3]=w17;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #22: output[0][3] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+144);
   /* #23: @0 = 0.125 */
@@ -14582,7 +15235,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w18;
   res1[3]=w19;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #26: output[0][4] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+192);
   /* #27: @0 = 0.15625 */
@@ -14599,7 +15252,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w20;
   res1[3]=w21;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #30: output[0][5] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+240);
   /* #31: @0 = 0.1875 */
@@ -14616,7 +15269,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w22;
   res1[3]=w23;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #34: output[0][6] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+288);
   /* #35: @0 = 0.21875 */
@@ -14633,7 +15286,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w24;
   res1[3]=w25;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #38: output[0][7] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+336);
   /* #39: @0 = 0.25 */
@@ -14650,7 +15303,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w26;
   res1[3]=w27;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #42: output[0][8] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+384);
   /* #43: @0 = 0.28125 */
@@ -14667,7 +15320,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w28;
   res1[3]=w29;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #46: output[0][9] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+432);
   /* #47: @0 = 0.3125 */
@@ -14684,7 +15337,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w30;
   res1[3]=w31;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #50: output[0][10] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+480);
   /* #51: @0 = 0.34375 */
@@ -14701,7 +15354,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w32;
   res1[3]=w33;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #54: output[0][11] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+528);
   /* #55: @0 = 0.375 */
@@ -14718,7 +15371,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w34;
   res1[3]=w35;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #58: output[0][12] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+576);
   /* #59: @0 = 0.40625 */
@@ -14735,7 +15388,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w36;
   res1[3]=w37;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #62: output[0][13] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+624);
   /* #63: @0 = 0.4375 */
@@ -14752,7 +15405,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w38;
   res1[3]=w39;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #66: output[0][14] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+672);
   /* #67: @0 = 0.46875 */
@@ -14769,7 +15422,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w40;
   res1[3]=w41;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #70: output[0][15] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+720);
   /* #71: @0 = 0.5 */
@@ -14786,7 +15439,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w42;
   res1[3]=w43;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #74: output[0][16] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+768);
   /* #75: @0 = 0.53125 */
@@ -14803,7 +15456,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w44;
   res1[3]=w45;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #78: output[0][17] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+816);
   /* #79: @0 = 0.5625 */
@@ -14820,7 +15473,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w46;
   res1[3]=w47;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #82: output[0][18] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+864);
   /* #83: @0 = 0.59375 */
@@ -14837,7 +15490,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w48;
   res1[3]=w49;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #86: output[0][19] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+912);
   /* #87: @0 = 0.625 */
@@ -14854,7 +15507,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w50;
   res1[3]=w51;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #90: output[0][20] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+960);
   /* #91: @0 = 0.65625 */
@@ -14871,7 +15524,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w52;
   res1[3]=w53;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #94: output[0][21] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+1008);
   /* #95: @0 = 0.6875 */
@@ -14888,7 +15541,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w54;
   res1[3]=w55;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #98: output[0][22] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+1056);
   /* #99: @0 = 0.71875 */
@@ -14905,7 +15558,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w56;
   res1[3]=w57;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #102: output[0][23] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+1104);
   /* #103: @0 = 0.75 */
@@ -14922,7 +15575,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w58;
   res1[3]=w59;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #106: output[0][24] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+1152);
   /* #107: @0 = 0.78125 */
@@ -14939,7 +15592,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w60;
   res1[3]=w61;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #110: output[0][25] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+1200);
   /* #111: @0 = 0.8125 */
@@ -14956,7 +15609,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w62;
   res1[3]=w63;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #114: output[0][26] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+1248);
   /* #115: @0 = 0.84375 */
@@ -14973,7 +15626,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w64;
   res1[3]=w65;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #118: output[0][27] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+1296);
   /* #119: @0 = 0.875 */
@@ -14990,7 +15643,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w66;
   res1[3]=w67;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #122: output[0][28] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+1344);
   /* #123: @0 = 0.90625 */
@@ -15007,7 +15660,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w68;
   res1[3]=w69;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #126: output[0][29] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+1392);
   /* #127: @0 = 0.9375 */
@@ -15024,7 +15677,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w70;
   res1[3]=w71;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #130: output[0][30] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+1440);
   /* #131: @0 = 0.96875 */
@@ -15041,7 +15694,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w09;
   res1[2]=w72;
   res1[3]=w73;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #134: output[0][31] = @9 */
   if (res[0]) casadi_copy(w09, 48, res[0]+1488);
   /* #135: output[0][32] = @7 */
@@ -15116,7 +15769,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=(&w04);
   res1[0]=w74;
   res1[1]=w75;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #169: output[1][32] = @74 */
   if (res[1]) casadi_copy(w74, 7, res[1]+2688);
   /* #170: output[2][0] = @11 */
@@ -15190,14 +15843,14 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w06;
   arg1[2]=(&w04);
   res1[0]=w01;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #204: output[3][0] = @1 */
   casadi_copy(w01, 3, res[3]);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_trace_384(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f71(arg, res, iw, w, mem);
+  return casadi_f95(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_trace_384_checkout(void) {
@@ -15276,7 +15929,7 @@ CASADI_SYMBOL_EXPORT int simplest_walker_trace_384_work_bytes(casadi_int *sz_arg
 }
 
 /* simplest_walker_trace_576:(u[3],p)->(w[4x577],g[7x577],dg[7x577],R[3]) */
-static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f96(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+4, *rr, w000, *w001=w+290, w002, w003, w004, *w005=w+293, *w006=w+317, *w007=w+319, *w008=w+323, *w009=w+327;
   casadi_real *w010=w+375, *w011=w+459, *w012=w+543, *w013=w+627, *w014=w+711, *w015=w+795, *w016=w+879, *w017=w+963, *w018=w+1047, *w019=w+1131, *w020=w+1215, *w021=w+1299;
   casadi_real *w022=w+1383, *w023=w+1467, *w024=w+1551, *w025=w+1635, *w026=w+1719, *w027=w+1803, *w028=w+1887, *w029=w+1971, *w030=w+2055, *w031=w+2139, *w032=w+2223, *w033=w+2307;
@@ -15304,7 +15957,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w003);
   arg1[1]=(&w004);
   res1[0]=w005;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:2] */
   for (rr=w006, cs=w001+0; cs!=w001+2; cs+=1) *rr++ = *cs;
   /* #8: {@7, NULL} = start(@6, @4) */
@@ -15312,7 +15965,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w004);
   res1[0]=w007;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #9: {@8, @9, @10, @11} = working_steps(@0, @5, @7, @3, @4) */
   arg1[0]=(&w000);
   arg1[1]=w005;
@@ -15323,7 +15976,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w010;
   res1[3]=w011;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #10: output[0][0] = @9 */
   casadi_copy(w009, 48, res[0]);
   /* #11: @0 = 0.0208333 */
@@ -15340,7 +15993,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w012;
   res1[3]=w013;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #14: output[0][1] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+48);
   /* #15: @0 = 0.0416667 */
@@ -15357,7 +16010,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w014;
   res1[3]=w015;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #18: output[0][2] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+96);
   /* #19: @0 = 0.0625 */
@@ -15374,7 +16027,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w016;
   res1[3]=w017;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #22: output[0][3] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+144);
   /* #23: @0 = 0.0833333 */
@@ -15391,7 +16044,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w018;
   res1[3]=w019;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #26: output[0][4] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+192);
   /* #27: @0 = 0.104167 */
@@ -15408,7 +16061,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w020;
   res1[3]=w021;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #30: output[0][5] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+240);
   /* #31: @0 = 0.125 */
@@ -15425,7 +16078,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w022;
   res1[3]=w023;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #34: output[0][6] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+288);
   /* #35: @0 = 0.145833 */
@@ -15442,7 +16095,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w024;
   res1[3]=w025;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #38: output[0][7] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+336);
   /* #39: @0 = 0.166667 */
@@ -15459,7 +16112,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w026;
   res1[3]=w027;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #42: output[0][8] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+384);
   /* #43: @0 = 0.1875 */
@@ -15476,7 +16129,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w028;
   res1[3]=w029;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #46: output[0][9] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+432);
   /* #47: @0 = 0.208333 */
@@ -15493,7 +16146,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w030;
   res1[3]=w031;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #50: output[0][10] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+480);
   /* #51: @0 = 0.229167 */
@@ -15510,7 +16163,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w032;
   res1[3]=w033;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #54: output[0][11] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+528);
   /* #55: @0 = 0.25 */
@@ -15527,7 +16180,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w034;
   res1[3]=w035;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #58: output[0][12] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+576);
   /* #59: @0 = 0.270833 */
@@ -15544,7 +16197,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w036;
   res1[3]=w037;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #62: output[0][13] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+624);
   /* #63: @0 = 0.291667 */
@@ -15561,7 +16214,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w038;
   res1[3]=w039;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #66: output[0][14] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+672);
   /* #67: @0 = 0.3125 */
@@ -15578,7 +16231,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w040;
   res1[3]=w041;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #70: output[0][15] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+720);
   /* #71: @0 = 0.333333 */
@@ -15595,7 +16248,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w042;
   res1[3]=w043;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #74: output[0][16] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+768);
   /* #75: @0 = 0.354167 */
@@ -15612,7 +16265,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w044;
   res1[3]=w045;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #78: output[0][17] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+816);
   /* #79: @0 = 0.375 */
@@ -15629,7 +16282,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w046;
   res1[3]=w047;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #82: output[0][18] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+864);
   /* #83: @0 = 0.395833 */
@@ -15646,7 +16299,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w048;
   res1[3]=w049;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #86: output[0][19] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+912);
   /* #87: @0 = 0.416667 */
@@ -15663,7 +16316,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w050;
   res1[3]=w051;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #90: output[0][20] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+960);
   /* #91: @0 = 0.4375 */
@@ -15680,7 +16333,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w052;
   res1[3]=w053;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #94: output[0][21] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1008);
   /* #95: @0 = 0.458333 */
@@ -15697,7 +16350,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w054;
   res1[3]=w055;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #98: output[0][22] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1056);
   /* #99: @0 = 0.479167 */
@@ -15714,7 +16367,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w056;
   res1[3]=w057;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #102: output[0][23] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1104);
   /* #103: @0 = 0.5 */
@@ -15731,7 +16384,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w058;
   res1[3]=w059;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #106: output[0][24] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1152);
   /* #107: @0 = 0.520833 */
@@ -15748,7 +16401,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w060;
   res1[3]=w061;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #110: output[0][25] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1200);
   /* #111: @0 = 0.541667 */
@@ -15765,7 +16418,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w062;
   res1[3]=w063;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #114: output[0][26] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1248);
   /* #115: @0 = 0.5625 */
@@ -15782,7 +16435,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w064;
   res1[3]=w065;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #118: output[0][27] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1296);
   /* #119: @0 = 0.583333 */
@@ -15799,7 +16452,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w066;
   res1[3]=w067;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #122: output[0][28] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1344);
   /* #123: @0 = 0.604167 */
@@ -15816,7 +16469,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w068;
   res1[3]=w069;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #126: output[0][29] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1392);
   /* #127: @0 = 0.625 */
@@ -15833,7 +16486,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w070;
   res1[3]=w071;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #130: output[0][30] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1440);
   /* #131: @0 = 0.645833 */
@@ -15850,7 +16503,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w072;
   res1[3]=w073;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #134: output[0][31] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1488);
   /* #135: @0 = 0.666667 */
@@ -15867,7 +16520,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w074;
   res1[3]=w075;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #138: output[0][32] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1536);
   /* #139: @0 = 0.6875 */
@@ -15884,7 +16537,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w076;
   res1[3]=w077;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #142: output[0][33] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1584);
   /* #143: @0 = 0.708333 */
@@ -15901,7 +16554,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w078;
   res1[3]=w079;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #146: output[0][34] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1632);
   /* #147: @0 = 0.729167 */
@@ -15918,7 +16571,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w080;
   res1[3]=w081;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #150: output[0][35] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1680);
   /* #151: @0 = 0.75 */
@@ -15935,7 +16588,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w082;
   res1[3]=w083;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #154: output[0][36] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1728);
   /* #155: @0 = 0.770833 */
@@ -15952,7 +16605,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w084;
   res1[3]=w085;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #158: output[0][37] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1776);
   /* #159: @0 = 0.791667 */
@@ -15969,7 +16622,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w086;
   res1[3]=w087;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #162: output[0][38] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1824);
   /* #163: @0 = 0.8125 */
@@ -15986,7 +16639,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w088;
   res1[3]=w089;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #166: output[0][39] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1872);
   /* #167: @0 = 0.833333 */
@@ -16003,7 +16656,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w090;
   res1[3]=w091;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #170: output[0][40] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1920);
   /* #171: @0 = 0.854167 */
@@ -16020,7 +16673,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w092;
   res1[3]=w093;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #174: output[0][41] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1968);
   /* #175: @0 = 0.875 */
@@ -16037,7 +16690,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w094;
   res1[3]=w095;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #178: output[0][42] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+2016);
   /* #179: @0 = 0.895833 */
@@ -16054,7 +16707,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w096;
   res1[3]=w097;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #182: output[0][43] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+2064);
   /* #183: @0 = 0.916667 */
@@ -16071,7 +16724,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w098;
   res1[3]=w099;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #186: output[0][44] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+2112);
   /* #187: @0 = 0.9375 */
@@ -16088,7 +16741,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w100;
   res1[3]=w101;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #190: output[0][45] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+2160);
   /* #191: @0 = 0.958333 */
@@ -16105,7 +16758,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w102;
   res1[3]=w103;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #194: output[0][46] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+2208);
   /* #195: @0 = 0.979167 */
@@ -16122,7 +16775,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w104;
   res1[3]=w105;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #198: output[0][47] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+2256);
   /* #199: output[0][48] = @7 */
@@ -16229,7 +16882,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=(&w004);
   res1[0]=w106;
   res1[1]=w107;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #249: output[1][48] = @106 */
   if (res[1]) casadi_copy(w106, 7, res[1]+4032);
   /* #250: output[2][0] = @11 */
@@ -16335,14 +16988,14 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w006;
   arg1[2]=(&w004);
   res1[0]=w001;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #300: output[3][0] = @1 */
   casadi_copy(w001, 3, res[3]);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_trace_576(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f72(arg, res, iw, w, mem);
+  return casadi_f96(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_trace_576_checkout(void) {
@@ -16421,7 +17074,7 @@ CASADI_SYMBOL_EXPORT int simplest_walker_trace_576_work_bytes(casadi_int *sz_arg
 }
 
 /* simplest_walker_trace_768:(u[3],p)->(w[4x769],g[7x769],dg[7x769],R[3]) */
-static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+4, *rr, w000, *w001=w+290, w002, w003, w004, *w005=w+293, *w006=w+317, *w007=w+319, *w008=w+323, *w009=w+327;
   casadi_real *w010=w+375, *w011=w+459, *w012=w+543, *w013=w+627, *w014=w+711, *w015=w+795, *w016=w+879, *w017=w+963, *w018=w+1047, *w019=w+1131, *w020=w+1215, *w021=w+1299;
   casadi_real *w022=w+1383, *w023=w+1467, *w024=w+1551, *w025=w+1635, *w026=w+1719, *w027=w+1803, *w028=w+1887, *w029=w+1971, *w030=w+2055, *w031=w+2139, *w032=w+2223, *w033=w+2307;
@@ -16451,7 +17104,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w003);
   arg1[1]=(&w004);
   res1[0]=w005;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:2] */
   for (rr=w006, cs=w001+0; cs!=w001+2; cs+=1) *rr++ = *cs;
   /* #8: {@7, NULL} = start(@6, @4) */
@@ -16459,7 +17112,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=(&w004);
   res1[0]=w007;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #9: {@8, @9, @10, @11} = working_steps(@0, @5, @7, @3, @4) */
   arg1[0]=(&w000);
   arg1[1]=w005;
@@ -16470,7 +17123,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w010;
   res1[3]=w011;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #10: output[0][0] = @9 */
   casadi_copy(w009, 48, res[0]);
   /* #11: @0 = 0.015625 */
@@ -16487,7 +17140,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w012;
   res1[3]=w013;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #14: output[0][1] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+48);
   /* #15: @0 = 0.03125 */
@@ -16504,7 +17157,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w014;
   res1[3]=w015;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #18: output[0][2] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+96);
   /* #19: @0 = 0.046875 */
@@ -16521,7 +17174,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w016;
   res1[3]=w017;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #22: output[0][3] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+144);
   /* #23: @0 = 0.0625 */
@@ -16538,7 +17191,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w018;
   res1[3]=w019;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #26: output[0][4] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+192);
   /* #27: @0 = 0.078125 */
@@ -16555,7 +17208,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w020;
   res1[3]=w021;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #30: output[0][5] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+240);
   /* #31: @0 = 0.09375 */
@@ -16572,7 +17225,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w022;
   res1[3]=w023;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #34: output[0][6] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+288);
   /* #35: @0 = 0.109375 */
@@ -16589,7 +17242,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w024;
   res1[3]=w025;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #38: output[0][7] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+336);
   /* #39: @0 = 0.125 */
@@ -16606,7 +17259,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w026;
   res1[3]=w027;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #42: output[0][8] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+384);
   /* #43: @0 = 0.140625 */
@@ -16623,7 +17276,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w028;
   res1[3]=w029;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #46: output[0][9] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+432);
   /* #47: @0 = 0.15625 */
@@ -16640,7 +17293,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w030;
   res1[3]=w031;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #50: output[0][10] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+480);
   /* #51: @0 = 0.171875 */
@@ -16657,7 +17310,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w032;
   res1[3]=w033;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #54: output[0][11] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+528);
   /* #55: @0 = 0.1875 */
@@ -16674,7 +17327,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w034;
   res1[3]=w035;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #58: output[0][12] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+576);
   /* #59: @0 = 0.203125 */
@@ -16691,7 +17344,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w036;
   res1[3]=w037;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #62: output[0][13] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+624);
   /* #63: @0 = 0.21875 */
@@ -16708,7 +17361,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w038;
   res1[3]=w039;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #66: output[0][14] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+672);
   /* #67: @0 = 0.234375 */
@@ -16725,7 +17378,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w040;
   res1[3]=w041;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #70: output[0][15] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+720);
   /* #71: @0 = 0.25 */
@@ -16742,7 +17395,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w042;
   res1[3]=w043;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #74: output[0][16] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+768);
   /* #75: @0 = 0.265625 */
@@ -16759,7 +17412,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w044;
   res1[3]=w045;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #78: output[0][17] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+816);
   /* #79: @0 = 0.28125 */
@@ -16776,7 +17429,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w046;
   res1[3]=w047;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #82: output[0][18] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+864);
   /* #83: @0 = 0.296875 */
@@ -16793,7 +17446,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w048;
   res1[3]=w049;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #86: output[0][19] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+912);
   /* #87: @0 = 0.3125 */
@@ -16810,7 +17463,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w050;
   res1[3]=w051;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #90: output[0][20] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+960);
   /* #91: @0 = 0.328125 */
@@ -16827,7 +17480,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w052;
   res1[3]=w053;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #94: output[0][21] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1008);
   /* #95: @0 = 0.34375 */
@@ -16844,7 +17497,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w054;
   res1[3]=w055;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #98: output[0][22] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1056);
   /* #99: @0 = 0.359375 */
@@ -16861,7 +17514,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w056;
   res1[3]=w057;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #102: output[0][23] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1104);
   /* #103: @0 = 0.375 */
@@ -16878,7 +17531,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w058;
   res1[3]=w059;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #106: output[0][24] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1152);
   /* #107: @0 = 0.390625 */
@@ -16895,7 +17548,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w060;
   res1[3]=w061;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #110: output[0][25] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1200);
   /* #111: @0 = 0.40625 */
@@ -16912,7 +17565,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w062;
   res1[3]=w063;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #114: output[0][26] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1248);
   /* #115: @0 = 0.421875 */
@@ -16929,7 +17582,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w064;
   res1[3]=w065;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #118: output[0][27] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1296);
   /* #119: @0 = 0.4375 */
@@ -16946,7 +17599,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w066;
   res1[3]=w067;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #122: output[0][28] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1344);
   /* #123: @0 = 0.453125 */
@@ -16963,7 +17616,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w068;
   res1[3]=w069;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #126: output[0][29] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1392);
   /* #127: @0 = 0.46875 */
@@ -16980,7 +17633,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w070;
   res1[3]=w071;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #130: output[0][30] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1440);
   /* #131: @0 = 0.484375 */
@@ -16997,7 +17650,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w072;
   res1[3]=w073;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #134: output[0][31] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1488);
   /* #135: @0 = 0.5 */
@@ -17014,7 +17667,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w074;
   res1[3]=w075;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #138: output[0][32] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1536);
   /* #139: @0 = 0.515625 */
@@ -17031,7 +17684,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w076;
   res1[3]=w077;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #142: output[0][33] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1584);
   /* #143: @0 = 0.53125 */
@@ -17048,7 +17701,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w078;
   res1[3]=w079;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #146: output[0][34] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1632);
   /* #147: @0 = 0.546875 */
@@ -17065,7 +17718,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w080;
   res1[3]=w081;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #150: output[0][35] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1680);
   /* #151: @0 = 0.5625 */
@@ -17082,7 +17735,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w082;
   res1[3]=w083;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #154: output[0][36] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1728);
   /* #155: @0 = 0.578125 */
@@ -17099,7 +17752,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w084;
   res1[3]=w085;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #158: output[0][37] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1776);
   /* #159: @0 = 0.59375 */
@@ -17116,7 +17769,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w086;
   res1[3]=w087;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #162: output[0][38] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1824);
   /* #163: @0 = 0.609375 */
@@ -17133,7 +17786,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w088;
   res1[3]=w089;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #166: output[0][39] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1872);
   /* #167: @0 = 0.625 */
@@ -17150,7 +17803,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w090;
   res1[3]=w091;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #170: output[0][40] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1920);
   /* #171: @0 = 0.640625 */
@@ -17167,7 +17820,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w092;
   res1[3]=w093;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #174: output[0][41] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+1968);
   /* #175: @0 = 0.65625 */
@@ -17184,7 +17837,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w094;
   res1[3]=w095;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #178: output[0][42] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+2016);
   /* #179: @0 = 0.671875 */
@@ -17201,7 +17854,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w096;
   res1[3]=w097;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #182: output[0][43] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+2064);
   /* #183: @0 = 0.6875 */
@@ -17218,7 +17871,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w098;
   res1[3]=w099;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #186: output[0][44] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+2112);
   /* #187: @0 = 0.703125 */
@@ -17235,7 +17888,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w100;
   res1[3]=w101;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #190: output[0][45] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+2160);
   /* #191: @0 = 0.71875 */
@@ -17252,7 +17905,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w102;
   res1[3]=w103;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #194: output[0][46] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+2208);
   /* #195: @0 = 0.734375 */
@@ -17269,7 +17922,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w104;
   res1[3]=w105;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #198: output[0][47] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+2256);
   /* #199: @0 = 0.75 */
@@ -17286,7 +17939,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w106;
   res1[3]=w107;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #202: output[0][48] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+2304);
   /* #203: @0 = 0.765625 */
@@ -17303,7 +17956,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w108;
   res1[3]=w109;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #206: output[0][49] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+2352);
   /* #207: @0 = 0.78125 */
@@ -17320,7 +17973,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w110;
   res1[3]=w111;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #210: output[0][50] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+2400);
   /* #211: @0 = 0.796875 */
@@ -17337,7 +17990,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w112;
   res1[3]=w113;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #214: output[0][51] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+2448);
   /* #215: @0 = 0.8125 */
@@ -17354,7 +18007,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w114;
   res1[3]=w115;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #218: output[0][52] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+2496);
   /* #219: @0 = 0.828125 */
@@ -17371,7 +18024,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w116;
   res1[3]=w117;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #222: output[0][53] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+2544);
   /* #223: @0 = 0.84375 */
@@ -17388,7 +18041,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w118;
   res1[3]=w119;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #226: output[0][54] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+2592);
   /* #227: @0 = 0.859375 */
@@ -17405,7 +18058,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w120;
   res1[3]=w121;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #230: output[0][55] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+2640);
   /* #231: @0 = 0.875 */
@@ -17422,7 +18075,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w122;
   res1[3]=w123;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #234: output[0][56] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+2688);
   /* #235: @0 = 0.890625 */
@@ -17439,7 +18092,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w124;
   res1[3]=w125;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #238: output[0][57] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+2736);
   /* #239: @0 = 0.90625 */
@@ -17456,7 +18109,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w126;
   res1[3]=w127;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #242: output[0][58] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+2784);
   /* #243: @0 = 0.921875 */
@@ -17473,7 +18126,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w128;
   res1[3]=w129;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #246: output[0][59] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+2832);
   /* #247: @0 = 0.9375 */
@@ -17490,7 +18143,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w130;
   res1[3]=w131;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #250: output[0][60] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+2880);
   /* #251: @0 = 0.953125 */
@@ -17507,7 +18160,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w132;
   res1[3]=w133;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #254: output[0][61] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+2928);
   /* #255: @0 = 0.96875 */
@@ -17524,7 +18177,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w134;
   res1[3]=w135;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #258: output[0][62] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+2976);
   /* #259: @0 = 0.984375 */
@@ -17541,7 +18194,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w009;
   res1[2]=w136;
   res1[3]=w137;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #262: output[0][63] = @9 */
   if (res[0]) casadi_copy(w009, 48, res[0]+3024);
   /* #263: output[0][64] = @7 */
@@ -17680,7 +18333,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=(&w004);
   res1[0]=w138;
   res1[1]=w139;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #329: output[1][64] = @138 */
   if (res[1]) casadi_copy(w138, 7, res[1]+5376);
   /* #330: output[2][0] = @11 */
@@ -17818,14 +18471,14 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w006;
   arg1[2]=(&w004);
   res1[0]=w001;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #396: output[3][0] = @1 */
   casadi_copy(w001, 3, res[3]);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_trace_768(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f73(arg, res, iw, w, mem);
+  return casadi_f97(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_trace_768_checkout(void) {
@@ -17904,7 +18557,7 @@ CASADI_SYMBOL_EXPORT int simplest_walker_trace_768_work_bytes(casadi_int *sz_arg
 }
 
 /* simplest_walker_advance:(t,w[4],h,p)->(w_end[4],g[7],dg[7]) */
-static int casadi_f74(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f98(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+3, *w0=w+117, w1, w2, *w3=w+121, w4, *w5=w+123, *w6=w+147, *w7=w+151, *w8=w+158;
   const casadi_real **arg1=arg+4;
   /* #0: @0 = input[1][0] */
@@ -17917,14 +18570,14 @@ static int casadi_f74(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w1);
   arg1[1]=(&w2);
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = input[2][0] */
   w4 = arg[2] ? arg[2][0] : 0;
   /* #5: @5 = turns(@4, @2) */
   arg1[0]=(&w4);
   arg1[1]=(&w2);
   res1[0]=w5;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #6: @6 = working_step(@0, @3, @5, @4, @2) */
   arg1[0]=w0;
   arg1[1]=w3;
@@ -17932,7 +18585,7 @@ static int casadi_f74(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w4);
   arg1[4]=(&w2);
   res1[0]=w6;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
   /* #7: output[0][0] = @6 */
   casadi_copy(w6, 4, res[0]);
   /* #8: @1 = (@1+@4) */
@@ -17943,7 +18596,7 @@ static int casadi_f74(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=(&w2);
   res1[0]=w7;
   res1[1]=w8;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #10: output[1][0] = @7 */
   casadi_copy(w7, 7, res[1]);
   /* #11: output[2][0] = @8 */
@@ -17952,7 +18605,7 @@ static int casadi_f74(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_advance(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f74(arg, res, iw, w, mem);
+  return casadi_f98(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int simplest_walker_advance_checkout(void) {
@@ -18029,6 +18682,437 @@ CASADI_SYMBOL_EXPORT int simplest_walker_advance_work_bytes(casadi_int *sz_arg, 
   if (sz_res) *sz_res = 5*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
   if (sz_w) *sz_w = 165*sizeof(casadi_real);
+  return 0;
+}
+
+/* simplest_walker_begin:(u[3],p)->(y[4x3]) */
+static int casadi_f99(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *rr, *w0=w+5, *w1=w+8, w2, *w3=w+10, *w4=w+14;
+  const casadi_real **arg1=arg+2, *cs;
+  /* #0: @0 = input[0][0] */
+  casadi_copy(arg[0], 3, w0);
+  /* #1: @1 = @0[:2] */
+  for (rr=w1, cs=w0+0; cs!=w0+2; cs+=1) *rr++ = *cs;
+  /* #2: @2 = input[1][0] */
+  w2 = arg[1] ? arg[1][0] : 0;
+  /* #3: {@3, @4} = start(@1, @2) */
+  arg1[0]=w1;
+  arg1[1]=(&w2);
+  res1[0]=w3;
+  res1[1]=w4;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  /* #4: output[0][0] = @3 */
+  casadi_copy(w3, 4, res[0]);
+  /* #5: output[0][1] = @4 */
+  if (res[0]) casadi_copy(w4, 8, res[0]+4);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int simplest_walker_begin(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f99(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int simplest_walker_begin_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void simplest_walker_begin_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void simplest_walker_begin_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void simplest_walker_begin_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int simplest_walker_begin_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int simplest_walker_begin_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real simplest_walker_begin_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* simplest_walker_begin_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* simplest_walker_begin_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "y";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* simplest_walker_begin_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* simplest_walker_begin_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s27;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int simplest_walker_begin_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 4;
+  if (sz_res) *sz_res = 3;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 22;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int simplest_walker_begin_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 4*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 3*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 22*sizeof(casadi_real);
+  return 0;
+}
+
+/* simplest_walker_swing:(t,h,y[4x3],p)->(y_end[4x3]) */
+static int casadi_f100(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, w1, w2, w3, *w4=w+266, *w5=w+290;
+  const casadi_real **arg1=arg+4, *wr0;
+  /* #0: @0 = input[2][0] */
+  wr0 = arg[2] ? arg[2] : casadi_zeros;
+  /* #1: @1 = input[0][0] */
+  w1 = arg[0] ? arg[0][0] : 0;
+  /* #2: @2 = input[1][0] */
+  w2 = arg[1] ? arg[1][0] : 0;
+  /* #3: @3 = input[3][0] */
+  w3 = arg[3] ? arg[3][0] : 0;
+  /* #4: @4 = turns(@2, @3) */
+  arg1[0]=(&w2);
+  arg1[1]=(&w3);
+  res1[0]=w4;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  /* #5: @5 = variational_steps(@0, @1, @4, @2, @3) */
+  arg1[0]=wr0;
+  arg1[1]=(&w1);
+  arg1[2]=w4;
+  arg1[3]=(&w2);
+  arg1[4]=(&w3);
+  res1[0]=w5;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  /* #6: output[0][0] = @5 */
+  casadi_copy(w5, 12, res[0]);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int simplest_walker_swing(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f100(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int simplest_walker_swing_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void simplest_walker_swing_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void simplest_walker_swing_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void simplest_walker_swing_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int simplest_walker_swing_n_in(void) { return 4;}
+
+CASADI_SYMBOL_EXPORT casadi_int simplest_walker_swing_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real simplest_walker_swing_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* simplest_walker_swing_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "t";
+    case 1: return "h";
+    case 2: return "y";
+    case 3: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* simplest_walker_swing_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "y_end";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* simplest_walker_swing_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s5;
+    case 1: return casadi_s5;
+    case 2: return casadi_s27;
+    case 3: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* simplest_walker_swing_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s27;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int simplest_walker_swing_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 14;
+  if (sz_res) *sz_res = 3;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 302;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int simplest_walker_swing_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 14*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 3*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 302*sizeof(casadi_real);
+  return 0;
+}
+
+/* simplest_walker_end:(y[4x3],u[3],p)->(J[3x3],R[3]) */
+static int casadi_f101(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+2, *rr, *w1=w+10, *w2=w+13, w3, w4, *w5=w+15;
+  const casadi_real **arg1=arg+3, *cs, *wr0;
+  /* #0: @0 = input[0][0] */
+  wr0 = arg[0] ? arg[0] : casadi_zeros;
+  /* #1: @1 = input[1][0] */
+  casadi_copy(arg[1], 3, w1);
+  /* #2: @2 = @1[:2] */
+  for (rr=w2, cs=w1+0; cs!=w1+2; cs+=1) *rr++ = *cs;
+  /* #3: @3 = @1[2] */
+  for (rr=(&w3), cs=w1+2; cs!=w1+3; cs+=1) *rr++ = *cs;
+  /* #4: @4 = input[2][0] */
+  w4 = arg[2] ? arg[2][0] : 0;
+  /* #5: {@5, @1} = landing_with_derivative(@0, @2, @3, @4) */
+  arg1[0]=wr0;
+  arg1[1]=w2;
+  arg1[2]=(&w3);
+  arg1[3]=(&w4);
+  res1[0]=w5;
+  res1[1]=w1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  /* #6: output[0][0] = @5 */
+  casadi_copy(w5, 9, res[0]);
+  /* #7: output[1][0] = @1 */
+  casadi_copy(w1, 3, res[1]);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int simplest_walker_end(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f101(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int simplest_walker_end_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void simplest_walker_end_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void simplest_walker_end_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void simplest_walker_end_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int simplest_walker_end_n_in(void) { return 3;}
+
+CASADI_SYMBOL_EXPORT casadi_int simplest_walker_end_n_out(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_real simplest_walker_end_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* simplest_walker_end_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "y";
+    case 1: return "u";
+    case 2: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* simplest_walker_end_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "J";
+    case 1: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* simplest_walker_end_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s27;
+    case 1: return casadi_s4;
+    case 2: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* simplest_walker_end_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s6;
+    case 1: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int simplest_walker_end_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 7;
+  if (sz_res) *sz_res = 4;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 24;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int simplest_walker_end_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 7*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 4*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 24*sizeof(casadi_real);
+  return 0;
+}
+
+/* simplest_walker_observed_swing:(t,h,w[4],p)->(w_end[4],nodes[4x12],g[7x12],dg[7x12]) */
+static int casadi_f102(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+4, w0, w1, w2, *w3=w+290, *w4=w+314, *w5=w+318, *w6=w+322, *w7=w+370, *w8=w+454;
+  const casadi_real **arg1=arg+4;
+  /* #0: @0 = input[0][0] */
+  w0 = arg[0] ? arg[0][0] : 0;
+  /* #1: @1 = input[1][0] */
+  w1 = arg[1] ? arg[1][0] : 0;
+  /* #2: @2 = input[3][0] */
+  w2 = arg[3] ? arg[3][0] : 0;
+  /* #3: @3 = turns(@1, @2) */
+  arg1[0]=(&w1);
+  arg1[1]=(&w2);
+  res1[0]=w3;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  /* #4: @4 = input[2][0] */
+  casadi_copy(arg[2], 4, w4);
+  /* #5: {@5, @6, @7, @8} = working_steps(@0, @3, @4, @1, @2) */
+  arg1[0]=(&w0);
+  arg1[1]=w3;
+  arg1[2]=w4;
+  arg1[3]=(&w1);
+  arg1[4]=(&w2);
+  res1[0]=w5;
+  res1[1]=w6;
+  res1[2]=w7;
+  res1[3]=w8;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  /* #6: output[0][0] = @5 */
+  casadi_copy(w5, 4, res[0]);
+  /* #7: output[1][0] = @6 */
+  casadi_copy(w6, 48, res[1]);
+  /* #8: output[2][0] = @7 */
+  casadi_copy(w7, 84, res[2]);
+  /* #9: output[3][0] = @8 */
+  casadi_copy(w8, 84, res[3]);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int simplest_walker_observed_swing(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f102(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int simplest_walker_observed_swing_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void simplest_walker_observed_swing_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void simplest_walker_observed_swing_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void simplest_walker_observed_swing_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int simplest_walker_observed_swing_n_in(void) { return 4;}
+
+CASADI_SYMBOL_EXPORT casadi_int simplest_walker_observed_swing_n_out(void) { return 4;}
+
+CASADI_SYMBOL_EXPORT casadi_real simplest_walker_observed_swing_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* simplest_walker_observed_swing_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "t";
+    case 1: return "h";
+    case 2: return "w";
+    case 3: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* simplest_walker_observed_swing_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "w_end";
+    case 1: return "nodes";
+    case 2: return "g";
+    case 3: return "dg";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* simplest_walker_observed_swing_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s5;
+    case 1: return casadi_s5;
+    case 2: return casadi_s25;
+    case 3: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* simplest_walker_observed_swing_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s25;
+    case 1: return casadi_s28;
+    case 2: return casadi_s29;
+    case 3: return casadi_s29;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int simplest_walker_observed_swing_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 14;
+  if (sz_res) *sz_res = 10;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 538;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int simplest_walker_observed_swing_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 14*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 538*sizeof(casadi_real);
   return 0;
 }
 

@@ -1,5 +1,5 @@
 /* Compass walker with a horizontally wobbling mass: kernels of the solver
- * Printed by CasADi 3.8.2 from equations 13ac303a20b051bf.
+ * Printed by CasADi 3.8.2 from equations a111285d48dcdf98.
  * Do not edit: run `make derive`.
  * SPDX-License-Identifier: BSD-3-Clause
  */
@@ -24,12 +24,17 @@
 
 /* Add prefix to internal symbols */
 #define casadi_axpy CASADI_PREFIX(axpy)
+#define casadi_c0 CASADI_PREFIX(c0)
+#define casadi_c1 CASADI_PREFIX(c1)
 #define casadi_clear CASADI_PREFIX(clear)
 #define casadi_copy CASADI_PREFIX(copy)
 #define casadi_dot CASADI_PREFIX(dot)
 #define casadi_f0 CASADI_PREFIX(f0)
 #define casadi_f1 CASADI_PREFIX(f1)
 #define casadi_f10 CASADI_PREFIX(f10)
+#define casadi_f100 CASADI_PREFIX(f100)
+#define casadi_f101 CASADI_PREFIX(f101)
+#define casadi_f102 CASADI_PREFIX(f102)
 #define casadi_f11 CASADI_PREFIX(f11)
 #define casadi_f12 CASADI_PREFIX(f12)
 #define casadi_f13 CASADI_PREFIX(f13)
@@ -100,8 +105,33 @@
 #define casadi_f72 CASADI_PREFIX(f72)
 #define casadi_f73 CASADI_PREFIX(f73)
 #define casadi_f74 CASADI_PREFIX(f74)
+#define casadi_f75 CASADI_PREFIX(f75)
+#define casadi_f76 CASADI_PREFIX(f76)
+#define casadi_f77 CASADI_PREFIX(f77)
+#define casadi_f78 CASADI_PREFIX(f78)
+#define casadi_f79 CASADI_PREFIX(f79)
 #define casadi_f8 CASADI_PREFIX(f8)
+#define casadi_f80 CASADI_PREFIX(f80)
+#define casadi_f81 CASADI_PREFIX(f81)
+#define casadi_f82 CASADI_PREFIX(f82)
+#define casadi_f83 CASADI_PREFIX(f83)
+#define casadi_f84 CASADI_PREFIX(f84)
+#define casadi_f85 CASADI_PREFIX(f85)
+#define casadi_f86 CASADI_PREFIX(f86)
+#define casadi_f87 CASADI_PREFIX(f87)
+#define casadi_f88 CASADI_PREFIX(f88)
+#define casadi_f89 CASADI_PREFIX(f89)
 #define casadi_f9 CASADI_PREFIX(f9)
+#define casadi_f90 CASADI_PREFIX(f90)
+#define casadi_f91 CASADI_PREFIX(f91)
+#define casadi_f92 CASADI_PREFIX(f92)
+#define casadi_f93 CASADI_PREFIX(f93)
+#define casadi_f94 CASADI_PREFIX(f94)
+#define casadi_f95 CASADI_PREFIX(f95)
+#define casadi_f96 CASADI_PREFIX(f96)
+#define casadi_f97 CASADI_PREFIX(f97)
+#define casadi_f98 CASADI_PREFIX(f98)
+#define casadi_f99 CASADI_PREFIX(f99)
 #define casadi_fabs CASADI_PREFIX(fabs)
 #define casadi_fmax CASADI_PREFIX(fmax)
 #define casadi_house CASADI_PREFIX(house)
@@ -136,6 +166,8 @@
 #define casadi_s25 CASADI_PREFIX(s25)
 #define casadi_s26 CASADI_PREFIX(s26)
 #define casadi_s27 CASADI_PREFIX(s27)
+#define casadi_s28 CASADI_PREFIX(s28)
+#define casadi_s29 CASADI_PREFIX(s29)
 #define casadi_s3 CASADI_PREFIX(s3)
 #define casadi_s4 CASADI_PREFIX(s4)
 #define casadi_s5 CASADI_PREFIX(s5)
@@ -471,12 +503,22 @@ static const casadi_int casadi_s24[3] = {9, 769, 1};
 static const casadi_int casadi_s25[3] = {1, 1, 1};
 static const casadi_int casadi_s26[3] = {7, 1, 1};
 static const casadi_int casadi_s27[3] = {9, 1, 1};
+static const casadi_int casadi_s28[3] = {7, 12, 1};
+static const casadi_int casadi_s29[3] = {9, 12, 1};
+
+static const casadi_real casadi_c0[36] = 
+  {1., 1., 1., 1., 1., 5.0000000000000000e-01, 1., 1.,
+  1., 1., 1., 5.0000000000000000e-01, 1., 1., 1., 1.,
+  1., 5.0000000000000000e-01, 1., 1., 1., 1., 1., 5.0000000000000000e-01,
+  1., 1., 1., 1., 1., 5.0000000000000000e-01, 1., 1.,
+  1., 1., 1., 5.0000000000000000e-01};
+static const casadi_real casadi_c1[6] = {1., 1., 1., 1., 1., 2.};
 
 static const casadi_real casadi_zeros[36] = 
   {0.};
 
 /* start:(z[5],p[8])->(y[6],dy_dz[6x5]) */
-static int casadi_f3(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1;
   a0=arg[0]? arg[0][0] : 0;
   if (res[0]!=0) res[0][0]=a0;
@@ -527,7 +569,7 @@ static int casadi_f3(const casadi_real** arg, casadi_real** res, casadi_int* iw,
 }
 
 /* turns:(h,p[8])->(turns[2x12]) */
-static int casadi_f4(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f6(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2, a3;
   a0=1.;
   if (res[0]!=0) res[0][0]=a0;
@@ -614,7 +656,7 @@ static int casadi_f4(const casadi_real** arg, casadi_real** res, casadi_int* iw,
 }
 
 /* phase:(t,p[8])->(phase[2]) */
-static int casadi_f6(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f8(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1;
   a0=arg[1]? arg[1][2] : 0;
   a1=arg[0]? arg[0][0] : 0;
@@ -627,7 +669,7 @@ static int casadi_f6(const casadi_real** arg, casadi_real** res, casadi_int* iw,
 }
 
 /* variational_step:(y[6x6],phase[2],turns[2x12],h,p[8])->(y_end[6x6]) */
-static int casadi_f7(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f9(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a000, a001, a002, a003, a004, a005, a006, a007, a008, a009, a010, a011;
   casadi_real a012, a013, a014, a015, a016, a017, a018, a019, a020, a021, a022, a023;
   casadi_real a024, a025, a026, a027, a028, a029, a030, a031, a032, a033, a034, a035;
@@ -9016,7 +9058,7 @@ static int casadi_f7(const casadi_real** arg, casadi_real** res, casadi_int* iw,
 }
 
 /* variational_steps:(y[6x6],t,turns[2x12],h,p[8])->(y_end[6x6]) */
-static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f7(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *w0=w+313, w1, *w3=w+349, w5, *w6=w+351, w7;
   const casadi_real **arg1=arg+5, *wr0, *wr2, *wr4;
   /* #0: @0 = input[0][0] */
@@ -9029,7 +9071,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w1);
   arg1[1]=wr2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = input[2][0] */
   wr4 = arg[2] ? arg[2] : casadi_zeros;
   /* #5: @5 = input[3][0] */
@@ -9041,14 +9083,14 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=wr2;
   res1[0]=w6;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
   /* #7: @7 = (@1+@5) */
   w7  = (w1+w5);
   /* #8: @3 = phase(@7, @2) */
   arg1[0]=(&w7);
   arg1[1]=wr2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #9: @0 = variational_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -9056,7 +9098,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
   /* #10: @7 = (2.*@5) */
   w7 = (2.* w5 );
   /* #11: @7 = (@1+@7) */
@@ -9065,7 +9107,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w7);
   arg1[1]=wr2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #13: @6 = variational_step(@0, @3, @4, @5, @2) */
   arg1[0]=w0;
   arg1[1]=w3;
@@ -9073,7 +9115,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=wr2;
   res1[0]=w6;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
   /* #14: @7 = 3 */
   w7 = 3.;
   /* #15: @7 = (@7*@5) */
@@ -9084,7 +9126,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w7);
   arg1[1]=wr2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #18: @0 = variational_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -9092,7 +9134,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
   /* #19: @7 = 4 */
   w7 = 4.;
   /* #20: @7 = (@7*@5) */
@@ -9103,7 +9145,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w7);
   arg1[1]=wr2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #23: @6 = variational_step(@0, @3, @4, @5, @2) */
   arg1[0]=w0;
   arg1[1]=w3;
@@ -9111,7 +9153,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=wr2;
   res1[0]=w6;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
   /* #24: @7 = 5 */
   w7 = 5.;
   /* #25: @7 = (@7*@5) */
@@ -9122,7 +9164,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w7);
   arg1[1]=wr2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #28: @0 = variational_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -9130,7 +9172,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
   /* #29: @7 = 6 */
   w7 = 6.;
   /* #30: @7 = (@7*@5) */
@@ -9141,7 +9183,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w7);
   arg1[1]=wr2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #33: @6 = variational_step(@0, @3, @4, @5, @2) */
   arg1[0]=w0;
   arg1[1]=w3;
@@ -9149,7 +9191,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=wr2;
   res1[0]=w6;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
   /* #34: @7 = 7 */
   w7 = 7.;
   /* #35: @7 = (@7*@5) */
@@ -9160,7 +9202,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w7);
   arg1[1]=wr2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #38: @0 = variational_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -9168,7 +9210,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
   /* #39: @7 = 8 */
   w7 = 8.;
   /* #40: @7 = (@7*@5) */
@@ -9179,7 +9221,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w7);
   arg1[1]=wr2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #43: @6 = variational_step(@0, @3, @4, @5, @2) */
   arg1[0]=w0;
   arg1[1]=w3;
@@ -9187,7 +9229,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=wr2;
   res1[0]=w6;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
   /* #44: @7 = 9 */
   w7 = 9.;
   /* #45: @7 = (@7*@5) */
@@ -9198,7 +9240,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w7);
   arg1[1]=wr2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #48: @0 = variational_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -9206,7 +9248,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
   /* #49: @7 = 10 */
   w7 = 10.;
   /* #50: @7 = (@7*@5) */
@@ -9217,7 +9259,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w7);
   arg1[1]=wr2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #53: @6 = variational_step(@0, @3, @4, @5, @2) */
   arg1[0]=w0;
   arg1[1]=w3;
@@ -9225,7 +9267,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=wr2;
   res1[0]=w6;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
   /* #54: @7 = 11 */
   w7 = 11.;
   /* #55: @7 = (@7*@5) */
@@ -9236,7 +9278,7 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w1);
   arg1[1]=wr2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #58: @0 = variational_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -9244,14 +9286,14 @@ static int casadi_f5(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
   /* #59: output[0][0] = @0 */
   casadi_copy(w0, 36, res[0]);
   return 0;
 }
 
 /* landing_with_derivative:(y[6x6],z[5],T,p[8])->(J[6x6],R[6]) */
-static int casadi_f8(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
@@ -9737,7 +9779,7 @@ static int casadi_f8(const casadi_real** arg, casadi_real** res, casadi_int* iw,
 }
 
 /* wobbling_jacobian_12:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f2(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f4(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w03=w+433, *w04=w+439, *w05=w+469, w06, w07, w08, *w09=w+505, *w10=w+529;
   const casadi_real **arg1=arg+2, *cs, *wr02;
@@ -9752,7 +9794,7 @@ static int casadi_f2(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[1]=wr02;
   res1[0]=w03;
   res1[1]=w04;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @5 = horzcat(@3, @4) */
   rr=w05;
   for (i=0, cs=w03; i<6; ++i) *rr++ = *cs++;
@@ -9769,7 +9811,7 @@ static int casadi_f2(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w08);
   arg1[1]=wr02;
   res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
   arg1[0]=w05;
   arg1[1]=(&w06);
@@ -9777,7 +9819,7 @@ static int casadi_f2(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #11: {@5, @0} = landing_with_derivative(@10, @1, @7, @2) */
   arg1[0]=w10;
   arg1[1]=w01;
@@ -9785,7 +9827,7 @@ static int casadi_f2(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=wr02;
   res1[0]=w05;
   res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @5 */
   casadi_copy(w05, 36, res[0]);
   /* #13: output[1][0] = @0 */
@@ -9793,8 +9835,44 @@ static int casadi_f2(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   return 0;
 }
 
+/* scaled_jacobian_12:(u[6],p[8])->(J[6x6],R[6]) */
+static int casadi_f3(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_int i;
+  casadi_real **res1=res+2, *rr, *w0=w+576, *w1=w+612, *w3=w+618, *w4=w+654;
+  const casadi_real **arg1=arg+2, *cr, *cs, *wr0, *wr2;
+  /* #0: @0 = 
+  [[1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [0.5, 0.5, 0.5, 0.5, 0.5, 0.5]] */
+  wr0 = casadi_c0;
+  /* #1: @1 = input[0][0] */
+  casadi_copy(arg[0], 6, w1);
+  /* #2: @2 = input[1][0] */
+  wr2 = arg[1] ? arg[1] : casadi_zeros;
+  /* #3: {@3, @4} = wobbling_jacobian_12(@1, @2) */
+  arg1[0]=w1;
+  arg1[1]=wr2;
+  res1[0]=w3;
+  res1[1]=w4;
+  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  /* #4: @0 = (@0*@3) */
+  for (i=0, rr=w0, cr=wr0, cs=w3; i<36; ++i) (*rr++)  = ((*cr++)*(*cs++));
+  /* #5: output[0][0] = @0 */
+  casadi_copy(w0, 36, res[0]);
+  /* #6: @1 = [1, 1, 1, 1, 1, 2] */
+  casadi_copy(casadi_c1, 6, w1);
+  /* #7: @4 = (@4/@1) */
+  for (i=0, rr=w4, cs=w1; i<6; ++i) (*rr++) /= (*cs++);
+  /* #8: output[1][0] = @4 */
+  casadi_copy(w4, 6, res[1]);
+  return 0;
+}
+
 /* newton_12:(u0[6],p[8])->(u[6]) */
-static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f2(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 6;
@@ -9820,7 +9898,7 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f2(arg+2, res+1, iw, w+108, 0)) return 1;
+    if (casadi_f3(arg+2, res+1, iw, w+108, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -9828,8 +9906,26 @@ static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   return 0;
 }
 
+/* scaled_newton_12:(i0[6],i1[8])->(o0[6]) */
+static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *w0=w+788, *w2=w+794;
+  const casadi_real **arg1=arg+2, *wr1;
+  /* #0: @0 = input[0][0] */
+  casadi_copy(arg[0], 6, w0);
+  /* #1: @1 = input[1][0] */
+  wr1 = arg[1] ? arg[1] : casadi_zeros;
+  /* #2: @2 = newton_12(@0, @1) */
+  arg1[0]=w0;
+  arg1[1]=wr1;
+  res1[0]=w2;
+  if (casadi_f2(arg1, res1, iw, w, 0)) return 1;
+  /* #3: output[0][0] = @2 */
+  casadi_copy(w2, 6, res[0]);
+  return 0;
+}
+
 /* plain_step:(y[6],phase[2],turns[2x12],h,p[8])->(y_end[6]) */
-static int casadi_f11(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f13(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a000, a001, a002, a003, a004, a005, a006, a007, a008, a009, a010, a011;
   casadi_real a012, a013, a014, a015, a016, a017, a018, a019, a020, a021, a022, a023;
   casadi_real a024, a025, a026, a027, a028, a029, a030, a031, a032, a033, a034, a035;
@@ -11562,7 +11658,7 @@ static int casadi_f11(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* plain_steps:(y[6],t,turns[2x12],h,p[8])->(y_end[6]) */
-static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f12(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *w0=w+109, w1, *w3=w+115, w5, *w6=w+117, w7;
   const casadi_real **arg1=arg+5, *wr2, *wr4;
   /* #0: @0 = input[0][0] */
@@ -11575,7 +11671,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w1);
   arg1[1]=wr2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = input[2][0] */
   wr4 = arg[2] ? arg[2] : casadi_zeros;
   /* #5: @5 = input[3][0] */
@@ -11587,14 +11683,14 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=wr2;
   res1[0]=w6;
-  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
   /* #7: @7 = (@1+@5) */
   w7  = (w1+w5);
   /* #8: @3 = phase(@7, @2) */
   arg1[0]=(&w7);
   arg1[1]=wr2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #9: @0 = plain_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -11602,7 +11698,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
   /* #10: @7 = (2.*@5) */
   w7 = (2.* w5 );
   /* #11: @7 = (@1+@7) */
@@ -11611,7 +11707,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w7);
   arg1[1]=wr2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #13: @6 = plain_step(@0, @3, @4, @5, @2) */
   arg1[0]=w0;
   arg1[1]=w3;
@@ -11619,7 +11715,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=wr2;
   res1[0]=w6;
-  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
   /* #14: @7 = 3 */
   w7 = 3.;
   /* #15: @7 = (@7*@5) */
@@ -11630,7 +11726,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w7);
   arg1[1]=wr2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #18: @0 = plain_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -11638,7 +11734,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
   /* #19: @7 = 4 */
   w7 = 4.;
   /* #20: @7 = (@7*@5) */
@@ -11649,7 +11745,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w7);
   arg1[1]=wr2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #23: @6 = plain_step(@0, @3, @4, @5, @2) */
   arg1[0]=w0;
   arg1[1]=w3;
@@ -11657,7 +11753,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=wr2;
   res1[0]=w6;
-  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
   /* #24: @7 = 5 */
   w7 = 5.;
   /* #25: @7 = (@7*@5) */
@@ -11668,7 +11764,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w7);
   arg1[1]=wr2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #28: @0 = plain_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -11676,7 +11772,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
   /* #29: @7 = 6 */
   w7 = 6.;
   /* #30: @7 = (@7*@5) */
@@ -11687,7 +11783,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w7);
   arg1[1]=wr2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #33: @6 = plain_step(@0, @3, @4, @5, @2) */
   arg1[0]=w0;
   arg1[1]=w3;
@@ -11695,7 +11791,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=wr2;
   res1[0]=w6;
-  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
   /* #34: @7 = 7 */
   w7 = 7.;
   /* #35: @7 = (@7*@5) */
@@ -11706,7 +11802,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w7);
   arg1[1]=wr2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #38: @0 = plain_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -11714,7 +11810,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
   /* #39: @7 = 8 */
   w7 = 8.;
   /* #40: @7 = (@7*@5) */
@@ -11725,7 +11821,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w7);
   arg1[1]=wr2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #43: @6 = plain_step(@0, @3, @4, @5, @2) */
   arg1[0]=w0;
   arg1[1]=w3;
@@ -11733,7 +11829,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=wr2;
   res1[0]=w6;
-  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
   /* #44: @7 = 9 */
   w7 = 9.;
   /* #45: @7 = (@7*@5) */
@@ -11744,7 +11840,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w7);
   arg1[1]=wr2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #48: @0 = plain_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -11752,7 +11848,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
   /* #49: @7 = 10 */
   w7 = 10.;
   /* #50: @7 = (@7*@5) */
@@ -11763,7 +11859,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w7);
   arg1[1]=wr2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #53: @6 = plain_step(@0, @3, @4, @5, @2) */
   arg1[0]=w0;
   arg1[1]=w3;
@@ -11771,7 +11867,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=wr2;
   res1[0]=w6;
-  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
   /* #54: @7 = 11 */
   w7 = 11.;
   /* #55: @7 = (@7*@5) */
@@ -11782,7 +11878,7 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w1);
   arg1[1]=wr2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #58: @0 = plain_step(@6, @3, @4, @5, @2) */
   arg1[0]=w6;
   arg1[1]=w3;
@@ -11790,14 +11886,14 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w5);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f13(arg1, res1, iw, w, 0)) return 1;
   /* #59: output[0][0] = @0 */
   casadi_copy(w0, 6, res[0]);
   return 0;
 }
 
 /* landing:(y[6],z[5],p[8])->(R[6]) */
-static int casadi_f12(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f14(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14;
   a00=arg[0]? arg[0][0] : 0;
@@ -11872,7 +11968,7 @@ static int casadi_f12(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* wobbling_residual_12:(u[6],p[8])->(R[6]) */
-static int casadi_f9(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f11(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+158, *w1=w+164, *w3=w+169, w4, w5, w6, *w7=w+175;
   const casadi_real **arg1=arg+2, *cs, *wr2;
   /* #0: @0 = input[0][0] */
@@ -11886,7 +11982,7 @@ static int casadi_f9(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[1]=wr2;
   res1[0]=w3;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = 0 */
   w4 = 0.;
   /* #5: @5 = @0[5] */
@@ -11899,7 +11995,7 @@ static int casadi_f9(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=(&w5);
   arg1[1]=wr2;
   res1[0]=w7;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #9: @0 = plain_steps(@3, @4, @7, @5, @2) */
   arg1[0]=w3;
   arg1[1]=(&w4);
@@ -11907,13 +12003,13 @@ static int casadi_f9(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[3]=(&w5);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #10: @3 = landing(@0, @1, @2) */
   arg1[0]=w0;
   arg1[1]=w1;
   arg1[2]=wr2;
   res1[0]=w3;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #11: output[0][0] = @3 */
   casadi_copy(w3, 6, res[0]);
   return 0;
@@ -11921,13 +12017,13 @@ static int casadi_f9(const casadi_real** arg, casadi_real** res, casadi_int* iw,
 
 /* wobbling_search_12:(u0[6],p[8])->(u[6],R[6]) */
 static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+2, *w0=w+696, *w2=w+702;
+  casadi_real **res1=res+2, *w0=w+808, *w2=w+814;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 6, w0);
   /* #1: @1 = input[1][0] */
   wr1 = arg[1] ? arg[1] : casadi_zeros;
-  /* #2: @2 = newton_12(@0, @1) */
+  /* #2: @2 = scaled_newton_12(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w2;
@@ -11938,7 +12034,7 @@ static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   arg1[0]=w2;
   arg1[1]=wr1;
   res1[0]=w0;
-  if (casadi_f9(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f11(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @0 */
   casadi_copy(w0, 6, res[1]);
   return 0;
@@ -12004,23 +12100,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* wobbling_search_12_sparsity_out(casadi_in
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_search_12_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 16;
-  if (sz_res) *sz_res = 7;
+  if (sz_arg) *sz_arg = 20;
+  if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 708;
+  if (sz_w) *sz_w = 820;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_search_12_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 16*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 7*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 20*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 708*sizeof(casadi_real);
+  if (sz_w) *sz_w = 820*sizeof(casadi_real);
   return 0;
 }
 
 /* wobbling_jacobian_24:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f15(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w03=w+433, *w04=w+439, *w05=w+469, w06, w07, w08, *w09=w+505, *w10=w+529;
   const casadi_real **arg1=arg+2, *cs, *wr02;
@@ -12035,7 +12131,7 @@ static int casadi_f15(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr02;
   res1[0]=w03;
   res1[1]=w04;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @5 = horzcat(@3, @4) */
   rr=w05;
   for (i=0, cs=w03; i<6; ++i) *rr++ = *cs++;
@@ -12052,7 +12148,7 @@ static int casadi_f15(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w08);
   arg1[1]=wr02;
   res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
   arg1[0]=w05;
   arg1[1]=(&w06);
@@ -12060,7 +12156,7 @@ static int casadi_f15(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #11: @6 = 0.5 */
   w06 = 5.0000000000000000e-01;
   /* #12: @6 = (@6*@7) */
@@ -12072,7 +12168,7 @@ static int casadi_f15(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #14: {@10, @0} = landing_with_derivative(@5, @1, @7, @2) */
   arg1[0]=w05;
   arg1[1]=w01;
@@ -12080,7 +12176,7 @@ static int casadi_f15(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=wr02;
   res1[0]=w10;
   res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #15: output[0][0] = @10 */
   casadi_copy(w10, 36, res[0]);
   /* #16: output[1][0] = @0 */
@@ -12088,8 +12184,44 @@ static int casadi_f15(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
+/* scaled_jacobian_24:(u[6],p[8])->(J[6x6],R[6]) */
+static int casadi_f18(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_int i;
+  casadi_real **res1=res+2, *rr, *w0=w+576, *w1=w+612, *w3=w+618, *w4=w+654;
+  const casadi_real **arg1=arg+2, *cr, *cs, *wr0, *wr2;
+  /* #0: @0 = 
+  [[1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [0.5, 0.5, 0.5, 0.5, 0.5, 0.5]] */
+  wr0 = casadi_c0;
+  /* #1: @1 = input[0][0] */
+  casadi_copy(arg[0], 6, w1);
+  /* #2: @2 = input[1][0] */
+  wr2 = arg[1] ? arg[1] : casadi_zeros;
+  /* #3: {@3, @4} = wobbling_jacobian_24(@1, @2) */
+  arg1[0]=w1;
+  arg1[1]=wr2;
+  res1[0]=w3;
+  res1[1]=w4;
+  if (casadi_f19(arg1, res1, iw, w, 0)) return 1;
+  /* #4: @0 = (@0*@3) */
+  for (i=0, rr=w0, cr=wr0, cs=w3; i<36; ++i) (*rr++)  = ((*cr++)*(*cs++));
+  /* #5: output[0][0] = @0 */
+  casadi_copy(w0, 36, res[0]);
+  /* #6: @1 = [1, 1, 1, 1, 1, 2] */
+  casadi_copy(casadi_c1, 6, w1);
+  /* #7: @4 = (@4/@1) */
+  for (i=0, rr=w4, cs=w1; i<6; ++i) (*rr++) /= (*cs++);
+  /* #8: output[1][0] = @4 */
+  casadi_copy(w4, 6, res[1]);
+  return 0;
+}
+
 /* newton_24:(u0[6],p[8])->(u[6]) */
-static int casadi_f14(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f17(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 6;
@@ -12115,7 +12247,7 @@ static int casadi_f14(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f15(arg+2, res+1, iw, w+108, 0)) return 1;
+    if (casadi_f18(arg+2, res+1, iw, w+108, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -12123,8 +12255,26 @@ static int casadi_f14(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* wobbling_residual_24:(u[6],p[8])->(R[6]) */
+/* scaled_newton_24:(i0[6],i1[8])->(o0[6]) */
 static int casadi_f16(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *w0=w+788, *w2=w+794;
+  const casadi_real **arg1=arg+2, *wr1;
+  /* #0: @0 = input[0][0] */
+  casadi_copy(arg[0], 6, w0);
+  /* #1: @1 = input[1][0] */
+  wr1 = arg[1] ? arg[1] : casadi_zeros;
+  /* #2: @2 = newton_24(@0, @1) */
+  arg1[0]=w0;
+  arg1[1]=wr1;
+  res1[0]=w2;
+  if (casadi_f17(arg1, res1, iw, w, 0)) return 1;
+  /* #3: output[0][0] = @2 */
+  casadi_copy(w2, 6, res[0]);
+  return 0;
+}
+
+/* wobbling_residual_24:(u[6],p[8])->(R[6]) */
+static int casadi_f20(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+158, *w1=w+164, *w3=w+169, w4, w5, w6, *w7=w+175;
   const casadi_real **arg1=arg+2, *cs, *wr2;
   /* #0: @0 = input[0][0] */
@@ -12138,7 +12288,7 @@ static int casadi_f16(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr2;
   res1[0]=w3;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = 0 */
   w4 = 0.;
   /* #5: @5 = @0[5] */
@@ -12151,7 +12301,7 @@ static int casadi_f16(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w6);
   arg1[1]=wr2;
   res1[0]=w7;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #9: @0 = plain_steps(@3, @4, @7, @6, @2) */
   arg1[0]=w3;
   arg1[1]=(&w4);
@@ -12159,7 +12309,7 @@ static int casadi_f16(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #10: @4 = 0.5 */
   w4 = 5.0000000000000000e-01;
   /* #11: @4 = (@4*@5) */
@@ -12171,45 +12321,45 @@ static int casadi_f16(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #13: @0 = landing(@3, @1, @2) */
   arg1[0]=w3;
   arg1[1]=w1;
   arg1[2]=wr2;
   res1[0]=w0;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #14: output[0][0] = @0 */
   casadi_copy(w0, 6, res[0]);
   return 0;
 }
 
 /* wobbling_search_24:(u0[6],p[8])->(u[6],R[6]) */
-static int casadi_f13(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+2, *w0=w+696, *w2=w+702;
+static int casadi_f15(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+2, *w0=w+808, *w2=w+814;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 6, w0);
   /* #1: @1 = input[1][0] */
   wr1 = arg[1] ? arg[1] : casadi_zeros;
-  /* #2: @2 = newton_24(@0, @1) */
+  /* #2: @2 = scaled_newton_24(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w2;
-  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f16(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 6, res[0]);
   /* #4: @0 = wobbling_residual_24(@2, @1) */
   arg1[0]=w2;
   arg1[1]=wr1;
   res1[0]=w0;
-  if (casadi_f16(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f20(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @0 */
   casadi_copy(w0, 6, res[1]);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_search_24(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f13(arg, res, iw, w, mem);
+  return casadi_f15(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_search_24_checkout(void) {
@@ -12268,23 +12418,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* wobbling_search_24_sparsity_out(casadi_in
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_search_24_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 16;
-  if (sz_res) *sz_res = 7;
+  if (sz_arg) *sz_arg = 20;
+  if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 708;
+  if (sz_w) *sz_w = 820;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_search_24_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 16*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 7*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 20*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 708*sizeof(casadi_real);
+  if (sz_w) *sz_w = 820*sizeof(casadi_real);
   return 0;
 }
 
 /* wobbling_jacobian_48:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f25(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w03=w+433, *w04=w+439, *w05=w+469, w06, w07, w08, *w09=w+505, *w10=w+529;
   const casadi_real **arg1=arg+2, *cs, *wr02;
@@ -12299,7 +12449,7 @@ static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr02;
   res1[0]=w03;
   res1[1]=w04;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @5 = horzcat(@3, @4) */
   rr=w05;
   for (i=0, cs=w03; i<6; ++i) *rr++ = *cs++;
@@ -12316,7 +12466,7 @@ static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w08);
   arg1[1]=wr02;
   res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
   arg1[0]=w05;
   arg1[1]=(&w06);
@@ -12324,7 +12474,7 @@ static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #11: @6 = 0.25 */
   w06 = 2.5000000000000000e-01;
   /* #12: @6 = (@6*@7) */
@@ -12336,7 +12486,7 @@ static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #14: @6 = 0.5 */
   w06 = 5.0000000000000000e-01;
   /* #15: @6 = (@6*@7) */
@@ -12348,7 +12498,7 @@ static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #17: @6 = 0.75 */
   w06 = 7.5000000000000000e-01;
   /* #18: @6 = (@6*@7) */
@@ -12360,7 +12510,7 @@ static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #20: {@10, @0} = landing_with_derivative(@5, @1, @7, @2) */
   arg1[0]=w05;
   arg1[1]=w01;
@@ -12368,7 +12518,7 @@ static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=wr02;
   res1[0]=w10;
   res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #21: output[0][0] = @10 */
   casadi_copy(w10, 36, res[0]);
   /* #22: output[1][0] = @0 */
@@ -12376,8 +12526,44 @@ static int casadi_f19(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
+/* scaled_jacobian_48:(u[6],p[8])->(J[6x6],R[6]) */
+static int casadi_f24(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_int i;
+  casadi_real **res1=res+2, *rr, *w0=w+576, *w1=w+612, *w3=w+618, *w4=w+654;
+  const casadi_real **arg1=arg+2, *cr, *cs, *wr0, *wr2;
+  /* #0: @0 = 
+  [[1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [0.5, 0.5, 0.5, 0.5, 0.5, 0.5]] */
+  wr0 = casadi_c0;
+  /* #1: @1 = input[0][0] */
+  casadi_copy(arg[0], 6, w1);
+  /* #2: @2 = input[1][0] */
+  wr2 = arg[1] ? arg[1] : casadi_zeros;
+  /* #3: {@3, @4} = wobbling_jacobian_48(@1, @2) */
+  arg1[0]=w1;
+  arg1[1]=wr2;
+  res1[0]=w3;
+  res1[1]=w4;
+  if (casadi_f25(arg1, res1, iw, w, 0)) return 1;
+  /* #4: @0 = (@0*@3) */
+  for (i=0, rr=w0, cr=wr0, cs=w3; i<36; ++i) (*rr++)  = ((*cr++)*(*cs++));
+  /* #5: output[0][0] = @0 */
+  casadi_copy(w0, 36, res[0]);
+  /* #6: @1 = [1, 1, 1, 1, 1, 2] */
+  casadi_copy(casadi_c1, 6, w1);
+  /* #7: @4 = (@4/@1) */
+  for (i=0, rr=w4, cs=w1; i<6; ++i) (*rr++) /= (*cs++);
+  /* #8: output[1][0] = @4 */
+  casadi_copy(w4, 6, res[1]);
+  return 0;
+}
+
 /* newton_48:(u0[6],p[8])->(u[6]) */
-static int casadi_f18(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f23(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 6;
@@ -12403,7 +12589,7 @@ static int casadi_f18(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f19(arg+2, res+1, iw, w+108, 0)) return 1;
+    if (casadi_f24(arg+2, res+1, iw, w+108, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -12411,8 +12597,26 @@ static int casadi_f18(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
+/* scaled_newton_48:(i0[6],i1[8])->(o0[6]) */
+static int casadi_f22(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *w0=w+788, *w2=w+794;
+  const casadi_real **arg1=arg+2, *wr1;
+  /* #0: @0 = input[0][0] */
+  casadi_copy(arg[0], 6, w0);
+  /* #1: @1 = input[1][0] */
+  wr1 = arg[1] ? arg[1] : casadi_zeros;
+  /* #2: @2 = newton_48(@0, @1) */
+  arg1[0]=w0;
+  arg1[1]=wr1;
+  res1[0]=w2;
+  if (casadi_f23(arg1, res1, iw, w, 0)) return 1;
+  /* #3: output[0][0] = @2 */
+  casadi_copy(w2, 6, res[0]);
+  return 0;
+}
+
 /* wobbling_residual_48:(u[6],p[8])->(R[6]) */
-static int casadi_f20(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f26(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+158, *w1=w+164, *w3=w+169, w4, w5, w6, *w7=w+175;
   const casadi_real **arg1=arg+2, *cs, *wr2;
   /* #0: @0 = input[0][0] */
@@ -12426,7 +12630,7 @@ static int casadi_f20(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr2;
   res1[0]=w3;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = 0 */
   w4 = 0.;
   /* #5: @5 = @0[5] */
@@ -12439,7 +12643,7 @@ static int casadi_f20(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w6);
   arg1[1]=wr2;
   res1[0]=w7;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #9: @0 = plain_steps(@3, @4, @7, @6, @2) */
   arg1[0]=w3;
   arg1[1]=(&w4);
@@ -12447,7 +12651,7 @@ static int casadi_f20(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #10: @4 = 0.25 */
   w4 = 2.5000000000000000e-01;
   /* #11: @4 = (@4*@5) */
@@ -12459,7 +12663,7 @@ static int casadi_f20(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #13: @4 = 0.5 */
   w4 = 5.0000000000000000e-01;
   /* #14: @4 = (@4*@5) */
@@ -12471,7 +12675,7 @@ static int casadi_f20(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #16: @4 = 0.75 */
   w4 = 7.5000000000000000e-01;
   /* #17: @4 = (@4*@5) */
@@ -12483,45 +12687,45 @@ static int casadi_f20(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #19: @0 = landing(@3, @1, @2) */
   arg1[0]=w3;
   arg1[1]=w1;
   arg1[2]=wr2;
   res1[0]=w0;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][0] = @0 */
   casadi_copy(w0, 6, res[0]);
   return 0;
 }
 
 /* wobbling_search_48:(u0[6],p[8])->(u[6],R[6]) */
-static int casadi_f17(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+2, *w0=w+696, *w2=w+702;
+static int casadi_f21(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+2, *w0=w+808, *w2=w+814;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 6, w0);
   /* #1: @1 = input[1][0] */
   wr1 = arg[1] ? arg[1] : casadi_zeros;
-  /* #2: @2 = newton_48(@0, @1) */
+  /* #2: @2 = scaled_newton_48(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w2;
-  if (casadi_f18(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f22(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 6, res[0]);
   /* #4: @0 = wobbling_residual_48(@2, @1) */
   arg1[0]=w2;
   arg1[1]=wr1;
   res1[0]=w0;
-  if (casadi_f20(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f26(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @0 */
   casadi_copy(w0, 6, res[1]);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_search_48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f17(arg, res, iw, w, mem);
+  return casadi_f21(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_search_48_checkout(void) {
@@ -12580,23 +12784,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* wobbling_search_48_sparsity_out(casadi_in
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_search_48_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 16;
-  if (sz_res) *sz_res = 7;
+  if (sz_arg) *sz_arg = 20;
+  if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 708;
+  if (sz_w) *sz_w = 820;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_search_48_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 16*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 7*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 20*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 708*sizeof(casadi_real);
+  if (sz_w) *sz_w = 820*sizeof(casadi_real);
   return 0;
 }
 
 /* coarse_jacobian_24:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f23(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f31(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+576, *w2=w+582, *w3=w+618;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
@@ -12608,21 +12812,57 @@ static int casadi_f23(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f2(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 36, res[0]);
   /* #4: @3 = wobbling_residual_24(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w3;
-  if (casadi_f16(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f20(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 6, res[1]);
   return 0;
 }
 
+/* scaled_jacobian_24:(u[6],p[8])->(J[6x6],R[6]) */
+static int casadi_f30(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_int i;
+  casadi_real **res1=res+2, *rr, *w0=w+632, *w1=w+668, *w3=w+674, *w4=w+710;
+  const casadi_real **arg1=arg+2, *cr, *cs, *wr0, *wr2;
+  /* #0: @0 = 
+  [[1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [0.5, 0.5, 0.5, 0.5, 0.5, 0.5]] */
+  wr0 = casadi_c0;
+  /* #1: @1 = input[0][0] */
+  casadi_copy(arg[0], 6, w1);
+  /* #2: @2 = input[1][0] */
+  wr2 = arg[1] ? arg[1] : casadi_zeros;
+  /* #3: {@3, @4} = coarse_jacobian_24(@1, @2) */
+  arg1[0]=w1;
+  arg1[1]=wr2;
+  res1[0]=w3;
+  res1[1]=w4;
+  if (casadi_f31(arg1, res1, iw, w, 0)) return 1;
+  /* #4: @0 = (@0*@3) */
+  for (i=0, rr=w0, cr=wr0, cs=w3; i<36; ++i) (*rr++)  = ((*cr++)*(*cs++));
+  /* #5: output[0][0] = @0 */
+  casadi_copy(w0, 36, res[0]);
+  /* #6: @1 = [1, 1, 1, 1, 1, 2] */
+  casadi_copy(casadi_c1, 6, w1);
+  /* #7: @4 = (@4/@1) */
+  for (i=0, rr=w4, cs=w1; i<6; ++i) (*rr++) /= (*cs++);
+  /* #8: output[1][0] = @4 */
+  casadi_copy(w4, 6, res[1]);
+  return 0;
+}
+
 /* newton_24:(u0[6],p[8])->(u[6]) */
-static int casadi_f22(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f29(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 6;
@@ -12648,7 +12888,7 @@ static int casadi_f22(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f23(arg+2, res+1, iw, w+108, 0)) return 1;
+    if (casadi_f30(arg+2, res+1, iw, w+108, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -12656,9 +12896,9 @@ static int casadi_f22(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* wobbling_limit_cycle_24:(u0[6],p[8])->(u[6],J[6x6],R[6]) */
-static int casadi_f21(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+3, *w0=w+752, *w2=w+758, *w3=w+764;
+/* scaled_newton_24:(i0[6],i1[8])->(o0[6]) */
+static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *w0=w+844, *w2=w+850;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 6, w0);
@@ -12668,7 +12908,25 @@ static int casadi_f21(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w2;
-  if (casadi_f22(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f29(arg1, res1, iw, w, 0)) return 1;
+  /* #3: output[0][0] = @2 */
+  casadi_copy(w2, 6, res[0]);
+  return 0;
+}
+
+/* wobbling_limit_cycle_24:(u0[6],p[8])->(u[6],J[6x6],R[6]) */
+static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+3, *w0=w+864, *w2=w+870, *w3=w+876;
+  const casadi_real **arg1=arg+2, *wr1;
+  /* #0: @0 = input[0][0] */
+  casadi_copy(arg[0], 6, w0);
+  /* #1: @1 = input[1][0] */
+  wr1 = arg[1] ? arg[1] : casadi_zeros;
+  /* #2: @2 = scaled_newton_24(@0, @1) */
+  arg1[0]=w0;
+  arg1[1]=wr1;
+  res1[0]=w2;
+  if (casadi_f28(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 6, res[0]);
   /* #4: {@3, @0} = wobbling_jacobian_24(@2, @1) */
@@ -12676,7 +12934,7 @@ static int casadi_f21(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f15(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f19(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 36, res[1]);
   /* #6: output[2][0] = @0 */
@@ -12685,7 +12943,7 @@ static int casadi_f21(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_24(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f21(arg, res, iw, w, mem);
+  return casadi_f27(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_24_checkout(void) {
@@ -12746,23 +13004,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* wobbling_limit_cycle_24_sparsity_out(casa
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_24_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18;
-  if (sz_res) *sz_res = 10;
+  if (sz_arg) *sz_arg = 22;
+  if (sz_res) *sz_res = 13;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 800;
+  if (sz_w) *sz_w = 912;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_24_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 22*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 13*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 800*sizeof(casadi_real);
+  if (sz_w) *sz_w = 912*sizeof(casadi_real);
   return 0;
 }
 
 /* wobbling_residual_36:(u[6],p[8])->(R[6]) */
-static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f37(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+158, *w1=w+164, *w3=w+169, w4, w5, w6, *w7=w+175;
   const casadi_real **arg1=arg+2, *cs, *wr2;
   /* #0: @0 = input[0][0] */
@@ -12776,7 +13034,7 @@ static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr2;
   res1[0]=w3;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = 0 */
   w4 = 0.;
   /* #5: @5 = @0[5] */
@@ -12789,7 +13047,7 @@ static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w6);
   arg1[1]=wr2;
   res1[0]=w7;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #9: @0 = plain_steps(@3, @4, @7, @6, @2) */
   arg1[0]=w3;
   arg1[1]=(&w4);
@@ -12797,7 +13055,7 @@ static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #10: @4 = 0.333333 */
   w4 = 3.3333333333333331e-01;
   /* #11: @4 = (@4*@5) */
@@ -12809,7 +13067,7 @@ static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #13: @4 = 0.666667 */
   w4 = 6.6666666666666663e-01;
   /* #14: @4 = (@4*@5) */
@@ -12821,20 +13079,20 @@ static int casadi_f27(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #16: @3 = landing(@0, @1, @2) */
   arg1[0]=w0;
   arg1[1]=w1;
   arg1[2]=wr2;
   res1[0]=w3;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #17: output[0][0] = @3 */
   casadi_copy(w3, 6, res[0]);
   return 0;
 }
 
 /* coarse_jacobian_36:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f26(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+576, *w2=w+582, *w3=w+618;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
@@ -12846,21 +13104,57 @@ static int casadi_f26(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f2(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 36, res[0]);
   /* #4: @3 = wobbling_residual_36(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w3;
-  if (casadi_f27(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f37(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 6, res[1]);
   return 0;
 }
 
+/* scaled_jacobian_36:(u[6],p[8])->(J[6x6],R[6]) */
+static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_int i;
+  casadi_real **res1=res+2, *rr, *w0=w+632, *w1=w+668, *w3=w+674, *w4=w+710;
+  const casadi_real **arg1=arg+2, *cr, *cs, *wr0, *wr2;
+  /* #0: @0 = 
+  [[1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [0.5, 0.5, 0.5, 0.5, 0.5, 0.5]] */
+  wr0 = casadi_c0;
+  /* #1: @1 = input[0][0] */
+  casadi_copy(arg[0], 6, w1);
+  /* #2: @2 = input[1][0] */
+  wr2 = arg[1] ? arg[1] : casadi_zeros;
+  /* #3: {@3, @4} = coarse_jacobian_36(@1, @2) */
+  arg1[0]=w1;
+  arg1[1]=wr2;
+  res1[0]=w3;
+  res1[1]=w4;
+  if (casadi_f36(arg1, res1, iw, w, 0)) return 1;
+  /* #4: @0 = (@0*@3) */
+  for (i=0, rr=w0, cr=wr0, cs=w3; i<36; ++i) (*rr++)  = ((*cr++)*(*cs++));
+  /* #5: output[0][0] = @0 */
+  casadi_copy(w0, 36, res[0]);
+  /* #6: @1 = [1, 1, 1, 1, 1, 2] */
+  casadi_copy(casadi_c1, 6, w1);
+  /* #7: @4 = (@4/@1) */
+  for (i=0, rr=w4, cs=w1; i<6; ++i) (*rr++) /= (*cs++);
+  /* #8: output[1][0] = @4 */
+  casadi_copy(w4, 6, res[1]);
+  return 0;
+}
+
 /* newton_36:(u0[6],p[8])->(u[6]) */
-static int casadi_f25(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f34(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 6;
@@ -12886,7 +13180,7 @@ static int casadi_f25(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f26(arg+2, res+1, iw, w+108, 0)) return 1;
+    if (casadi_f35(arg+2, res+1, iw, w+108, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -12894,8 +13188,26 @@ static int casadi_f25(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
+/* scaled_newton_36:(i0[6],i1[8])->(o0[6]) */
+static int casadi_f33(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *w0=w+844, *w2=w+850;
+  const casadi_real **arg1=arg+2, *wr1;
+  /* #0: @0 = input[0][0] */
+  casadi_copy(arg[0], 6, w0);
+  /* #1: @1 = input[1][0] */
+  wr1 = arg[1] ? arg[1] : casadi_zeros;
+  /* #2: @2 = newton_36(@0, @1) */
+  arg1[0]=w0;
+  arg1[1]=wr1;
+  res1[0]=w2;
+  if (casadi_f34(arg1, res1, iw, w, 0)) return 1;
+  /* #3: output[0][0] = @2 */
+  casadi_copy(w2, 6, res[0]);
+  return 0;
+}
+
 /* wobbling_jacobian_36:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f38(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w03=w+433, *w04=w+439, *w05=w+469, w06, w07, w08, *w09=w+505, *w10=w+529;
   const casadi_real **arg1=arg+2, *cs, *wr02;
@@ -12910,7 +13222,7 @@ static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr02;
   res1[0]=w03;
   res1[1]=w04;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @5 = horzcat(@3, @4) */
   rr=w05;
   for (i=0, cs=w03; i<6; ++i) *rr++ = *cs++;
@@ -12927,7 +13239,7 @@ static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w08);
   arg1[1]=wr02;
   res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
   arg1[0]=w05;
   arg1[1]=(&w06);
@@ -12935,7 +13247,7 @@ static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #11: @6 = 0.333333 */
   w06 = 3.3333333333333331e-01;
   /* #12: @6 = (@6*@7) */
@@ -12947,7 +13259,7 @@ static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #14: @6 = 0.666667 */
   w06 = 6.6666666666666663e-01;
   /* #15: @6 = (@6*@7) */
@@ -12959,7 +13271,7 @@ static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #17: {@5, @0} = landing_with_derivative(@10, @1, @7, @2) */
   arg1[0]=w10;
   arg1[1]=w01;
@@ -12967,7 +13279,7 @@ static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=wr02;
   res1[0]=w05;
   res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #18: output[0][0] = @5 */
   casadi_copy(w05, 36, res[0]);
   /* #19: output[1][0] = @0 */
@@ -12976,18 +13288,18 @@ static int casadi_f28(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* wobbling_limit_cycle_36:(u0[6],p[8])->(u[6],J[6x6],R[6]) */
-static int casadi_f24(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+3, *w0=w+752, *w2=w+758, *w3=w+764;
+static int casadi_f32(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+3, *w0=w+864, *w2=w+870, *w3=w+876;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 6, w0);
   /* #1: @1 = input[1][0] */
   wr1 = arg[1] ? arg[1] : casadi_zeros;
-  /* #2: @2 = newton_36(@0, @1) */
+  /* #2: @2 = scaled_newton_36(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w2;
-  if (casadi_f25(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f33(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 6, res[0]);
   /* #4: {@3, @0} = wobbling_jacobian_36(@2, @1) */
@@ -12995,7 +13307,7 @@ static int casadi_f24(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f28(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f38(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 36, res[1]);
   /* #6: output[2][0] = @0 */
@@ -13004,7 +13316,7 @@ static int casadi_f24(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_36(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f24(arg, res, iw, w, mem);
+  return casadi_f32(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_36_checkout(void) {
@@ -13065,23 +13377,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* wobbling_limit_cycle_36_sparsity_out(casa
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_36_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18;
-  if (sz_res) *sz_res = 10;
+  if (sz_arg) *sz_arg = 22;
+  if (sz_res) *sz_res = 13;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 800;
+  if (sz_w) *sz_w = 912;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_36_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 22*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 13*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 800*sizeof(casadi_real);
+  if (sz_w) *sz_w = 912*sizeof(casadi_real);
   return 0;
 }
 
 /* coarse_jacobian_48:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f31(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f43(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+576, *w2=w+582, *w3=w+618;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
@@ -13093,21 +13405,57 @@ static int casadi_f31(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f15(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f19(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 36, res[0]);
   /* #4: @3 = wobbling_residual_48(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w3;
-  if (casadi_f20(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f26(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 6, res[1]);
   return 0;
 }
 
+/* scaled_jacobian_48:(u[6],p[8])->(J[6x6],R[6]) */
+static int casadi_f42(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_int i;
+  casadi_real **res1=res+2, *rr, *w0=w+632, *w1=w+668, *w3=w+674, *w4=w+710;
+  const casadi_real **arg1=arg+2, *cr, *cs, *wr0, *wr2;
+  /* #0: @0 = 
+  [[1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [0.5, 0.5, 0.5, 0.5, 0.5, 0.5]] */
+  wr0 = casadi_c0;
+  /* #1: @1 = input[0][0] */
+  casadi_copy(arg[0], 6, w1);
+  /* #2: @2 = input[1][0] */
+  wr2 = arg[1] ? arg[1] : casadi_zeros;
+  /* #3: {@3, @4} = coarse_jacobian_48(@1, @2) */
+  arg1[0]=w1;
+  arg1[1]=wr2;
+  res1[0]=w3;
+  res1[1]=w4;
+  if (casadi_f43(arg1, res1, iw, w, 0)) return 1;
+  /* #4: @0 = (@0*@3) */
+  for (i=0, rr=w0, cr=wr0, cs=w3; i<36; ++i) (*rr++)  = ((*cr++)*(*cs++));
+  /* #5: output[0][0] = @0 */
+  casadi_copy(w0, 36, res[0]);
+  /* #6: @1 = [1, 1, 1, 1, 1, 2] */
+  casadi_copy(casadi_c1, 6, w1);
+  /* #7: @4 = (@4/@1) */
+  for (i=0, rr=w4, cs=w1; i<6; ++i) (*rr++) /= (*cs++);
+  /* #8: output[1][0] = @4 */
+  casadi_copy(w4, 6, res[1]);
+  return 0;
+}
+
 /* newton_48:(u0[6],p[8])->(u[6]) */
-static int casadi_f30(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 6;
@@ -13133,7 +13481,7 @@ static int casadi_f30(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f31(arg+2, res+1, iw, w+108, 0)) return 1;
+    if (casadi_f42(arg+2, res+1, iw, w+108, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -13141,9 +13489,9 @@ static int casadi_f30(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* wobbling_limit_cycle_48:(u0[6],p[8])->(u[6],J[6x6],R[6]) */
-static int casadi_f29(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+3, *w0=w+752, *w2=w+758, *w3=w+764;
+/* scaled_newton_48:(i0[6],i1[8])->(o0[6]) */
+static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *w0=w+844, *w2=w+850;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 6, w0);
@@ -13153,7 +13501,25 @@ static int casadi_f29(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w2;
-  if (casadi_f30(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f41(arg1, res1, iw, w, 0)) return 1;
+  /* #3: output[0][0] = @2 */
+  casadi_copy(w2, 6, res[0]);
+  return 0;
+}
+
+/* wobbling_limit_cycle_48:(u0[6],p[8])->(u[6],J[6x6],R[6]) */
+static int casadi_f39(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+3, *w0=w+864, *w2=w+870, *w3=w+876;
+  const casadi_real **arg1=arg+2, *wr1;
+  /* #0: @0 = input[0][0] */
+  casadi_copy(arg[0], 6, w0);
+  /* #1: @1 = input[1][0] */
+  wr1 = arg[1] ? arg[1] : casadi_zeros;
+  /* #2: @2 = scaled_newton_48(@0, @1) */
+  arg1[0]=w0;
+  arg1[1]=wr1;
+  res1[0]=w2;
+  if (casadi_f40(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 6, res[0]);
   /* #4: {@3, @0} = wobbling_jacobian_48(@2, @1) */
@@ -13161,7 +13527,7 @@ static int casadi_f29(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f19(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f25(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 36, res[1]);
   /* #6: output[2][0] = @0 */
@@ -13170,7 +13536,7 @@ static int casadi_f29(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f29(arg, res, iw, w, mem);
+  return casadi_f39(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_48_checkout(void) {
@@ -13231,23 +13597,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* wobbling_limit_cycle_48_sparsity_out(casa
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_48_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18;
-  if (sz_res) *sz_res = 10;
+  if (sz_arg) *sz_arg = 22;
+  if (sz_res) *sz_res = 13;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 800;
+  if (sz_w) *sz_w = 912;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_48_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 22*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 13*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 800*sizeof(casadi_real);
+  if (sz_w) *sz_w = 912*sizeof(casadi_real);
   return 0;
 }
 
 /* wobbling_residual_72:(u[6],p[8])->(R[6]) */
-static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f49(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+158, *w1=w+164, *w3=w+169, w4, w5, w6, *w7=w+175;
   const casadi_real **arg1=arg+2, *cs, *wr2;
   /* #0: @0 = input[0][0] */
@@ -13261,7 +13627,7 @@ static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr2;
   res1[0]=w3;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = 0 */
   w4 = 0.;
   /* #5: @5 = @0[5] */
@@ -13274,7 +13640,7 @@ static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w6);
   arg1[1]=wr2;
   res1[0]=w7;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #9: @0 = plain_steps(@3, @4, @7, @6, @2) */
   arg1[0]=w3;
   arg1[1]=(&w4);
@@ -13282,7 +13648,7 @@ static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #10: @4 = 0.166667 */
   w4 = 1.6666666666666666e-01;
   /* #11: @4 = (@4*@5) */
@@ -13294,7 +13660,7 @@ static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #13: @4 = 0.333333 */
   w4 = 3.3333333333333331e-01;
   /* #14: @4 = (@4*@5) */
@@ -13306,7 +13672,7 @@ static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #16: @4 = 0.5 */
   w4 = 5.0000000000000000e-01;
   /* #17: @4 = (@4*@5) */
@@ -13318,7 +13684,7 @@ static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #19: @4 = 0.666667 */
   w4 = 6.6666666666666663e-01;
   /* #20: @4 = (@4*@5) */
@@ -13330,7 +13696,7 @@ static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #22: @4 = 0.833333 */
   w4 = 8.3333333333333337e-01;
   /* #23: @4 = (@4*@5) */
@@ -13342,20 +13708,20 @@ static int casadi_f35(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #25: @0 = landing(@3, @1, @2) */
   arg1[0]=w3;
   arg1[1]=w1;
   arg1[2]=wr2;
   res1[0]=w0;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #26: output[0][0] = @0 */
   casadi_copy(w0, 6, res[0]);
   return 0;
 }
 
 /* coarse_jacobian_72:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f34(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+576, *w2=w+582, *w3=w+618;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
@@ -13367,21 +13733,57 @@ static int casadi_f34(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f28(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f38(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 36, res[0]);
   /* #4: @3 = wobbling_residual_72(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w3;
-  if (casadi_f35(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f49(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 6, res[1]);
   return 0;
 }
 
+/* scaled_jacobian_72:(u[6],p[8])->(J[6x6],R[6]) */
+static int casadi_f47(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_int i;
+  casadi_real **res1=res+2, *rr, *w0=w+632, *w1=w+668, *w3=w+674, *w4=w+710;
+  const casadi_real **arg1=arg+2, *cr, *cs, *wr0, *wr2;
+  /* #0: @0 = 
+  [[1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [0.5, 0.5, 0.5, 0.5, 0.5, 0.5]] */
+  wr0 = casadi_c0;
+  /* #1: @1 = input[0][0] */
+  casadi_copy(arg[0], 6, w1);
+  /* #2: @2 = input[1][0] */
+  wr2 = arg[1] ? arg[1] : casadi_zeros;
+  /* #3: {@3, @4} = coarse_jacobian_72(@1, @2) */
+  arg1[0]=w1;
+  arg1[1]=wr2;
+  res1[0]=w3;
+  res1[1]=w4;
+  if (casadi_f48(arg1, res1, iw, w, 0)) return 1;
+  /* #4: @0 = (@0*@3) */
+  for (i=0, rr=w0, cr=wr0, cs=w3; i<36; ++i) (*rr++)  = ((*cr++)*(*cs++));
+  /* #5: output[0][0] = @0 */
+  casadi_copy(w0, 36, res[0]);
+  /* #6: @1 = [1, 1, 1, 1, 1, 2] */
+  casadi_copy(casadi_c1, 6, w1);
+  /* #7: @4 = (@4/@1) */
+  for (i=0, rr=w4, cs=w1; i<6; ++i) (*rr++) /= (*cs++);
+  /* #8: output[1][0] = @4 */
+  casadi_copy(w4, 6, res[1]);
+  return 0;
+}
+
 /* newton_72:(u0[6],p[8])->(u[6]) */
-static int casadi_f33(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 6;
@@ -13407,7 +13809,7 @@ static int casadi_f33(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f34(arg+2, res+1, iw, w+108, 0)) return 1;
+    if (casadi_f47(arg+2, res+1, iw, w+108, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -13415,8 +13817,26 @@ static int casadi_f33(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
+/* scaled_newton_72:(i0[6],i1[8])->(o0[6]) */
+static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *w0=w+844, *w2=w+850;
+  const casadi_real **arg1=arg+2, *wr1;
+  /* #0: @0 = input[0][0] */
+  casadi_copy(arg[0], 6, w0);
+  /* #1: @1 = input[1][0] */
+  wr1 = arg[1] ? arg[1] : casadi_zeros;
+  /* #2: @2 = newton_72(@0, @1) */
+  arg1[0]=w0;
+  arg1[1]=wr1;
+  res1[0]=w2;
+  if (casadi_f46(arg1, res1, iw, w, 0)) return 1;
+  /* #3: output[0][0] = @2 */
+  casadi_copy(w2, 6, res[0]);
+  return 0;
+}
+
 /* wobbling_jacobian_72:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w03=w+433, *w04=w+439, *w05=w+469, w06, w07, w08, *w09=w+505, *w10=w+529;
   const casadi_real **arg1=arg+2, *cs, *wr02;
@@ -13431,7 +13851,7 @@ static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr02;
   res1[0]=w03;
   res1[1]=w04;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @5 = horzcat(@3, @4) */
   rr=w05;
   for (i=0, cs=w03; i<6; ++i) *rr++ = *cs++;
@@ -13448,7 +13868,7 @@ static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w08);
   arg1[1]=wr02;
   res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
   arg1[0]=w05;
   arg1[1]=(&w06);
@@ -13456,7 +13876,7 @@ static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #11: @6 = 0.166667 */
   w06 = 1.6666666666666666e-01;
   /* #12: @6 = (@6*@7) */
@@ -13468,7 +13888,7 @@ static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #14: @6 = 0.333333 */
   w06 = 3.3333333333333331e-01;
   /* #15: @6 = (@6*@7) */
@@ -13480,7 +13900,7 @@ static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #17: @6 = 0.5 */
   w06 = 5.0000000000000000e-01;
   /* #18: @6 = (@6*@7) */
@@ -13492,7 +13912,7 @@ static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #20: @6 = 0.666667 */
   w06 = 6.6666666666666663e-01;
   /* #21: @6 = (@6*@7) */
@@ -13504,7 +13924,7 @@ static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #23: @6 = 0.833333 */
   w06 = 8.3333333333333337e-01;
   /* #24: @6 = (@6*@7) */
@@ -13516,7 +13936,7 @@ static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #26: {@10, @0} = landing_with_derivative(@5, @1, @7, @2) */
   arg1[0]=w05;
   arg1[1]=w01;
@@ -13524,7 +13944,7 @@ static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=wr02;
   res1[0]=w10;
   res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #27: output[0][0] = @10 */
   casadi_copy(w10, 36, res[0]);
   /* #28: output[1][0] = @0 */
@@ -13533,18 +13953,18 @@ static int casadi_f36(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* wobbling_limit_cycle_72:(u0[6],p[8])->(u[6],J[6x6],R[6]) */
-static int casadi_f32(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+3, *w0=w+752, *w2=w+758, *w3=w+764;
+static int casadi_f44(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+3, *w0=w+864, *w2=w+870, *w3=w+876;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 6, w0);
   /* #1: @1 = input[1][0] */
   wr1 = arg[1] ? arg[1] : casadi_zeros;
-  /* #2: @2 = newton_72(@0, @1) */
+  /* #2: @2 = scaled_newton_72(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w2;
-  if (casadi_f33(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f45(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 6, res[0]);
   /* #4: {@3, @0} = wobbling_jacobian_72(@2, @1) */
@@ -13552,7 +13972,7 @@ static int casadi_f32(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f36(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f50(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 36, res[1]);
   /* #6: output[2][0] = @0 */
@@ -13561,7 +13981,7 @@ static int casadi_f32(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_72(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f32(arg, res, iw, w, mem);
+  return casadi_f44(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_72_checkout(void) {
@@ -13622,23 +14042,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* wobbling_limit_cycle_72_sparsity_out(casa
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_72_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18;
-  if (sz_res) *sz_res = 10;
+  if (sz_arg) *sz_arg = 22;
+  if (sz_res) *sz_res = 13;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 800;
+  if (sz_w) *sz_w = 912;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_72_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 22*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 13*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 800*sizeof(casadi_real);
+  if (sz_w) *sz_w = 912*sizeof(casadi_real);
   return 0;
 }
 
 /* wobbling_residual_96:(u[6],p[8])->(R[6]) */
-static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+158, *w1=w+164, *w3=w+169, w4, w5, w6, *w7=w+175;
   const casadi_real **arg1=arg+2, *cs, *wr2;
   /* #0: @0 = input[0][0] */
@@ -13652,7 +14072,7 @@ static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr2;
   res1[0]=w3;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = 0 */
   w4 = 0.;
   /* #5: @5 = @0[5] */
@@ -13665,7 +14085,7 @@ static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w6);
   arg1[1]=wr2;
   res1[0]=w7;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #9: @0 = plain_steps(@3, @4, @7, @6, @2) */
   arg1[0]=w3;
   arg1[1]=(&w4);
@@ -13673,7 +14093,7 @@ static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #10: @4 = 0.125 */
   w4 = 1.2500000000000000e-01;
   /* #11: @4 = (@4*@5) */
@@ -13685,7 +14105,7 @@ static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #13: @4 = 0.25 */
   w4 = 2.5000000000000000e-01;
   /* #14: @4 = (@4*@5) */
@@ -13697,7 +14117,7 @@ static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #16: @4 = 0.375 */
   w4 = 3.7500000000000000e-01;
   /* #17: @4 = (@4*@5) */
@@ -13709,7 +14129,7 @@ static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #19: @4 = 0.5 */
   w4 = 5.0000000000000000e-01;
   /* #20: @4 = (@4*@5) */
@@ -13721,7 +14141,7 @@ static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #22: @4 = 0.625 */
   w4 = 6.2500000000000000e-01;
   /* #23: @4 = (@4*@5) */
@@ -13733,7 +14153,7 @@ static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #25: @4 = 0.75 */
   w4 = 7.5000000000000000e-01;
   /* #26: @4 = (@4*@5) */
@@ -13745,7 +14165,7 @@ static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #28: @4 = 0.875 */
   w4 = 8.7500000000000000e-01;
   /* #29: @4 = (@4*@5) */
@@ -13757,20 +14177,20 @@ static int casadi_f40(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #31: @0 = landing(@3, @1, @2) */
   arg1[0]=w3;
   arg1[1]=w1;
   arg1[2]=wr2;
   res1[0]=w0;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][0] = @0 */
   casadi_copy(w0, 6, res[0]);
   return 0;
 }
 
 /* coarse_jacobian_96:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f39(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+576, *w2=w+582, *w3=w+618;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
@@ -13782,21 +14202,57 @@ static int casadi_f39(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f19(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f25(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 36, res[0]);
   /* #4: @3 = wobbling_residual_96(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w3;
-  if (casadi_f40(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f56(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 6, res[1]);
   return 0;
 }
 
+/* scaled_jacobian_96:(u[6],p[8])->(J[6x6],R[6]) */
+static int casadi_f54(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_int i;
+  casadi_real **res1=res+2, *rr, *w0=w+632, *w1=w+668, *w3=w+674, *w4=w+710;
+  const casadi_real **arg1=arg+2, *cr, *cs, *wr0, *wr2;
+  /* #0: @0 = 
+  [[1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [0.5, 0.5, 0.5, 0.5, 0.5, 0.5]] */
+  wr0 = casadi_c0;
+  /* #1: @1 = input[0][0] */
+  casadi_copy(arg[0], 6, w1);
+  /* #2: @2 = input[1][0] */
+  wr2 = arg[1] ? arg[1] : casadi_zeros;
+  /* #3: {@3, @4} = coarse_jacobian_96(@1, @2) */
+  arg1[0]=w1;
+  arg1[1]=wr2;
+  res1[0]=w3;
+  res1[1]=w4;
+  if (casadi_f55(arg1, res1, iw, w, 0)) return 1;
+  /* #4: @0 = (@0*@3) */
+  for (i=0, rr=w0, cr=wr0, cs=w3; i<36; ++i) (*rr++)  = ((*cr++)*(*cs++));
+  /* #5: output[0][0] = @0 */
+  casadi_copy(w0, 36, res[0]);
+  /* #6: @1 = [1, 1, 1, 1, 1, 2] */
+  casadi_copy(casadi_c1, 6, w1);
+  /* #7: @4 = (@4/@1) */
+  for (i=0, rr=w4, cs=w1; i<6; ++i) (*rr++) /= (*cs++);
+  /* #8: output[1][0] = @4 */
+  casadi_copy(w4, 6, res[1]);
+  return 0;
+}
+
 /* newton_96:(u0[6],p[8])->(u[6]) */
-static int casadi_f38(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f53(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 6;
@@ -13822,7 +14278,7 @@ static int casadi_f38(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f39(arg+2, res+1, iw, w+108, 0)) return 1;
+    if (casadi_f54(arg+2, res+1, iw, w+108, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -13830,8 +14286,26 @@ static int casadi_f38(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
+/* scaled_newton_96:(i0[6],i1[8])->(o0[6]) */
+static int casadi_f52(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *w0=w+844, *w2=w+850;
+  const casadi_real **arg1=arg+2, *wr1;
+  /* #0: @0 = input[0][0] */
+  casadi_copy(arg[0], 6, w0);
+  /* #1: @1 = input[1][0] */
+  wr1 = arg[1] ? arg[1] : casadi_zeros;
+  /* #2: @2 = newton_96(@0, @1) */
+  arg1[0]=w0;
+  arg1[1]=wr1;
+  res1[0]=w2;
+  if (casadi_f53(arg1, res1, iw, w, 0)) return 1;
+  /* #3: output[0][0] = @2 */
+  casadi_copy(w2, 6, res[0]);
+  return 0;
+}
+
 /* wobbling_jacobian_96:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f57(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w03=w+433, *w04=w+439, *w05=w+469, w06, w07, w08, *w09=w+505, *w10=w+529;
   const casadi_real **arg1=arg+2, *cs, *wr02;
@@ -13846,7 +14320,7 @@ static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr02;
   res1[0]=w03;
   res1[1]=w04;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @5 = horzcat(@3, @4) */
   rr=w05;
   for (i=0, cs=w03; i<6; ++i) *rr++ = *cs++;
@@ -13863,7 +14337,7 @@ static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w08);
   arg1[1]=wr02;
   res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
   arg1[0]=w05;
   arg1[1]=(&w06);
@@ -13871,7 +14345,7 @@ static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #11: @6 = 0.125 */
   w06 = 1.2500000000000000e-01;
   /* #12: @6 = (@6*@7) */
@@ -13883,7 +14357,7 @@ static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #14: @6 = 0.25 */
   w06 = 2.5000000000000000e-01;
   /* #15: @6 = (@6*@7) */
@@ -13895,7 +14369,7 @@ static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #17: @6 = 0.375 */
   w06 = 3.7500000000000000e-01;
   /* #18: @6 = (@6*@7) */
@@ -13907,7 +14381,7 @@ static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #20: @6 = 0.5 */
   w06 = 5.0000000000000000e-01;
   /* #21: @6 = (@6*@7) */
@@ -13919,7 +14393,7 @@ static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #23: @6 = 0.625 */
   w06 = 6.2500000000000000e-01;
   /* #24: @6 = (@6*@7) */
@@ -13931,7 +14405,7 @@ static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #26: @6 = 0.75 */
   w06 = 7.5000000000000000e-01;
   /* #27: @6 = (@6*@7) */
@@ -13943,7 +14417,7 @@ static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #29: @6 = 0.875 */
   w06 = 8.7500000000000000e-01;
   /* #30: @6 = (@6*@7) */
@@ -13955,7 +14429,7 @@ static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #32: {@10, @0} = landing_with_derivative(@5, @1, @7, @2) */
   arg1[0]=w05;
   arg1[1]=w01;
@@ -13963,7 +14437,7 @@ static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=wr02;
   res1[0]=w10;
   res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #33: output[0][0] = @10 */
   casadi_copy(w10, 36, res[0]);
   /* #34: output[1][0] = @0 */
@@ -13972,18 +14446,18 @@ static int casadi_f41(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* wobbling_limit_cycle_96:(u0[6],p[8])->(u[6],J[6x6],R[6]) */
-static int casadi_f37(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+3, *w0=w+752, *w2=w+758, *w3=w+764;
+static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+3, *w0=w+864, *w2=w+870, *w3=w+876;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 6, w0);
   /* #1: @1 = input[1][0] */
   wr1 = arg[1] ? arg[1] : casadi_zeros;
-  /* #2: @2 = newton_96(@0, @1) */
+  /* #2: @2 = scaled_newton_96(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w2;
-  if (casadi_f38(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f52(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 6, res[0]);
   /* #4: {@3, @0} = wobbling_jacobian_96(@2, @1) */
@@ -13991,7 +14465,7 @@ static int casadi_f37(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f41(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f57(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 36, res[1]);
   /* #6: output[2][0] = @0 */
@@ -14000,7 +14474,7 @@ static int casadi_f37(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_96(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f37(arg, res, iw, w, mem);
+  return casadi_f51(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_96_checkout(void) {
@@ -14061,23 +14535,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* wobbling_limit_cycle_96_sparsity_out(casa
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_96_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18;
-  if (sz_res) *sz_res = 10;
+  if (sz_arg) *sz_arg = 22;
+  if (sz_res) *sz_res = 13;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 800;
+  if (sz_w) *sz_w = 912;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_96_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 22*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 13*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 800*sizeof(casadi_real);
+  if (sz_w) *sz_w = 912*sizeof(casadi_real);
   return 0;
 }
 
 /* wobbling_residual_144:(u[6],p[8])->(R[6]) */
-static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+158, *w1=w+164, *w3=w+169, w4, w5, w6, *w7=w+175;
   const casadi_real **arg1=arg+2, *cs, *wr2;
   /* #0: @0 = input[0][0] */
@@ -14091,7 +14565,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr2;
   res1[0]=w3;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = 0 */
   w4 = 0.;
   /* #5: @5 = @0[5] */
@@ -14104,7 +14578,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w6);
   arg1[1]=wr2;
   res1[0]=w7;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #9: @0 = plain_steps(@3, @4, @7, @6, @2) */
   arg1[0]=w3;
   arg1[1]=(&w4);
@@ -14112,7 +14586,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #10: @4 = 0.0833333 */
   w4 = 8.3333333333333329e-02;
   /* #11: @4 = (@4*@5) */
@@ -14124,7 +14598,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #13: @4 = 0.166667 */
   w4 = 1.6666666666666666e-01;
   /* #14: @4 = (@4*@5) */
@@ -14136,7 +14610,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #16: @4 = 0.25 */
   w4 = 2.5000000000000000e-01;
   /* #17: @4 = (@4*@5) */
@@ -14148,7 +14622,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #19: @4 = 0.333333 */
   w4 = 3.3333333333333331e-01;
   /* #20: @4 = (@4*@5) */
@@ -14160,7 +14634,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #22: @4 = 0.416667 */
   w4 = 4.1666666666666669e-01;
   /* #23: @4 = (@4*@5) */
@@ -14172,7 +14646,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #25: @4 = 0.5 */
   w4 = 5.0000000000000000e-01;
   /* #26: @4 = (@4*@5) */
@@ -14184,7 +14658,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #28: @4 = 0.583333 */
   w4 = 5.8333333333333337e-01;
   /* #29: @4 = (@4*@5) */
@@ -14196,7 +14670,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #31: @4 = 0.666667 */
   w4 = 6.6666666666666663e-01;
   /* #32: @4 = (@4*@5) */
@@ -14208,7 +14682,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #34: @4 = 0.75 */
   w4 = 7.5000000000000000e-01;
   /* #35: @4 = (@4*@5) */
@@ -14220,7 +14694,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #37: @4 = 0.833333 */
   w4 = 8.3333333333333337e-01;
   /* #38: @4 = (@4*@5) */
@@ -14232,7 +14706,7 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #40: @4 = 0.916667 */
   w4 = 9.1666666666666663e-01;
   /* #41: @4 = (@4*@5) */
@@ -14244,20 +14718,20 @@ static int casadi_f45(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #43: @0 = landing(@3, @1, @2) */
   arg1[0]=w3;
   arg1[1]=w1;
   arg1[2]=wr2;
   res1[0]=w0;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #44: output[0][0] = @0 */
   casadi_copy(w0, 6, res[0]);
   return 0;
 }
 
 /* coarse_jacobian_144:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f44(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+576, *w2=w+582, *w3=w+618;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
@@ -14269,21 +14743,57 @@ static int casadi_f44(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f36(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f50(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 36, res[0]);
   /* #4: @3 = wobbling_residual_144(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w3;
-  if (casadi_f45(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 6, res[1]);
   return 0;
 }
 
+/* scaled_jacobian_144:(u[6],p[8])->(J[6x6],R[6]) */
+static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_int i;
+  casadi_real **res1=res+2, *rr, *w0=w+632, *w1=w+668, *w3=w+674, *w4=w+710;
+  const casadi_real **arg1=arg+2, *cr, *cs, *wr0, *wr2;
+  /* #0: @0 = 
+  [[1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [0.5, 0.5, 0.5, 0.5, 0.5, 0.5]] */
+  wr0 = casadi_c0;
+  /* #1: @1 = input[0][0] */
+  casadi_copy(arg[0], 6, w1);
+  /* #2: @2 = input[1][0] */
+  wr2 = arg[1] ? arg[1] : casadi_zeros;
+  /* #3: {@3, @4} = coarse_jacobian_144(@1, @2) */
+  arg1[0]=w1;
+  arg1[1]=wr2;
+  res1[0]=w3;
+  res1[1]=w4;
+  if (casadi_f62(arg1, res1, iw, w, 0)) return 1;
+  /* #4: @0 = (@0*@3) */
+  for (i=0, rr=w0, cr=wr0, cs=w3; i<36; ++i) (*rr++)  = ((*cr++)*(*cs++));
+  /* #5: output[0][0] = @0 */
+  casadi_copy(w0, 36, res[0]);
+  /* #6: @1 = [1, 1, 1, 1, 1, 2] */
+  casadi_copy(casadi_c1, 6, w1);
+  /* #7: @4 = (@4/@1) */
+  for (i=0, rr=w4, cs=w1; i<6; ++i) (*rr++) /= (*cs++);
+  /* #8: output[1][0] = @4 */
+  casadi_copy(w4, 6, res[1]);
+  return 0;
+}
+
 /* newton_144:(u0[6],p[8])->(u[6]) */
-static int casadi_f43(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 6;
@@ -14309,7 +14819,7 @@ static int casadi_f43(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f44(arg+2, res+1, iw, w+108, 0)) return 1;
+    if (casadi_f61(arg+2, res+1, iw, w+108, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -14317,8 +14827,26 @@ static int casadi_f43(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
+/* scaled_newton_144:(i0[6],i1[8])->(o0[6]) */
+static int casadi_f59(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *w0=w+844, *w2=w+850;
+  const casadi_real **arg1=arg+2, *wr1;
+  /* #0: @0 = input[0][0] */
+  casadi_copy(arg[0], 6, w0);
+  /* #1: @1 = input[1][0] */
+  wr1 = arg[1] ? arg[1] : casadi_zeros;
+  /* #2: @2 = newton_144(@0, @1) */
+  arg1[0]=w0;
+  arg1[1]=wr1;
+  res1[0]=w2;
+  if (casadi_f60(arg1, res1, iw, w, 0)) return 1;
+  /* #3: output[0][0] = @2 */
+  casadi_copy(w2, 6, res[0]);
+  return 0;
+}
+
 /* wobbling_jacobian_144:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f64(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w03=w+433, *w04=w+439, *w05=w+469, w06, w07, w08, *w09=w+505, *w10=w+529;
   const casadi_real **arg1=arg+2, *cs, *wr02;
@@ -14333,7 +14861,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr02;
   res1[0]=w03;
   res1[1]=w04;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @5 = horzcat(@3, @4) */
   rr=w05;
   for (i=0, cs=w03; i<6; ++i) *rr++ = *cs++;
@@ -14350,7 +14878,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w08);
   arg1[1]=wr02;
   res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
   arg1[0]=w05;
   arg1[1]=(&w06);
@@ -14358,7 +14886,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #11: @6 = 0.0833333 */
   w06 = 8.3333333333333329e-02;
   /* #12: @6 = (@6*@7) */
@@ -14370,7 +14898,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #14: @6 = 0.166667 */
   w06 = 1.6666666666666666e-01;
   /* #15: @6 = (@6*@7) */
@@ -14382,7 +14910,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #17: @6 = 0.25 */
   w06 = 2.5000000000000000e-01;
   /* #18: @6 = (@6*@7) */
@@ -14394,7 +14922,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #20: @6 = 0.333333 */
   w06 = 3.3333333333333331e-01;
   /* #21: @6 = (@6*@7) */
@@ -14406,7 +14934,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #23: @6 = 0.416667 */
   w06 = 4.1666666666666669e-01;
   /* #24: @6 = (@6*@7) */
@@ -14418,7 +14946,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #26: @6 = 0.5 */
   w06 = 5.0000000000000000e-01;
   /* #27: @6 = (@6*@7) */
@@ -14430,7 +14958,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #29: @6 = 0.583333 */
   w06 = 5.8333333333333337e-01;
   /* #30: @6 = (@6*@7) */
@@ -14442,7 +14970,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #32: @6 = 0.666667 */
   w06 = 6.6666666666666663e-01;
   /* #33: @6 = (@6*@7) */
@@ -14454,7 +14982,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #35: @6 = 0.75 */
   w06 = 7.5000000000000000e-01;
   /* #36: @6 = (@6*@7) */
@@ -14466,7 +14994,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #38: @6 = 0.833333 */
   w06 = 8.3333333333333337e-01;
   /* #39: @6 = (@6*@7) */
@@ -14478,7 +15006,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #41: @6 = 0.916667 */
   w06 = 9.1666666666666663e-01;
   /* #42: @6 = (@6*@7) */
@@ -14490,7 +15018,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #44: {@10, @0} = landing_with_derivative(@5, @1, @7, @2) */
   arg1[0]=w05;
   arg1[1]=w01;
@@ -14498,7 +15026,7 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=wr02;
   res1[0]=w10;
   res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #45: output[0][0] = @10 */
   casadi_copy(w10, 36, res[0]);
   /* #46: output[1][0] = @0 */
@@ -14507,18 +15035,18 @@ static int casadi_f46(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* wobbling_limit_cycle_144:(u0[6],p[8])->(u[6],J[6x6],R[6]) */
-static int casadi_f42(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+3, *w0=w+752, *w2=w+758, *w3=w+764;
+static int casadi_f58(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+3, *w0=w+864, *w2=w+870, *w3=w+876;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 6, w0);
   /* #1: @1 = input[1][0] */
   wr1 = arg[1] ? arg[1] : casadi_zeros;
-  /* #2: @2 = newton_144(@0, @1) */
+  /* #2: @2 = scaled_newton_144(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w2;
-  if (casadi_f43(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f59(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 6, res[0]);
   /* #4: {@3, @0} = wobbling_jacobian_144(@2, @1) */
@@ -14526,7 +15054,7 @@ static int casadi_f42(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f46(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 36, res[1]);
   /* #6: output[2][0] = @0 */
@@ -14535,7 +15063,7 @@ static int casadi_f42(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_144(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f42(arg, res, iw, w, mem);
+  return casadi_f58(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_144_checkout(void) {
@@ -14596,23 +15124,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* wobbling_limit_cycle_144_sparsity_out(cas
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_144_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18;
-  if (sz_res) *sz_res = 10;
+  if (sz_arg) *sz_arg = 22;
+  if (sz_res) *sz_res = 13;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 800;
+  if (sz_w) *sz_w = 912;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_144_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 22*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 13*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 800*sizeof(casadi_real);
+  if (sz_w) *sz_w = 912*sizeof(casadi_real);
   return 0;
 }
 
 /* wobbling_residual_192:(u[6],p[8])->(R[6]) */
-static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+158, *w1=w+164, *w3=w+169, w4, w5, w6, *w7=w+175;
   const casadi_real **arg1=arg+2, *cs, *wr2;
   /* #0: @0 = input[0][0] */
@@ -14626,7 +15154,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr2;
   res1[0]=w3;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = 0 */
   w4 = 0.;
   /* #5: @5 = @0[5] */
@@ -14639,7 +15167,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w6);
   arg1[1]=wr2;
   res1[0]=w7;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #9: @0 = plain_steps(@3, @4, @7, @6, @2) */
   arg1[0]=w3;
   arg1[1]=(&w4);
@@ -14647,7 +15175,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #10: @4 = 0.0625 */
   w4 = 6.2500000000000000e-02;
   /* #11: @4 = (@4*@5) */
@@ -14659,7 +15187,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #13: @4 = 0.125 */
   w4 = 1.2500000000000000e-01;
   /* #14: @4 = (@4*@5) */
@@ -14671,7 +15199,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #16: @4 = 0.1875 */
   w4 = 1.8750000000000000e-01;
   /* #17: @4 = (@4*@5) */
@@ -14683,7 +15211,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #19: @4 = 0.25 */
   w4 = 2.5000000000000000e-01;
   /* #20: @4 = (@4*@5) */
@@ -14695,7 +15223,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #22: @4 = 0.3125 */
   w4 = 3.1250000000000000e-01;
   /* #23: @4 = (@4*@5) */
@@ -14707,7 +15235,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #25: @4 = 0.375 */
   w4 = 3.7500000000000000e-01;
   /* #26: @4 = (@4*@5) */
@@ -14719,7 +15247,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #28: @4 = 0.4375 */
   w4 = 4.3750000000000000e-01;
   /* #29: @4 = (@4*@5) */
@@ -14731,7 +15259,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #31: @4 = 0.5 */
   w4 = 5.0000000000000000e-01;
   /* #32: @4 = (@4*@5) */
@@ -14743,7 +15271,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #34: @4 = 0.5625 */
   w4 = 5.6250000000000000e-01;
   /* #35: @4 = (@4*@5) */
@@ -14755,7 +15283,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #37: @4 = 0.625 */
   w4 = 6.2500000000000000e-01;
   /* #38: @4 = (@4*@5) */
@@ -14767,7 +15295,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #40: @4 = 0.6875 */
   w4 = 6.8750000000000000e-01;
   /* #41: @4 = (@4*@5) */
@@ -14779,7 +15307,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #43: @4 = 0.75 */
   w4 = 7.5000000000000000e-01;
   /* #44: @4 = (@4*@5) */
@@ -14791,7 +15319,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #46: @4 = 0.8125 */
   w4 = 8.1250000000000000e-01;
   /* #47: @4 = (@4*@5) */
@@ -14803,7 +15331,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #49: @4 = 0.875 */
   w4 = 8.7500000000000000e-01;
   /* #50: @4 = (@4*@5) */
@@ -14815,7 +15343,7 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #52: @4 = 0.9375 */
   w4 = 9.3750000000000000e-01;
   /* #53: @4 = (@4*@5) */
@@ -14827,20 +15355,20 @@ static int casadi_f50(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #55: @0 = landing(@3, @1, @2) */
   arg1[0]=w3;
   arg1[1]=w1;
   arg1[2]=wr2;
   res1[0]=w0;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #56: output[0][0] = @0 */
   casadi_copy(w0, 6, res[0]);
   return 0;
 }
 
 /* coarse_jacobian_192:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f49(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+576, *w2=w+582, *w3=w+618;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
@@ -14852,21 +15380,57 @@ static int casadi_f49(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f41(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f57(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 36, res[0]);
   /* #4: @3 = wobbling_residual_192(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w3;
-  if (casadi_f50(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f70(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 6, res[1]);
   return 0;
 }
 
+/* scaled_jacobian_192:(u[6],p[8])->(J[6x6],R[6]) */
+static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_int i;
+  casadi_real **res1=res+2, *rr, *w0=w+632, *w1=w+668, *w3=w+674, *w4=w+710;
+  const casadi_real **arg1=arg+2, *cr, *cs, *wr0, *wr2;
+  /* #0: @0 = 
+  [[1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [0.5, 0.5, 0.5, 0.5, 0.5, 0.5]] */
+  wr0 = casadi_c0;
+  /* #1: @1 = input[0][0] */
+  casadi_copy(arg[0], 6, w1);
+  /* #2: @2 = input[1][0] */
+  wr2 = arg[1] ? arg[1] : casadi_zeros;
+  /* #3: {@3, @4} = coarse_jacobian_192(@1, @2) */
+  arg1[0]=w1;
+  arg1[1]=wr2;
+  res1[0]=w3;
+  res1[1]=w4;
+  if (casadi_f69(arg1, res1, iw, w, 0)) return 1;
+  /* #4: @0 = (@0*@3) */
+  for (i=0, rr=w0, cr=wr0, cs=w3; i<36; ++i) (*rr++)  = ((*cr++)*(*cs++));
+  /* #5: output[0][0] = @0 */
+  casadi_copy(w0, 36, res[0]);
+  /* #6: @1 = [1, 1, 1, 1, 1, 2] */
+  casadi_copy(casadi_c1, 6, w1);
+  /* #7: @4 = (@4/@1) */
+  for (i=0, rr=w4, cs=w1; i<6; ++i) (*rr++) /= (*cs++);
+  /* #8: output[1][0] = @4 */
+  casadi_copy(w4, 6, res[1]);
+  return 0;
+}
+
 /* newton_192:(u0[6],p[8])->(u[6]) */
-static int casadi_f48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 6;
@@ -14892,7 +15456,7 @@ static int casadi_f48(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f49(arg+2, res+1, iw, w+108, 0)) return 1;
+    if (casadi_f68(arg+2, res+1, iw, w+108, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -14900,8 +15464,26 @@ static int casadi_f48(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
+/* scaled_newton_192:(i0[6],i1[8])->(o0[6]) */
+static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *w0=w+844, *w2=w+850;
+  const casadi_real **arg1=arg+2, *wr1;
+  /* #0: @0 = input[0][0] */
+  casadi_copy(arg[0], 6, w0);
+  /* #1: @1 = input[1][0] */
+  wr1 = arg[1] ? arg[1] : casadi_zeros;
+  /* #2: @2 = newton_192(@0, @1) */
+  arg1[0]=w0;
+  arg1[1]=wr1;
+  res1[0]=w2;
+  if (casadi_f67(arg1, res1, iw, w, 0)) return 1;
+  /* #3: output[0][0] = @2 */
+  casadi_copy(w2, 6, res[0]);
+  return 0;
+}
+
 /* wobbling_jacobian_192:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w03=w+433, *w04=w+439, *w05=w+469, w06, w07, w08, *w09=w+505, *w10=w+529;
   const casadi_real **arg1=arg+2, *cs, *wr02;
@@ -14916,7 +15498,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr02;
   res1[0]=w03;
   res1[1]=w04;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @5 = horzcat(@3, @4) */
   rr=w05;
   for (i=0, cs=w03; i<6; ++i) *rr++ = *cs++;
@@ -14933,7 +15515,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w08);
   arg1[1]=wr02;
   res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
   arg1[0]=w05;
   arg1[1]=(&w06);
@@ -14941,7 +15523,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #11: @6 = 0.0625 */
   w06 = 6.2500000000000000e-02;
   /* #12: @6 = (@6*@7) */
@@ -14953,7 +15535,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #14: @6 = 0.125 */
   w06 = 1.2500000000000000e-01;
   /* #15: @6 = (@6*@7) */
@@ -14965,7 +15547,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #17: @6 = 0.1875 */
   w06 = 1.8750000000000000e-01;
   /* #18: @6 = (@6*@7) */
@@ -14977,7 +15559,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #20: @6 = 0.25 */
   w06 = 2.5000000000000000e-01;
   /* #21: @6 = (@6*@7) */
@@ -14989,7 +15571,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #23: @6 = 0.3125 */
   w06 = 3.1250000000000000e-01;
   /* #24: @6 = (@6*@7) */
@@ -15001,7 +15583,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #26: @6 = 0.375 */
   w06 = 3.7500000000000000e-01;
   /* #27: @6 = (@6*@7) */
@@ -15013,7 +15595,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #29: @6 = 0.4375 */
   w06 = 4.3750000000000000e-01;
   /* #30: @6 = (@6*@7) */
@@ -15025,7 +15607,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #32: @6 = 0.5 */
   w06 = 5.0000000000000000e-01;
   /* #33: @6 = (@6*@7) */
@@ -15037,7 +15619,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #35: @6 = 0.5625 */
   w06 = 5.6250000000000000e-01;
   /* #36: @6 = (@6*@7) */
@@ -15049,7 +15631,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #38: @6 = 0.625 */
   w06 = 6.2500000000000000e-01;
   /* #39: @6 = (@6*@7) */
@@ -15061,7 +15643,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #41: @6 = 0.6875 */
   w06 = 6.8750000000000000e-01;
   /* #42: @6 = (@6*@7) */
@@ -15073,7 +15655,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #44: @6 = 0.75 */
   w06 = 7.5000000000000000e-01;
   /* #45: @6 = (@6*@7) */
@@ -15085,7 +15667,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #47: @6 = 0.8125 */
   w06 = 8.1250000000000000e-01;
   /* #48: @6 = (@6*@7) */
@@ -15097,7 +15679,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #50: @6 = 0.875 */
   w06 = 8.7500000000000000e-01;
   /* #51: @6 = (@6*@7) */
@@ -15109,7 +15691,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #53: @6 = 0.9375 */
   w06 = 9.3750000000000000e-01;
   /* #54: @6 = (@6*@7) */
@@ -15121,7 +15703,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #56: {@10, @0} = landing_with_derivative(@5, @1, @7, @2) */
   arg1[0]=w05;
   arg1[1]=w01;
@@ -15129,7 +15711,7 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=wr02;
   res1[0]=w10;
   res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #57: output[0][0] = @10 */
   casadi_copy(w10, 36, res[0]);
   /* #58: output[1][0] = @0 */
@@ -15138,18 +15720,18 @@ static int casadi_f51(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* wobbling_limit_cycle_192:(u0[6],p[8])->(u[6],J[6x6],R[6]) */
-static int casadi_f47(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+3, *w0=w+752, *w2=w+758, *w3=w+764;
+static int casadi_f65(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+3, *w0=w+864, *w2=w+870, *w3=w+876;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 6, w0);
   /* #1: @1 = input[1][0] */
   wr1 = arg[1] ? arg[1] : casadi_zeros;
-  /* #2: @2 = newton_192(@0, @1) */
+  /* #2: @2 = scaled_newton_192(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w2;
-  if (casadi_f48(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f66(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 6, res[0]);
   /* #4: {@3, @0} = wobbling_jacobian_192(@2, @1) */
@@ -15157,7 +15739,7 @@ static int casadi_f47(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f51(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f71(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 36, res[1]);
   /* #6: output[2][0] = @0 */
@@ -15166,7 +15748,7 @@ static int casadi_f47(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_192(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f47(arg, res, iw, w, mem);
+  return casadi_f65(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_192_checkout(void) {
@@ -15227,23 +15809,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* wobbling_limit_cycle_192_sparsity_out(cas
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_192_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18;
-  if (sz_res) *sz_res = 10;
+  if (sz_arg) *sz_arg = 22;
+  if (sz_res) *sz_res = 13;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 800;
+  if (sz_w) *sz_w = 912;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_192_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 22*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 13*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 800*sizeof(casadi_real);
+  if (sz_w) *sz_w = 912*sizeof(casadi_real);
   return 0;
 }
 
 /* wobbling_residual_288:(u[6],p[8])->(R[6]) */
-static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f77(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+158, *w1=w+164, *w3=w+169, w4, w5, w6, *w7=w+175;
   const casadi_real **arg1=arg+2, *cs, *wr2;
   /* #0: @0 = input[0][0] */
@@ -15257,7 +15839,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr2;
   res1[0]=w3;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = 0 */
   w4 = 0.;
   /* #5: @5 = @0[5] */
@@ -15270,7 +15852,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w6);
   arg1[1]=wr2;
   res1[0]=w7;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #9: @0 = plain_steps(@3, @4, @7, @6, @2) */
   arg1[0]=w3;
   arg1[1]=(&w4);
@@ -15278,7 +15860,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #10: @4 = 0.0416667 */
   w4 = 4.1666666666666664e-02;
   /* #11: @4 = (@4*@5) */
@@ -15290,7 +15872,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #13: @4 = 0.0833333 */
   w4 = 8.3333333333333329e-02;
   /* #14: @4 = (@4*@5) */
@@ -15302,7 +15884,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #16: @4 = 0.125 */
   w4 = 1.2500000000000000e-01;
   /* #17: @4 = (@4*@5) */
@@ -15314,7 +15896,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #19: @4 = 0.166667 */
   w4 = 1.6666666666666666e-01;
   /* #20: @4 = (@4*@5) */
@@ -15326,7 +15908,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #22: @4 = 0.208333 */
   w4 = 2.0833333333333334e-01;
   /* #23: @4 = (@4*@5) */
@@ -15338,7 +15920,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #25: @4 = 0.25 */
   w4 = 2.5000000000000000e-01;
   /* #26: @4 = (@4*@5) */
@@ -15350,7 +15932,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #28: @4 = 0.291667 */
   w4 = 2.9166666666666669e-01;
   /* #29: @4 = (@4*@5) */
@@ -15362,7 +15944,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #31: @4 = 0.333333 */
   w4 = 3.3333333333333331e-01;
   /* #32: @4 = (@4*@5) */
@@ -15374,7 +15956,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #34: @4 = 0.375 */
   w4 = 3.7500000000000000e-01;
   /* #35: @4 = (@4*@5) */
@@ -15386,7 +15968,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #37: @4 = 0.416667 */
   w4 = 4.1666666666666669e-01;
   /* #38: @4 = (@4*@5) */
@@ -15398,7 +15980,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #40: @4 = 0.458333 */
   w4 = 4.5833333333333331e-01;
   /* #41: @4 = (@4*@5) */
@@ -15410,7 +15992,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #43: @4 = 0.5 */
   w4 = 5.0000000000000000e-01;
   /* #44: @4 = (@4*@5) */
@@ -15422,7 +16004,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #46: @4 = 0.541667 */
   w4 = 5.4166666666666663e-01;
   /* #47: @4 = (@4*@5) */
@@ -15434,7 +16016,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #49: @4 = 0.583333 */
   w4 = 5.8333333333333337e-01;
   /* #50: @4 = (@4*@5) */
@@ -15446,7 +16028,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #52: @4 = 0.625 */
   w4 = 6.2500000000000000e-01;
   /* #53: @4 = (@4*@5) */
@@ -15458,7 +16040,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #55: @4 = 0.666667 */
   w4 = 6.6666666666666663e-01;
   /* #56: @4 = (@4*@5) */
@@ -15470,7 +16052,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #58: @4 = 0.708333 */
   w4 = 7.0833333333333337e-01;
   /* #59: @4 = (@4*@5) */
@@ -15482,7 +16064,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #61: @4 = 0.75 */
   w4 = 7.5000000000000000e-01;
   /* #62: @4 = (@4*@5) */
@@ -15494,7 +16076,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #64: @4 = 0.791667 */
   w4 = 7.9166666666666663e-01;
   /* #65: @4 = (@4*@5) */
@@ -15506,7 +16088,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #67: @4 = 0.833333 */
   w4 = 8.3333333333333337e-01;
   /* #68: @4 = (@4*@5) */
@@ -15518,7 +16100,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #70: @4 = 0.875 */
   w4 = 8.7500000000000000e-01;
   /* #71: @4 = (@4*@5) */
@@ -15530,7 +16112,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #73: @4 = 0.916667 */
   w4 = 9.1666666666666663e-01;
   /* #74: @4 = (@4*@5) */
@@ -15542,7 +16124,7 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #76: @4 = 0.958333 */
   w4 = 9.5833333333333337e-01;
   /* #77: @4 = (@4*@5) */
@@ -15554,20 +16136,20 @@ static int casadi_f55(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #79: @0 = landing(@3, @1, @2) */
   arg1[0]=w3;
   arg1[1]=w1;
   arg1[2]=wr2;
   res1[0]=w0;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #80: output[0][0] = @0 */
   casadi_copy(w0, 6, res[0]);
   return 0;
 }
 
 /* coarse_jacobian_288:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f54(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f76(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+576, *w2=w+582, *w3=w+618;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
@@ -15579,21 +16161,57 @@ static int casadi_f54(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f46(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 36, res[0]);
   /* #4: @3 = wobbling_residual_288(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w3;
-  if (casadi_f55(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f77(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 6, res[1]);
   return 0;
 }
 
+/* scaled_jacobian_288:(u[6],p[8])->(J[6x6],R[6]) */
+static int casadi_f75(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_int i;
+  casadi_real **res1=res+2, *rr, *w0=w+632, *w1=w+668, *w3=w+674, *w4=w+710;
+  const casadi_real **arg1=arg+2, *cr, *cs, *wr0, *wr2;
+  /* #0: @0 = 
+  [[1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [0.5, 0.5, 0.5, 0.5, 0.5, 0.5]] */
+  wr0 = casadi_c0;
+  /* #1: @1 = input[0][0] */
+  casadi_copy(arg[0], 6, w1);
+  /* #2: @2 = input[1][0] */
+  wr2 = arg[1] ? arg[1] : casadi_zeros;
+  /* #3: {@3, @4} = coarse_jacobian_288(@1, @2) */
+  arg1[0]=w1;
+  arg1[1]=wr2;
+  res1[0]=w3;
+  res1[1]=w4;
+  if (casadi_f76(arg1, res1, iw, w, 0)) return 1;
+  /* #4: @0 = (@0*@3) */
+  for (i=0, rr=w0, cr=wr0, cs=w3; i<36; ++i) (*rr++)  = ((*cr++)*(*cs++));
+  /* #5: output[0][0] = @0 */
+  casadi_copy(w0, 36, res[0]);
+  /* #6: @1 = [1, 1, 1, 1, 1, 2] */
+  casadi_copy(casadi_c1, 6, w1);
+  /* #7: @4 = (@4/@1) */
+  for (i=0, rr=w4, cs=w1; i<6; ++i) (*rr++) /= (*cs++);
+  /* #8: output[1][0] = @4 */
+  casadi_copy(w4, 6, res[1]);
+  return 0;
+}
+
 /* newton_288:(u0[6],p[8])->(u[6]) */
-static int casadi_f53(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f74(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 6;
@@ -15619,7 +16237,7 @@ static int casadi_f53(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f54(arg+2, res+1, iw, w+108, 0)) return 1;
+    if (casadi_f75(arg+2, res+1, iw, w+108, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -15627,8 +16245,26 @@ static int casadi_f53(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
+/* scaled_newton_288:(i0[6],i1[8])->(o0[6]) */
+static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *w0=w+844, *w2=w+850;
+  const casadi_real **arg1=arg+2, *wr1;
+  /* #0: @0 = input[0][0] */
+  casadi_copy(arg[0], 6, w0);
+  /* #1: @1 = input[1][0] */
+  wr1 = arg[1] ? arg[1] : casadi_zeros;
+  /* #2: @2 = newton_288(@0, @1) */
+  arg1[0]=w0;
+  arg1[1]=wr1;
+  res1[0]=w2;
+  if (casadi_f74(arg1, res1, iw, w, 0)) return 1;
+  /* #3: output[0][0] = @2 */
+  casadi_copy(w2, 6, res[0]);
+  return 0;
+}
+
 /* wobbling_jacobian_288:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f78(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w03=w+433, *w04=w+439, *w05=w+469, w06, w07, w08, *w09=w+505, *w10=w+529;
   const casadi_real **arg1=arg+2, *cs, *wr02;
@@ -15643,7 +16279,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr02;
   res1[0]=w03;
   res1[1]=w04;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @5 = horzcat(@3, @4) */
   rr=w05;
   for (i=0, cs=w03; i<6; ++i) *rr++ = *cs++;
@@ -15660,7 +16296,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w08);
   arg1[1]=wr02;
   res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
   arg1[0]=w05;
   arg1[1]=(&w06);
@@ -15668,7 +16304,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #11: @6 = 0.0416667 */
   w06 = 4.1666666666666664e-02;
   /* #12: @6 = (@6*@7) */
@@ -15680,7 +16316,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #14: @6 = 0.0833333 */
   w06 = 8.3333333333333329e-02;
   /* #15: @6 = (@6*@7) */
@@ -15692,7 +16328,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #17: @6 = 0.125 */
   w06 = 1.2500000000000000e-01;
   /* #18: @6 = (@6*@7) */
@@ -15704,7 +16340,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #20: @6 = 0.166667 */
   w06 = 1.6666666666666666e-01;
   /* #21: @6 = (@6*@7) */
@@ -15716,7 +16352,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #23: @6 = 0.208333 */
   w06 = 2.0833333333333334e-01;
   /* #24: @6 = (@6*@7) */
@@ -15728,7 +16364,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #26: @6 = 0.25 */
   w06 = 2.5000000000000000e-01;
   /* #27: @6 = (@6*@7) */
@@ -15740,7 +16376,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #29: @6 = 0.291667 */
   w06 = 2.9166666666666669e-01;
   /* #30: @6 = (@6*@7) */
@@ -15752,7 +16388,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #32: @6 = 0.333333 */
   w06 = 3.3333333333333331e-01;
   /* #33: @6 = (@6*@7) */
@@ -15764,7 +16400,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #35: @6 = 0.375 */
   w06 = 3.7500000000000000e-01;
   /* #36: @6 = (@6*@7) */
@@ -15776,7 +16412,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #38: @6 = 0.416667 */
   w06 = 4.1666666666666669e-01;
   /* #39: @6 = (@6*@7) */
@@ -15788,7 +16424,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #41: @6 = 0.458333 */
   w06 = 4.5833333333333331e-01;
   /* #42: @6 = (@6*@7) */
@@ -15800,7 +16436,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #44: @6 = 0.5 */
   w06 = 5.0000000000000000e-01;
   /* #45: @6 = (@6*@7) */
@@ -15812,7 +16448,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #47: @6 = 0.541667 */
   w06 = 5.4166666666666663e-01;
   /* #48: @6 = (@6*@7) */
@@ -15824,7 +16460,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #50: @6 = 0.583333 */
   w06 = 5.8333333333333337e-01;
   /* #51: @6 = (@6*@7) */
@@ -15836,7 +16472,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #53: @6 = 0.625 */
   w06 = 6.2500000000000000e-01;
   /* #54: @6 = (@6*@7) */
@@ -15848,7 +16484,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #56: @6 = 0.666667 */
   w06 = 6.6666666666666663e-01;
   /* #57: @6 = (@6*@7) */
@@ -15860,7 +16496,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #59: @6 = 0.708333 */
   w06 = 7.0833333333333337e-01;
   /* #60: @6 = (@6*@7) */
@@ -15872,7 +16508,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #62: @6 = 0.75 */
   w06 = 7.5000000000000000e-01;
   /* #63: @6 = (@6*@7) */
@@ -15884,7 +16520,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #65: @6 = 0.791667 */
   w06 = 7.9166666666666663e-01;
   /* #66: @6 = (@6*@7) */
@@ -15896,7 +16532,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #68: @6 = 0.833333 */
   w06 = 8.3333333333333337e-01;
   /* #69: @6 = (@6*@7) */
@@ -15908,7 +16544,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #71: @6 = 0.875 */
   w06 = 8.7500000000000000e-01;
   /* #72: @6 = (@6*@7) */
@@ -15920,7 +16556,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #74: @6 = 0.916667 */
   w06 = 9.1666666666666663e-01;
   /* #75: @6 = (@6*@7) */
@@ -15932,7 +16568,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #77: @6 = 0.958333 */
   w06 = 9.5833333333333337e-01;
   /* #78: @6 = (@6*@7) */
@@ -15944,7 +16580,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #80: {@10, @0} = landing_with_derivative(@5, @1, @7, @2) */
   arg1[0]=w05;
   arg1[1]=w01;
@@ -15952,7 +16588,7 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=wr02;
   res1[0]=w10;
   res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #81: output[0][0] = @10 */
   casadi_copy(w10, 36, res[0]);
   /* #82: output[1][0] = @0 */
@@ -15961,18 +16597,18 @@ static int casadi_f56(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* wobbling_limit_cycle_288:(u0[6],p[8])->(u[6],J[6x6],R[6]) */
-static int casadi_f52(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+3, *w0=w+752, *w2=w+758, *w3=w+764;
+static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+3, *w0=w+864, *w2=w+870, *w3=w+876;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 6, w0);
   /* #1: @1 = input[1][0] */
   wr1 = arg[1] ? arg[1] : casadi_zeros;
-  /* #2: @2 = newton_288(@0, @1) */
+  /* #2: @2 = scaled_newton_288(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w2;
-  if (casadi_f53(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f73(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 6, res[0]);
   /* #4: {@3, @0} = wobbling_jacobian_288(@2, @1) */
@@ -15980,7 +16616,7 @@ static int casadi_f52(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f56(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f78(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 36, res[1]);
   /* #6: output[2][0] = @0 */
@@ -15989,7 +16625,7 @@ static int casadi_f52(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_288(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f52(arg, res, iw, w, mem);
+  return casadi_f72(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_288_checkout(void) {
@@ -16050,23 +16686,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* wobbling_limit_cycle_288_sparsity_out(cas
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_288_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18;
-  if (sz_res) *sz_res = 10;
+  if (sz_arg) *sz_arg = 22;
+  if (sz_res) *sz_res = 13;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 800;
+  if (sz_w) *sz_w = 912;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_288_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 22*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 13*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 800*sizeof(casadi_real);
+  if (sz_w) *sz_w = 912*sizeof(casadi_real);
   return 0;
 }
 
 /* wobbling_residual_384:(u[6],p[8])->(R[6]) */
-static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f84(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+1, *rr, *w0=w+158, *w1=w+164, *w3=w+169, w4, w5, w6, *w7=w+175;
   const casadi_real **arg1=arg+2, *cs, *wr2;
   /* #0: @0 = input[0][0] */
@@ -16080,7 +16716,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr2;
   res1[0]=w3;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = 0 */
   w4 = 0.;
   /* #5: @5 = @0[5] */
@@ -16093,7 +16729,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w6);
   arg1[1]=wr2;
   res1[0]=w7;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #9: @0 = plain_steps(@3, @4, @7, @6, @2) */
   arg1[0]=w3;
   arg1[1]=(&w4);
@@ -16101,7 +16737,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #10: @4 = 0.03125 */
   w4 = 3.1250000000000000e-02;
   /* #11: @4 = (@4*@5) */
@@ -16113,7 +16749,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #13: @4 = 0.0625 */
   w4 = 6.2500000000000000e-02;
   /* #14: @4 = (@4*@5) */
@@ -16125,7 +16761,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #16: @4 = 0.09375 */
   w4 = 9.3750000000000000e-02;
   /* #17: @4 = (@4*@5) */
@@ -16137,7 +16773,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #19: @4 = 0.125 */
   w4 = 1.2500000000000000e-01;
   /* #20: @4 = (@4*@5) */
@@ -16149,7 +16785,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #22: @4 = 0.15625 */
   w4 = 1.5625000000000000e-01;
   /* #23: @4 = (@4*@5) */
@@ -16161,7 +16797,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #25: @4 = 0.1875 */
   w4 = 1.8750000000000000e-01;
   /* #26: @4 = (@4*@5) */
@@ -16173,7 +16809,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #28: @4 = 0.21875 */
   w4 = 2.1875000000000000e-01;
   /* #29: @4 = (@4*@5) */
@@ -16185,7 +16821,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #31: @4 = 0.25 */
   w4 = 2.5000000000000000e-01;
   /* #32: @4 = (@4*@5) */
@@ -16197,7 +16833,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #34: @4 = 0.28125 */
   w4 = 2.8125000000000000e-01;
   /* #35: @4 = (@4*@5) */
@@ -16209,7 +16845,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #37: @4 = 0.3125 */
   w4 = 3.1250000000000000e-01;
   /* #38: @4 = (@4*@5) */
@@ -16221,7 +16857,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #40: @4 = 0.34375 */
   w4 = 3.4375000000000000e-01;
   /* #41: @4 = (@4*@5) */
@@ -16233,7 +16869,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #43: @4 = 0.375 */
   w4 = 3.7500000000000000e-01;
   /* #44: @4 = (@4*@5) */
@@ -16245,7 +16881,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #46: @4 = 0.40625 */
   w4 = 4.0625000000000000e-01;
   /* #47: @4 = (@4*@5) */
@@ -16257,7 +16893,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #49: @4 = 0.4375 */
   w4 = 4.3750000000000000e-01;
   /* #50: @4 = (@4*@5) */
@@ -16269,7 +16905,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #52: @4 = 0.46875 */
   w4 = 4.6875000000000000e-01;
   /* #53: @4 = (@4*@5) */
@@ -16281,7 +16917,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #55: @4 = 0.5 */
   w4 = 5.0000000000000000e-01;
   /* #56: @4 = (@4*@5) */
@@ -16293,7 +16929,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #58: @4 = 0.53125 */
   w4 = 5.3125000000000000e-01;
   /* #59: @4 = (@4*@5) */
@@ -16305,7 +16941,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #61: @4 = 0.5625 */
   w4 = 5.6250000000000000e-01;
   /* #62: @4 = (@4*@5) */
@@ -16317,7 +16953,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #64: @4 = 0.59375 */
   w4 = 5.9375000000000000e-01;
   /* #65: @4 = (@4*@5) */
@@ -16329,7 +16965,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #67: @4 = 0.625 */
   w4 = 6.2500000000000000e-01;
   /* #68: @4 = (@4*@5) */
@@ -16341,7 +16977,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #70: @4 = 0.65625 */
   w4 = 6.5625000000000000e-01;
   /* #71: @4 = (@4*@5) */
@@ -16353,7 +16989,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #73: @4 = 0.6875 */
   w4 = 6.8750000000000000e-01;
   /* #74: @4 = (@4*@5) */
@@ -16365,7 +17001,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #76: @4 = 0.71875 */
   w4 = 7.1875000000000000e-01;
   /* #77: @4 = (@4*@5) */
@@ -16377,7 +17013,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #79: @4 = 0.75 */
   w4 = 7.5000000000000000e-01;
   /* #80: @4 = (@4*@5) */
@@ -16389,7 +17025,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #82: @4 = 0.78125 */
   w4 = 7.8125000000000000e-01;
   /* #83: @4 = (@4*@5) */
@@ -16401,7 +17037,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #85: @4 = 0.8125 */
   w4 = 8.1250000000000000e-01;
   /* #86: @4 = (@4*@5) */
@@ -16413,7 +17049,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #88: @4 = 0.84375 */
   w4 = 8.4375000000000000e-01;
   /* #89: @4 = (@4*@5) */
@@ -16425,7 +17061,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #91: @4 = 0.875 */
   w4 = 8.7500000000000000e-01;
   /* #92: @4 = (@4*@5) */
@@ -16437,7 +17073,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #94: @4 = 0.90625 */
   w4 = 9.0625000000000000e-01;
   /* #95: @4 = (@4*@5) */
@@ -16449,7 +17085,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #97: @4 = 0.9375 */
   w4 = 9.3750000000000000e-01;
   /* #98: @4 = (@4*@5) */
@@ -16461,7 +17097,7 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w0;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #100: @4 = 0.96875 */
   w4 = 9.6875000000000000e-01;
   /* #101: @4 = (@4*@5) */
@@ -16473,20 +17109,20 @@ static int casadi_f60(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w6);
   arg1[4]=wr2;
   res1[0]=w3;
-  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
   /* #103: @0 = landing(@3, @1, @2) */
   arg1[0]=w3;
   arg1[1]=w1;
   arg1[2]=wr2;
   res1[0]=w0;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #104: output[0][0] = @0 */
   casadi_copy(w0, 6, res[0]);
   return 0;
 }
 
 /* coarse_jacobian_384:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f59(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f83(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+2, *w0=w+576, *w2=w+582, *w3=w+618;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
@@ -16498,21 +17134,57 @@ static int casadi_f59(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr1;
   res1[0]=w2;
   res1[1]=0;
-  if (casadi_f51(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f71(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 36, res[0]);
   /* #4: @3 = wobbling_residual_384(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w3;
-  if (casadi_f60(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f84(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 6, res[1]);
   return 0;
 }
 
+/* scaled_jacobian_384:(u[6],p[8])->(J[6x6],R[6]) */
+static int casadi_f82(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_int i;
+  casadi_real **res1=res+2, *rr, *w0=w+632, *w1=w+668, *w3=w+674, *w4=w+710;
+  const casadi_real **arg1=arg+2, *cr, *cs, *wr0, *wr2;
+  /* #0: @0 = 
+  [[1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [1, 1, 1, 1, 1, 1], 
+   [0.5, 0.5, 0.5, 0.5, 0.5, 0.5]] */
+  wr0 = casadi_c0;
+  /* #1: @1 = input[0][0] */
+  casadi_copy(arg[0], 6, w1);
+  /* #2: @2 = input[1][0] */
+  wr2 = arg[1] ? arg[1] : casadi_zeros;
+  /* #3: {@3, @4} = coarse_jacobian_384(@1, @2) */
+  arg1[0]=w1;
+  arg1[1]=wr2;
+  res1[0]=w3;
+  res1[1]=w4;
+  if (casadi_f83(arg1, res1, iw, w, 0)) return 1;
+  /* #4: @0 = (@0*@3) */
+  for (i=0, rr=w0, cr=wr0, cs=w3; i<36; ++i) (*rr++)  = ((*cr++)*(*cs++));
+  /* #5: output[0][0] = @0 */
+  casadi_copy(w0, 36, res[0]);
+  /* #6: @1 = [1, 1, 1, 1, 1, 2] */
+  casadi_copy(casadi_c1, 6, w1);
+  /* #7: @4 = (@4/@1) */
+  for (i=0, rr=w4, cs=w1; i<6; ++i) (*rr++) /= (*cs++);
+  /* #8: output[1][0] = @4 */
+  casadi_copy(w4, 6, res[1]);
+  return 0;
+}
+
 /* newton_384:(u0[6],p[8])->(u[6]) */
-static int casadi_f58(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f81(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int iter;
   struct casadi_newton_mem m;
   m.n = 6;
@@ -16538,7 +17210,7 @@ static int casadi_f58(const casadi_real** arg, casadi_real** res, casadi_int* iw
     arg[3] = arg[1];
     res[1] = m.jac_g_x;
     res[2] = m.g;
-    if (casadi_f59(arg+2, res+1, iw, w+108, 0)) return 1;
+    if (casadi_f82(arg+2, res+1, iw, w+108, 0)) return 1;
     if (casadi_newton(&m)) break;
   }
   /* Get the solution */
@@ -16546,8 +17218,26 @@ static int casadi_f58(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
+/* scaled_newton_384:(i0[6],i1[8])->(o0[6]) */
+static int casadi_f80(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *w0=w+844, *w2=w+850;
+  const casadi_real **arg1=arg+2, *wr1;
+  /* #0: @0 = input[0][0] */
+  casadi_copy(arg[0], 6, w0);
+  /* #1: @1 = input[1][0] */
+  wr1 = arg[1] ? arg[1] : casadi_zeros;
+  /* #2: @2 = newton_384(@0, @1) */
+  arg1[0]=w0;
+  arg1[1]=wr1;
+  res1[0]=w2;
+  if (casadi_f81(arg1, res1, iw, w, 0)) return 1;
+  /* #3: output[0][0] = @2 */
+  casadi_copy(w2, 6, res[0]);
+  return 0;
+}
+
 /* wobbling_jacobian_384:(u[6],p[8])->(J[6x6],R[6]) */
-static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f85(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+2, *rr, *w00=w+422, *w01=w+428, *w03=w+433, *w04=w+439, *w05=w+469, w06, w07, w08, *w09=w+505, *w10=w+529;
   const casadi_real **arg1=arg+2, *cs, *wr02;
@@ -16562,7 +17252,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr02;
   res1[0]=w03;
   res1[1]=w04;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #4: @5 = horzcat(@3, @4) */
   rr=w05;
   for (i=0, cs=w03; i<6; ++i) *rr++ = *cs++;
@@ -16579,7 +17269,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w08);
   arg1[1]=wr02;
   res1[0]=w09;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #10: @10 = variational_steps(@5, @6, @9, @8, @2) */
   arg1[0]=w05;
   arg1[1]=(&w06);
@@ -16587,7 +17277,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #11: @6 = 0.03125 */
   w06 = 3.1250000000000000e-02;
   /* #12: @6 = (@6*@7) */
@@ -16599,7 +17289,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #14: @6 = 0.0625 */
   w06 = 6.2500000000000000e-02;
   /* #15: @6 = (@6*@7) */
@@ -16611,7 +17301,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #17: @6 = 0.09375 */
   w06 = 9.3750000000000000e-02;
   /* #18: @6 = (@6*@7) */
@@ -16623,7 +17313,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #20: @6 = 0.125 */
   w06 = 1.2500000000000000e-01;
   /* #21: @6 = (@6*@7) */
@@ -16635,7 +17325,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #23: @6 = 0.15625 */
   w06 = 1.5625000000000000e-01;
   /* #24: @6 = (@6*@7) */
@@ -16647,7 +17337,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #26: @6 = 0.1875 */
   w06 = 1.8750000000000000e-01;
   /* #27: @6 = (@6*@7) */
@@ -16659,7 +17349,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #29: @6 = 0.21875 */
   w06 = 2.1875000000000000e-01;
   /* #30: @6 = (@6*@7) */
@@ -16671,7 +17361,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #32: @6 = 0.25 */
   w06 = 2.5000000000000000e-01;
   /* #33: @6 = (@6*@7) */
@@ -16683,7 +17373,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #35: @6 = 0.28125 */
   w06 = 2.8125000000000000e-01;
   /* #36: @6 = (@6*@7) */
@@ -16695,7 +17385,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #38: @6 = 0.3125 */
   w06 = 3.1250000000000000e-01;
   /* #39: @6 = (@6*@7) */
@@ -16707,7 +17397,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #41: @6 = 0.34375 */
   w06 = 3.4375000000000000e-01;
   /* #42: @6 = (@6*@7) */
@@ -16719,7 +17409,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #44: @6 = 0.375 */
   w06 = 3.7500000000000000e-01;
   /* #45: @6 = (@6*@7) */
@@ -16731,7 +17421,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #47: @6 = 0.40625 */
   w06 = 4.0625000000000000e-01;
   /* #48: @6 = (@6*@7) */
@@ -16743,7 +17433,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #50: @6 = 0.4375 */
   w06 = 4.3750000000000000e-01;
   /* #51: @6 = (@6*@7) */
@@ -16755,7 +17445,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #53: @6 = 0.46875 */
   w06 = 4.6875000000000000e-01;
   /* #54: @6 = (@6*@7) */
@@ -16767,7 +17457,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #56: @6 = 0.5 */
   w06 = 5.0000000000000000e-01;
   /* #57: @6 = (@6*@7) */
@@ -16779,7 +17469,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #59: @6 = 0.53125 */
   w06 = 5.3125000000000000e-01;
   /* #60: @6 = (@6*@7) */
@@ -16791,7 +17481,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #62: @6 = 0.5625 */
   w06 = 5.6250000000000000e-01;
   /* #63: @6 = (@6*@7) */
@@ -16803,7 +17493,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #65: @6 = 0.59375 */
   w06 = 5.9375000000000000e-01;
   /* #66: @6 = (@6*@7) */
@@ -16815,7 +17505,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #68: @6 = 0.625 */
   w06 = 6.2500000000000000e-01;
   /* #69: @6 = (@6*@7) */
@@ -16827,7 +17517,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #71: @6 = 0.65625 */
   w06 = 6.5625000000000000e-01;
   /* #72: @6 = (@6*@7) */
@@ -16839,7 +17529,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #74: @6 = 0.6875 */
   w06 = 6.8750000000000000e-01;
   /* #75: @6 = (@6*@7) */
@@ -16851,7 +17541,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #77: @6 = 0.71875 */
   w06 = 7.1875000000000000e-01;
   /* #78: @6 = (@6*@7) */
@@ -16863,7 +17553,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #80: @6 = 0.75 */
   w06 = 7.5000000000000000e-01;
   /* #81: @6 = (@6*@7) */
@@ -16875,7 +17565,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #83: @6 = 0.78125 */
   w06 = 7.8125000000000000e-01;
   /* #84: @6 = (@6*@7) */
@@ -16887,7 +17577,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #86: @6 = 0.8125 */
   w06 = 8.1250000000000000e-01;
   /* #87: @6 = (@6*@7) */
@@ -16899,7 +17589,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #89: @6 = 0.84375 */
   w06 = 8.4375000000000000e-01;
   /* #90: @6 = (@6*@7) */
@@ -16911,7 +17601,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #92: @6 = 0.875 */
   w06 = 8.7500000000000000e-01;
   /* #93: @6 = (@6*@7) */
@@ -16923,7 +17613,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #95: @6 = 0.90625 */
   w06 = 9.0625000000000000e-01;
   /* #96: @6 = (@6*@7) */
@@ -16935,7 +17625,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #98: @6 = 0.9375 */
   w06 = 9.3750000000000000e-01;
   /* #99: @6 = (@6*@7) */
@@ -16947,7 +17637,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #101: @6 = 0.96875 */
   w06 = 9.6875000000000000e-01;
   /* #102: @6 = (@6*@7) */
@@ -16959,7 +17649,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w08);
   arg1[4]=wr02;
   res1[0]=w05;
-  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
   /* #104: {@10, @0} = landing_with_derivative(@5, @1, @7, @2) */
   arg1[0]=w05;
   arg1[1]=w01;
@@ -16967,7 +17657,7 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=wr02;
   res1[0]=w10;
   res1[1]=w00;
-  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
   /* #105: output[0][0] = @10 */
   casadi_copy(w10, 36, res[0]);
   /* #106: output[1][0] = @0 */
@@ -16976,18 +17666,18 @@ static int casadi_f61(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* wobbling_limit_cycle_384:(u0[6],p[8])->(u[6],J[6x6],R[6]) */
-static int casadi_f57(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+3, *w0=w+752, *w2=w+758, *w3=w+764;
+static int casadi_f79(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+3, *w0=w+864, *w2=w+870, *w3=w+876;
   const casadi_real **arg1=arg+2, *wr1;
   /* #0: @0 = input[0][0] */
   casadi_copy(arg[0], 6, w0);
   /* #1: @1 = input[1][0] */
   wr1 = arg[1] ? arg[1] : casadi_zeros;
-  /* #2: @2 = newton_384(@0, @1) */
+  /* #2: @2 = scaled_newton_384(@0, @1) */
   arg1[0]=w0;
   arg1[1]=wr1;
   res1[0]=w2;
-  if (casadi_f58(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f80(arg1, res1, iw, w, 0)) return 1;
   /* #3: output[0][0] = @2 */
   casadi_copy(w2, 6, res[0]);
   /* #4: {@3, @0} = wobbling_jacobian_384(@2, @1) */
@@ -16995,7 +17685,7 @@ static int casadi_f57(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr1;
   res1[0]=w3;
   res1[1]=w0;
-  if (casadi_f61(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f85(arg1, res1, iw, w, 0)) return 1;
   /* #5: output[1][0] = @3 */
   casadi_copy(w3, 36, res[1]);
   /* #6: output[2][0] = @0 */
@@ -17004,7 +17694,7 @@ static int casadi_f57(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_384(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f57(arg, res, iw, w, mem);
+  return casadi_f79(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_384_checkout(void) {
@@ -17065,23 +17755,23 @@ CASADI_SYMBOL_EXPORT const casadi_int* wobbling_limit_cycle_384_sparsity_out(cas
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_384_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18;
-  if (sz_res) *sz_res = 10;
+  if (sz_arg) *sz_arg = 22;
+  if (sz_res) *sz_res = 13;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 800;
+  if (sz_w) *sz_w = 912;
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_limit_cycle_384_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
-  if (sz_arg) *sz_arg = 18*sizeof(const casadi_real*);
-  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
+  if (sz_arg) *sz_arg = 22*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 13*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 800*sizeof(casadi_real);
+  if (sz_w) *sz_w = 912*sizeof(casadi_real);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_residual_12(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f9(arg, res, iw, w, mem);
+  return casadi_f11(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_residual_12_checkout(void) {
@@ -17154,7 +17844,7 @@ CASADI_SYMBOL_EXPORT int wobbling_residual_12_work_bytes(casadi_int *sz_arg, cas
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_residual_24(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f16(arg, res, iw, w, mem);
+  return casadi_f20(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_residual_24_checkout(void) {
@@ -17227,7 +17917,7 @@ CASADI_SYMBOL_EXPORT int wobbling_residual_24_work_bytes(casadi_int *sz_arg, cas
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_residual_36(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f27(arg, res, iw, w, mem);
+  return casadi_f37(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_residual_36_checkout(void) {
@@ -17300,7 +17990,7 @@ CASADI_SYMBOL_EXPORT int wobbling_residual_36_work_bytes(casadi_int *sz_arg, cas
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_residual_48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f20(arg, res, iw, w, mem);
+  return casadi_f26(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_residual_48_checkout(void) {
@@ -17373,7 +18063,7 @@ CASADI_SYMBOL_EXPORT int wobbling_residual_48_work_bytes(casadi_int *sz_arg, cas
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_residual_72(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f35(arg, res, iw, w, mem);
+  return casadi_f49(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_residual_72_checkout(void) {
@@ -17446,7 +18136,7 @@ CASADI_SYMBOL_EXPORT int wobbling_residual_72_work_bytes(casadi_int *sz_arg, cas
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_residual_96(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f40(arg, res, iw, w, mem);
+  return casadi_f56(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_residual_96_checkout(void) {
@@ -17519,7 +18209,7 @@ CASADI_SYMBOL_EXPORT int wobbling_residual_96_work_bytes(casadi_int *sz_arg, cas
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_residual_144(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f45(arg, res, iw, w, mem);
+  return casadi_f63(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_residual_144_checkout(void) {
@@ -17592,7 +18282,7 @@ CASADI_SYMBOL_EXPORT int wobbling_residual_144_work_bytes(casadi_int *sz_arg, ca
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_residual_192(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f50(arg, res, iw, w, mem);
+  return casadi_f70(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_residual_192_checkout(void) {
@@ -17665,7 +18355,7 @@ CASADI_SYMBOL_EXPORT int wobbling_residual_192_work_bytes(casadi_int *sz_arg, ca
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_residual_288(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f55(arg, res, iw, w, mem);
+  return casadi_f77(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_residual_288_checkout(void) {
@@ -17738,7 +18428,7 @@ CASADI_SYMBOL_EXPORT int wobbling_residual_288_work_bytes(casadi_int *sz_arg, ca
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_residual_384(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f60(arg, res, iw, w, mem);
+  return casadi_f84(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_residual_384_checkout(void) {
@@ -17811,7 +18501,7 @@ CASADI_SYMBOL_EXPORT int wobbling_residual_384_work_bytes(casadi_int *sz_arg, ca
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_jacobian_12(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f2(arg, res, iw, w, mem);
+  return casadi_f4(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_jacobian_12_checkout(void) {
@@ -17886,7 +18576,7 @@ CASADI_SYMBOL_EXPORT int wobbling_jacobian_12_work_bytes(casadi_int *sz_arg, cas
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_jacobian_24(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f15(arg, res, iw, w, mem);
+  return casadi_f19(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_jacobian_24_checkout(void) {
@@ -17961,7 +18651,7 @@ CASADI_SYMBOL_EXPORT int wobbling_jacobian_24_work_bytes(casadi_int *sz_arg, cas
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_jacobian_36(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f28(arg, res, iw, w, mem);
+  return casadi_f38(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_jacobian_36_checkout(void) {
@@ -18036,7 +18726,7 @@ CASADI_SYMBOL_EXPORT int wobbling_jacobian_36_work_bytes(casadi_int *sz_arg, cas
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_jacobian_48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f19(arg, res, iw, w, mem);
+  return casadi_f25(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_jacobian_48_checkout(void) {
@@ -18111,7 +18801,7 @@ CASADI_SYMBOL_EXPORT int wobbling_jacobian_48_work_bytes(casadi_int *sz_arg, cas
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_jacobian_72(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f36(arg, res, iw, w, mem);
+  return casadi_f50(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_jacobian_72_checkout(void) {
@@ -18186,7 +18876,7 @@ CASADI_SYMBOL_EXPORT int wobbling_jacobian_72_work_bytes(casadi_int *sz_arg, cas
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_jacobian_96(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f41(arg, res, iw, w, mem);
+  return casadi_f57(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_jacobian_96_checkout(void) {
@@ -18261,7 +18951,7 @@ CASADI_SYMBOL_EXPORT int wobbling_jacobian_96_work_bytes(casadi_int *sz_arg, cas
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_jacobian_144(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f46(arg, res, iw, w, mem);
+  return casadi_f64(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_jacobian_144_checkout(void) {
@@ -18336,7 +19026,7 @@ CASADI_SYMBOL_EXPORT int wobbling_jacobian_144_work_bytes(casadi_int *sz_arg, ca
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_jacobian_192(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f51(arg, res, iw, w, mem);
+  return casadi_f71(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_jacobian_192_checkout(void) {
@@ -18411,7 +19101,7 @@ CASADI_SYMBOL_EXPORT int wobbling_jacobian_192_work_bytes(casadi_int *sz_arg, ca
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_jacobian_288(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f56(arg, res, iw, w, mem);
+  return casadi_f78(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_jacobian_288_checkout(void) {
@@ -18486,7 +19176,7 @@ CASADI_SYMBOL_EXPORT int wobbling_jacobian_288_work_bytes(casadi_int *sz_arg, ca
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_jacobian_384(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f61(arg, res, iw, w, mem);
+  return casadi_f85(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_jacobian_384_checkout(void) {
@@ -18561,7 +19251,7 @@ CASADI_SYMBOL_EXPORT int wobbling_jacobian_384_work_bytes(casadi_int *sz_arg, ca
 }
 
 /* working_step:(y[7],phase[2],turns[2x12],h,p[8])->(y_end[7]) */
-static int casadi_f64(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f88(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a000, a001, a002, a003, a004, a005, a006, a007, a008, a009, a010, a011;
   casadi_real a012, a013, a014, a015, a016, a017, a018, a019, a020, a021, a022, a023;
   casadi_real a024, a025, a026, a027, a028, a029, a030, a031, a032, a033, a034, a035;
@@ -20320,7 +21010,7 @@ static int casadi_f64(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* observe:(t,y[6],p[8])->(g[9],dg[9]) */
-static int casadi_f65(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f89(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
   casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
@@ -20814,7 +21504,7 @@ static int casadi_f65(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* working_steps:(t,turns[2x12],w[7],h,p[8])->(w_end[7],nodes[7x12],g[9x12],dg[9x12]) */
-static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+4, *rr, *w00=w+115, w01, *w03=w+122, w05, *w06=w+124, w07, *w08=w+131, *w09=w+138, *w10=w+145, *w11=w+152;
   casadi_real *w12=w+159, *w13=w+166, *w14=w+173, *w15=w+180, *w16=w+187, *w17=w+194, *w18=w+201, *w19=w+208, *w20=w+214, *w21=w+223, *w22=w+232, *w23=w+241;
   casadi_real *w24=w+250, *w25=w+259, *w26=w+268, *w27=w+277, *w28=w+286, *w29=w+295, *w30=w+304, *w31=w+313, *w32=w+322;
@@ -20829,7 +21519,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w01);
   arg1[1]=wr02;
   res1[0]=w03;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = input[1][0] */
   wr04 = arg[1] ? arg[1] : casadi_zeros;
   /* #5: @5 = input[3][0] */
@@ -20841,14 +21531,14 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=wr02;
   res1[0]=w06;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
   /* #7: @7 = (@1+@5) */
   w07  = (w01+w05);
   /* #8: @3 = phase(@7, @2) */
   arg1[0]=(&w07);
   arg1[1]=wr02;
   res1[0]=w03;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #9: @8 = working_step(@6, @3, @4, @5, @2) */
   arg1[0]=w06;
   arg1[1]=w03;
@@ -20856,7 +21546,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=wr02;
   res1[0]=w08;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
   /* #10: @7 = (2.*@5) */
   w07 = (2.* w05 );
   /* #11: @7 = (@1+@7) */
@@ -20865,7 +21555,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w07);
   arg1[1]=wr02;
   res1[0]=w03;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #13: @9 = working_step(@8, @3, @4, @5, @2) */
   arg1[0]=w08;
   arg1[1]=w03;
@@ -20873,7 +21563,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=wr02;
   res1[0]=w09;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
   /* #14: @7 = 3 */
   w07 = 3.;
   /* #15: @7 = (@7*@5) */
@@ -20884,7 +21574,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w07);
   arg1[1]=wr02;
   res1[0]=w03;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #18: @10 = working_step(@9, @3, @4, @5, @2) */
   arg1[0]=w09;
   arg1[1]=w03;
@@ -20892,7 +21582,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=wr02;
   res1[0]=w10;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
   /* #19: @7 = 4 */
   w07 = 4.;
   /* #20: @7 = (@7*@5) */
@@ -20903,7 +21593,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w07);
   arg1[1]=wr02;
   res1[0]=w03;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #23: @11 = working_step(@10, @3, @4, @5, @2) */
   arg1[0]=w10;
   arg1[1]=w03;
@@ -20911,7 +21601,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=wr02;
   res1[0]=w11;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
   /* #24: @7 = 5 */
   w07 = 5.;
   /* #25: @7 = (@7*@5) */
@@ -20922,7 +21612,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w07);
   arg1[1]=wr02;
   res1[0]=w03;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #28: @12 = working_step(@11, @3, @4, @5, @2) */
   arg1[0]=w11;
   arg1[1]=w03;
@@ -20930,7 +21620,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=wr02;
   res1[0]=w12;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
   /* #29: @7 = 6 */
   w07 = 6.;
   /* #30: @7 = (@7*@5) */
@@ -20941,7 +21631,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w07);
   arg1[1]=wr02;
   res1[0]=w03;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #33: @13 = working_step(@12, @3, @4, @5, @2) */
   arg1[0]=w12;
   arg1[1]=w03;
@@ -20949,7 +21639,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=wr02;
   res1[0]=w13;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
   /* #34: @7 = 7 */
   w07 = 7.;
   /* #35: @7 = (@7*@5) */
@@ -20960,7 +21650,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w07);
   arg1[1]=wr02;
   res1[0]=w03;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #38: @14 = working_step(@13, @3, @4, @5, @2) */
   arg1[0]=w13;
   arg1[1]=w03;
@@ -20968,7 +21658,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=wr02;
   res1[0]=w14;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
   /* #39: @7 = 8 */
   w07 = 8.;
   /* #40: @7 = (@7*@5) */
@@ -20979,7 +21669,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w07);
   arg1[1]=wr02;
   res1[0]=w03;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #43: @15 = working_step(@14, @3, @4, @5, @2) */
   arg1[0]=w14;
   arg1[1]=w03;
@@ -20987,7 +21677,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=wr02;
   res1[0]=w15;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
   /* #44: @7 = 9 */
   w07 = 9.;
   /* #45: @7 = (@7*@5) */
@@ -20998,7 +21688,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w07);
   arg1[1]=wr02;
   res1[0]=w03;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #48: @16 = working_step(@15, @3, @4, @5, @2) */
   arg1[0]=w15;
   arg1[1]=w03;
@@ -21006,7 +21696,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=wr02;
   res1[0]=w16;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
   /* #49: @7 = 10 */
   w07 = 10.;
   /* #50: @7 = (@7*@5) */
@@ -21017,7 +21707,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w07);
   arg1[1]=wr02;
   res1[0]=w03;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #53: @17 = working_step(@16, @3, @4, @5, @2) */
   arg1[0]=w16;
   arg1[1]=w03;
@@ -21025,7 +21715,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=wr02;
   res1[0]=w17;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
   /* #54: @7 = 11 */
   w07 = 11.;
   /* #55: @7 = (@7*@5) */
@@ -21036,7 +21726,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w07);
   arg1[1]=wr02;
   res1[0]=w03;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #58: @18 = working_step(@17, @3, @4, @5, @2) */
   arg1[0]=w17;
   arg1[1]=w03;
@@ -21044,7 +21734,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w05);
   arg1[4]=wr02;
   res1[0]=w18;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
   /* #59: output[0][0] = @18 */
   casadi_copy(w18, 7, res[0]);
   /* #60: output[1][0] = @0 */
@@ -21079,7 +21769,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr02;
   res1[0]=w20;
   res1[1]=w21;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #74: output[2][0] = @20 */
   casadi_copy(w20, 9, res[2]);
   /* #75: @7 = (@1+@5) */
@@ -21092,7 +21782,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr02;
   res1[0]=w20;
   res1[1]=w22;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #78: output[2][1] = @20 */
   if (res[2]) casadi_copy(w20, 9, res[2]+9);
   /* #79: @7 = (2.*@5) */
@@ -21107,7 +21797,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr02;
   res1[0]=w20;
   res1[1]=w23;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #83: output[2][2] = @20 */
   if (res[2]) casadi_copy(w20, 9, res[2]+18);
   /* #84: @7 = 3 */
@@ -21124,7 +21814,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr02;
   res1[0]=w20;
   res1[1]=w24;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #89: output[2][3] = @20 */
   if (res[2]) casadi_copy(w20, 9, res[2]+27);
   /* #90: @7 = 4 */
@@ -21141,7 +21831,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr02;
   res1[0]=w20;
   res1[1]=w25;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #95: output[2][4] = @20 */
   if (res[2]) casadi_copy(w20, 9, res[2]+36);
   /* #96: @7 = 5 */
@@ -21158,7 +21848,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr02;
   res1[0]=w20;
   res1[1]=w26;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #101: output[2][5] = @20 */
   if (res[2]) casadi_copy(w20, 9, res[2]+45);
   /* #102: @7 = 6 */
@@ -21175,7 +21865,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr02;
   res1[0]=w20;
   res1[1]=w27;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #107: output[2][6] = @20 */
   if (res[2]) casadi_copy(w20, 9, res[2]+54);
   /* #108: @7 = 7 */
@@ -21192,7 +21882,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr02;
   res1[0]=w20;
   res1[1]=w28;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #113: output[2][7] = @20 */
   if (res[2]) casadi_copy(w20, 9, res[2]+63);
   /* #114: @7 = 8 */
@@ -21209,7 +21899,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr02;
   res1[0]=w20;
   res1[1]=w29;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #119: output[2][8] = @20 */
   if (res[2]) casadi_copy(w20, 9, res[2]+72);
   /* #120: @7 = 9 */
@@ -21226,7 +21916,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr02;
   res1[0]=w20;
   res1[1]=w30;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #125: output[2][9] = @20 */
   if (res[2]) casadi_copy(w20, 9, res[2]+81);
   /* #126: @7 = 10 */
@@ -21243,7 +21933,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr02;
   res1[0]=w20;
   res1[1]=w31;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #131: output[2][10] = @20 */
   if (res[2]) casadi_copy(w20, 9, res[2]+90);
   /* #132: @7 = 11 */
@@ -21260,7 +21950,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr02;
   res1[0]=w20;
   res1[1]=w32;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #137: output[2][11] = @20 */
   if (res[2]) casadi_copy(w20, 9, res[2]+99);
   /* #138: output[3][0] = @21 */
@@ -21291,7 +21981,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 /* wobbling_trace_48:(u[6],p[8])->(w[7x49],g[9x49],dg[9x49],R[6]) */
-static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w00, *w01=w+366, w02, w03, *w05=w+372, *w06=w+396, w07, *w08=w+401, *w09=w+408, *w10=w+415;
   casadi_real *w11=w+499, *w12=w+607, *w13=w+715, *w14=w+823, *w15=w+931, *w16=w+1039, *w17=w+1147, *w18=w+1255, *w19=w+1363, *w20=w+1372, *w21=w+1381;
@@ -21312,7 +22002,7 @@ static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w03);
   arg1[1]=wr04;
   res1[0]=w05;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:5] */
   for (rr=w06, cs=w01+0; cs!=w01+5; cs+=1) *rr++ = *cs;
   /* #8: {@1, NULL} = start(@6, @4) */
@@ -21320,7 +22010,7 @@ static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr04;
   res1[0]=w01;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #9: @7 = 0 */
   w07 = 0.;
   /* #10: @8 = vertcat(@1, @7) */
@@ -21337,7 +22027,7 @@ static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w11;
   res1[3]=w12;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w10, 84, res[0]);
   /* #13: @0 = 0.25 */
@@ -21354,7 +22044,7 @@ static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w13;
   res1[3]=w14;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+84);
   /* #17: @0 = 0.5 */
@@ -21371,7 +22061,7 @@ static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w15;
   res1[3]=w16;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+168);
   /* #21: @0 = 0.75 */
@@ -21388,7 +22078,7 @@ static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w17;
   res1[3]=w18;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+252);
   /* #25: output[0][4] = @8 */
@@ -21409,7 +22099,7 @@ static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr04;
   res1[0]=w19;
   res1[1]=w20;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[1][4] = @19 */
   if (res[1]) casadi_copy(w19, 9, res[1]+432);
   /* #33: output[2][0] = @12 */
@@ -21429,14 +22119,14 @@ static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w06;
   arg1[2]=wr04;
   res1[0]=w21;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[3][0] = @21 */
   casadi_copy(w21, 6, res[3]);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_48(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f62(arg, res, iw, w, mem);
+  return casadi_f86(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_48_checkout(void) {
@@ -21515,7 +22205,7 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_48_work_bytes(casadi_int *sz_arg, casadi
 }
 
 /* wobbling_trace_72:(u[6],p[8])->(w[7x73],g[9x73],dg[9x73],R[6]) */
-static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f90(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w00, *w01=w+366, w02, w03, *w05=w+372, *w06=w+396, w07, *w08=w+401, *w09=w+408, *w10=w+415;
   casadi_real *w11=w+499, *w12=w+607, *w13=w+715, *w14=w+823, *w15=w+931, *w16=w+1039, *w17=w+1147, *w18=w+1255, *w19=w+1363, *w20=w+1471, *w21=w+1579, *w22=w+1687;
@@ -21537,7 +22227,7 @@ static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w03);
   arg1[1]=wr04;
   res1[0]=w05;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:5] */
   for (rr=w06, cs=w01+0; cs!=w01+5; cs+=1) *rr++ = *cs;
   /* #8: {@1, NULL} = start(@6, @4) */
@@ -21545,7 +22235,7 @@ static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr04;
   res1[0]=w01;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #9: @7 = 0 */
   w07 = 0.;
   /* #10: @8 = vertcat(@1, @7) */
@@ -21562,7 +22252,7 @@ static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w11;
   res1[3]=w12;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w10, 84, res[0]);
   /* #13: @0 = 0.166667 */
@@ -21579,7 +22269,7 @@ static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w13;
   res1[3]=w14;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+84);
   /* #17: @0 = 0.333333 */
@@ -21596,7 +22286,7 @@ static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w15;
   res1[3]=w16;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+168);
   /* #21: @0 = 0.5 */
@@ -21613,7 +22303,7 @@ static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w17;
   res1[3]=w18;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+252);
   /* #25: @0 = 0.666667 */
@@ -21630,7 +22320,7 @@ static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w19;
   res1[3]=w20;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+336);
   /* #29: @0 = 0.833333 */
@@ -21647,7 +22337,7 @@ static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w21;
   res1[3]=w22;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+420);
   /* #33: output[0][6] = @8 */
@@ -21672,7 +22362,7 @@ static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr04;
   res1[0]=w23;
   res1[1]=w24;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #42: output[1][6] = @23 */
   if (res[1]) casadi_copy(w23, 9, res[1]+648);
   /* #43: output[2][0] = @12 */
@@ -21696,14 +22386,14 @@ static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w06;
   arg1[2]=wr04;
   res1[0]=w25;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[3][0] = @25 */
   casadi_copy(w25, 6, res[3]);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_72(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f66(arg, res, iw, w, mem);
+  return casadi_f90(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_72_checkout(void) {
@@ -21782,7 +22472,7 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_72_work_bytes(casadi_int *sz_arg, casadi
 }
 
 /* wobbling_trace_96:(u[6],p[8])->(w[7x97],g[9x97],dg[9x97],R[6]) */
-static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f91(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w00, *w01=w+366, w02, w03, *w05=w+372, *w06=w+396, w07, *w08=w+401, *w09=w+408, *w10=w+415;
   casadi_real *w11=w+499, *w12=w+607, *w13=w+715, *w14=w+823, *w15=w+931, *w16=w+1039, *w17=w+1147, *w18=w+1255, *w19=w+1363, *w20=w+1471, *w21=w+1579, *w22=w+1687;
@@ -21804,7 +22494,7 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w03);
   arg1[1]=wr04;
   res1[0]=w05;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:5] */
   for (rr=w06, cs=w01+0; cs!=w01+5; cs+=1) *rr++ = *cs;
   /* #8: {@1, NULL} = start(@6, @4) */
@@ -21812,7 +22502,7 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr04;
   res1[0]=w01;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #9: @7 = 0 */
   w07 = 0.;
   /* #10: @8 = vertcat(@1, @7) */
@@ -21829,7 +22519,7 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w11;
   res1[3]=w12;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w10, 84, res[0]);
   /* #13: @0 = 0.125 */
@@ -21846,7 +22536,7 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w13;
   res1[3]=w14;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+84);
   /* #17: @0 = 0.25 */
@@ -21863,7 +22553,7 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w15;
   res1[3]=w16;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+168);
   /* #21: @0 = 0.375 */
@@ -21880,7 +22570,7 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w17;
   res1[3]=w18;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+252);
   /* #25: @0 = 0.5 */
@@ -21897,7 +22587,7 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w19;
   res1[3]=w20;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+336);
   /* #29: @0 = 0.625 */
@@ -21914,7 +22604,7 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w21;
   res1[3]=w22;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+420);
   /* #33: @0 = 0.75 */
@@ -21931,7 +22621,7 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w23;
   res1[3]=w24;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[0][6] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+504);
   /* #37: @0 = 0.875 */
@@ -21948,7 +22638,7 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w25;
   res1[3]=w26;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[0][7] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+588);
   /* #41: output[0][8] = @8 */
@@ -21977,7 +22667,7 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr04;
   res1[0]=w27;
   res1[1]=w28;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[1][8] = @27 */
   if (res[1]) casadi_copy(w27, 9, res[1]+864);
   /* #53: output[2][0] = @12 */
@@ -22005,14 +22695,14 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w06;
   arg1[2]=wr04;
   res1[0]=w29;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #64: output[3][0] = @29 */
   casadi_copy(w29, 6, res[3]);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_96(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f67(arg, res, iw, w, mem);
+  return casadi_f91(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_96_checkout(void) {
@@ -22091,7 +22781,7 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_96_work_bytes(casadi_int *sz_arg, casadi
 }
 
 /* wobbling_trace_144:(u[6],p[8])->(w[7x145],g[9x145],dg[9x145],R[6]) */
-static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f92(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w00, *w01=w+366, w02, w03, *w05=w+372, *w06=w+396, w07, *w08=w+401, *w09=w+408, *w10=w+415;
   casadi_real *w11=w+499, *w12=w+607, *w13=w+715, *w14=w+823, *w15=w+931, *w16=w+1039, *w17=w+1147, *w18=w+1255, *w19=w+1363, *w20=w+1471, *w21=w+1579, *w22=w+1687;
@@ -22114,7 +22804,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w03);
   arg1[1]=wr04;
   res1[0]=w05;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:5] */
   for (rr=w06, cs=w01+0; cs!=w01+5; cs+=1) *rr++ = *cs;
   /* #8: {@1, NULL} = start(@6, @4) */
@@ -22122,7 +22812,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr04;
   res1[0]=w01;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #9: @7 = 0 */
   w07 = 0.;
   /* #10: @8 = vertcat(@1, @7) */
@@ -22139,7 +22829,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w11;
   res1[3]=w12;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w10, 84, res[0]);
   /* #13: @0 = 0.0833333 */
@@ -22156,7 +22846,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w13;
   res1[3]=w14;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+84);
   /* #17: @0 = 0.166667 */
@@ -22173,7 +22863,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w15;
   res1[3]=w16;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+168);
   /* #21: @0 = 0.25 */
@@ -22190,7 +22880,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w17;
   res1[3]=w18;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+252);
   /* #25: @0 = 0.333333 */
@@ -22207,7 +22897,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w19;
   res1[3]=w20;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+336);
   /* #29: @0 = 0.416667 */
@@ -22224,7 +22914,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w21;
   res1[3]=w22;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+420);
   /* #33: @0 = 0.5 */
@@ -22241,7 +22931,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w23;
   res1[3]=w24;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[0][6] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+504);
   /* #37: @0 = 0.583333 */
@@ -22258,7 +22948,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w25;
   res1[3]=w26;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[0][7] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+588);
   /* #41: @0 = 0.666667 */
@@ -22275,7 +22965,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w27;
   res1[3]=w28;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #44: output[0][8] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+672);
   /* #45: @0 = 0.75 */
@@ -22292,7 +22982,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w29;
   res1[3]=w30;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #48: output[0][9] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+756);
   /* #49: @0 = 0.833333 */
@@ -22309,7 +22999,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w31;
   res1[3]=w32;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[0][10] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+840);
   /* #53: @0 = 0.916667 */
@@ -22326,7 +23016,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w33;
   res1[3]=w34;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #56: output[0][11] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+924);
   /* #57: output[0][12] = @8 */
@@ -22363,7 +23053,7 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr04;
   res1[0]=w35;
   res1[1]=w36;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #72: output[1][12] = @35 */
   if (res[1]) casadi_copy(w35, 9, res[1]+1296);
   /* #73: output[2][0] = @12 */
@@ -22399,14 +23089,14 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w06;
   arg1[2]=wr04;
   res1[0]=w37;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #88: output[3][0] = @37 */
   casadi_copy(w37, 6, res[3]);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_144(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f68(arg, res, iw, w, mem);
+  return casadi_f92(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_144_checkout(void) {
@@ -22485,7 +23175,7 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_144_work_bytes(casadi_int *sz_arg, casad
 }
 
 /* wobbling_trace_192:(u[6],p[8])->(w[7x193],g[9x193],dg[9x193],R[6]) */
-static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f93(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w00, *w01=w+366, w02, w03, *w05=w+372, *w06=w+396, w07, *w08=w+401, *w09=w+408, *w10=w+415;
   casadi_real *w11=w+499, *w12=w+607, *w13=w+715, *w14=w+823, *w15=w+931, *w16=w+1039, *w17=w+1147, *w18=w+1255, *w19=w+1363, *w20=w+1471, *w21=w+1579, *w22=w+1687;
@@ -22508,7 +23198,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w03);
   arg1[1]=wr04;
   res1[0]=w05;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:5] */
   for (rr=w06, cs=w01+0; cs!=w01+5; cs+=1) *rr++ = *cs;
   /* #8: {@1, NULL} = start(@6, @4) */
@@ -22516,7 +23206,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr04;
   res1[0]=w01;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #9: @7 = 0 */
   w07 = 0.;
   /* #10: @8 = vertcat(@1, @7) */
@@ -22533,7 +23223,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w11;
   res1[3]=w12;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w10, 84, res[0]);
   /* #13: @0 = 0.0625 */
@@ -22550,7 +23240,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w13;
   res1[3]=w14;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+84);
   /* #17: @0 = 0.125 */
@@ -22567,7 +23257,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w15;
   res1[3]=w16;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+168);
   /* #21: @0 = 0.1875 */
@@ -22584,7 +23274,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w17;
   res1[3]=w18;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+252);
   /* #25: @0 = 0.25 */
@@ -22601,7 +23291,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w19;
   res1[3]=w20;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+336);
   /* #29: @0 = 0.3125 */
@@ -22618,7 +23308,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w21;
   res1[3]=w22;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+420);
   /* #33: @0 = 0.375 */
@@ -22635,7 +23325,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w23;
   res1[3]=w24;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[0][6] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+504);
   /* #37: @0 = 0.4375 */
@@ -22652,7 +23342,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w25;
   res1[3]=w26;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[0][7] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+588);
   /* #41: @0 = 0.5 */
@@ -22669,7 +23359,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w27;
   res1[3]=w28;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #44: output[0][8] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+672);
   /* #45: @0 = 0.5625 */
@@ -22686,7 +23376,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w29;
   res1[3]=w30;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #48: output[0][9] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+756);
   /* #49: @0 = 0.625 */
@@ -22703,7 +23393,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w31;
   res1[3]=w32;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[0][10] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+840);
   /* #53: @0 = 0.6875 */
@@ -22720,7 +23410,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w33;
   res1[3]=w34;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #56: output[0][11] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+924);
   /* #57: @0 = 0.75 */
@@ -22737,7 +23427,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w35;
   res1[3]=w36;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #60: output[0][12] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1008);
   /* #61: @0 = 0.8125 */
@@ -22754,7 +23444,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w37;
   res1[3]=w38;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #64: output[0][13] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1092);
   /* #65: @0 = 0.875 */
@@ -22771,7 +23461,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w39;
   res1[3]=w40;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #68: output[0][14] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1176);
   /* #69: @0 = 0.9375 */
@@ -22788,7 +23478,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w41;
   res1[3]=w42;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #72: output[0][15] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1260);
   /* #73: output[0][16] = @8 */
@@ -22833,7 +23523,7 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr04;
   res1[0]=w43;
   res1[1]=w44;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #92: output[1][16] = @43 */
   if (res[1]) casadi_copy(w43, 9, res[1]+1728);
   /* #93: output[2][0] = @12 */
@@ -22877,14 +23567,14 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w06;
   arg1[2]=wr04;
   res1[0]=w45;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #112: output[3][0] = @45 */
   casadi_copy(w45, 6, res[3]);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_192(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f69(arg, res, iw, w, mem);
+  return casadi_f93(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_192_checkout(void) {
@@ -22963,7 +23653,7 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_192_work_bytes(casadi_int *sz_arg, casad
 }
 
 /* wobbling_trace_288:(u[6],p[8])->(w[7x289],g[9x289],dg[9x289],R[6]) */
-static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f94(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w00, *w01=w+366, w02, w03, *w05=w+372, *w06=w+396, w07, *w08=w+401, *w09=w+408, *w10=w+415;
   casadi_real *w11=w+499, *w12=w+607, *w13=w+715, *w14=w+823, *w15=w+931, *w16=w+1039, *w17=w+1147, *w18=w+1255, *w19=w+1363, *w20=w+1471, *w21=w+1579, *w22=w+1687;
@@ -22988,7 +23678,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w03);
   arg1[1]=wr04;
   res1[0]=w05;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:5] */
   for (rr=w06, cs=w01+0; cs!=w01+5; cs+=1) *rr++ = *cs;
   /* #8: {@1, NULL} = start(@6, @4) */
@@ -22996,7 +23686,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr04;
   res1[0]=w01;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #9: @7 = 0 */
   w07 = 0.;
   /* #10: @8 = vertcat(@1, @7) */
@@ -23013,7 +23703,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w11;
   res1[3]=w12;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w10, 84, res[0]);
   /* #13: @0 = 0.0416667 */
@@ -23030,7 +23720,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w13;
   res1[3]=w14;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+84);
   /* #17: @0 = 0.0833333 */
@@ -23047,7 +23737,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w15;
   res1[3]=w16;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+168);
   /* #21: @0 = 0.125 */
@@ -23064,7 +23754,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w17;
   res1[3]=w18;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+252);
   /* #25: @0 = 0.166667 */
@@ -23081,7 +23771,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w19;
   res1[3]=w20;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+336);
   /* #29: @0 = 0.208333 */
@@ -23098,7 +23788,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w21;
   res1[3]=w22;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+420);
   /* #33: @0 = 0.25 */
@@ -23115,7 +23805,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w23;
   res1[3]=w24;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[0][6] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+504);
   /* #37: @0 = 0.291667 */
@@ -23132,7 +23822,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w25;
   res1[3]=w26;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[0][7] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+588);
   /* #41: @0 = 0.333333 */
@@ -23149,7 +23839,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w27;
   res1[3]=w28;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #44: output[0][8] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+672);
   /* #45: @0 = 0.375 */
@@ -23166,7 +23856,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w29;
   res1[3]=w30;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #48: output[0][9] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+756);
   /* #49: @0 = 0.416667 */
@@ -23183,7 +23873,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w31;
   res1[3]=w32;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[0][10] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+840);
   /* #53: @0 = 0.458333 */
@@ -23200,7 +23890,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w33;
   res1[3]=w34;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #56: output[0][11] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+924);
   /* #57: @0 = 0.5 */
@@ -23217,7 +23907,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w35;
   res1[3]=w36;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #60: output[0][12] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1008);
   /* #61: @0 = 0.541667 */
@@ -23234,7 +23924,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w37;
   res1[3]=w38;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #64: output[0][13] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1092);
   /* #65: @0 = 0.583333 */
@@ -23251,7 +23941,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w39;
   res1[3]=w40;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #68: output[0][14] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1176);
   /* #69: @0 = 0.625 */
@@ -23268,7 +23958,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w41;
   res1[3]=w42;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #72: output[0][15] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1260);
   /* #73: @0 = 0.666667 */
@@ -23285,7 +23975,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w43;
   res1[3]=w44;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #76: output[0][16] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1344);
   /* #77: @0 = 0.708333 */
@@ -23302,7 +23992,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w45;
   res1[3]=w46;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #80: output[0][17] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1428);
   /* #81: @0 = 0.75 */
@@ -23319,7 +24009,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w47;
   res1[3]=w48;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #84: output[0][18] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1512);
   /* #85: @0 = 0.791667 */
@@ -23336,7 +24026,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w49;
   res1[3]=w50;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #88: output[0][19] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1596);
   /* #89: @0 = 0.833333 */
@@ -23353,7 +24043,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w51;
   res1[3]=w52;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #92: output[0][20] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1680);
   /* #93: @0 = 0.875 */
@@ -23370,7 +24060,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w53;
   res1[3]=w54;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #96: output[0][21] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1764);
   /* #97: @0 = 0.916667 */
@@ -23387,7 +24077,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w55;
   res1[3]=w56;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #100: output[0][22] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1848);
   /* #101: @0 = 0.958333 */
@@ -23404,7 +24094,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w57;
   res1[3]=w58;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #104: output[0][23] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1932);
   /* #105: output[0][24] = @8 */
@@ -23465,7 +24155,7 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr04;
   res1[0]=w59;
   res1[1]=w60;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #132: output[1][24] = @59 */
   if (res[1]) casadi_copy(w59, 9, res[1]+2592);
   /* #133: output[2][0] = @12 */
@@ -23525,14 +24215,14 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w06;
   arg1[2]=wr04;
   res1[0]=w61;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #160: output[3][0] = @61 */
   casadi_copy(w61, 6, res[3]);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_288(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f70(arg, res, iw, w, mem);
+  return casadi_f94(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_288_checkout(void) {
@@ -23611,7 +24301,7 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_288_work_bytes(casadi_int *sz_arg, casad
 }
 
 /* wobbling_trace_384:(u[6],p[8])->(w[7x385],g[9x385],dg[9x385],R[6]) */
-static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f95(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w00, *w01=w+366, w02, w03, *w05=w+372, *w06=w+396, w07, *w08=w+401, *w09=w+408, *w10=w+415;
   casadi_real *w11=w+499, *w12=w+607, *w13=w+715, *w14=w+823, *w15=w+931, *w16=w+1039, *w17=w+1147, *w18=w+1255, *w19=w+1363, *w20=w+1471, *w21=w+1579, *w22=w+1687;
@@ -23637,7 +24327,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w03);
   arg1[1]=wr04;
   res1[0]=w05;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:5] */
   for (rr=w06, cs=w01+0; cs!=w01+5; cs+=1) *rr++ = *cs;
   /* #8: {@1, NULL} = start(@6, @4) */
@@ -23645,7 +24335,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr04;
   res1[0]=w01;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #9: @7 = 0 */
   w07 = 0.;
   /* #10: @8 = vertcat(@1, @7) */
@@ -23662,7 +24352,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w11;
   res1[3]=w12;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w10, 84, res[0]);
   /* #13: @0 = 0.03125 */
@@ -23679,7 +24369,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w13;
   res1[3]=w14;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+84);
   /* #17: @0 = 0.0625 */
@@ -23696,7 +24386,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w15;
   res1[3]=w16;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+168);
   /* #21: @0 = 0.09375 */
@@ -23713,7 +24403,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w17;
   res1[3]=w18;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+252);
   /* #25: @0 = 0.125 */
@@ -23730,7 +24420,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w19;
   res1[3]=w20;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+336);
   /* #29: @0 = 0.15625 */
@@ -23747,7 +24437,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w21;
   res1[3]=w22;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+420);
   /* #33: @0 = 0.1875 */
@@ -23764,7 +24454,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w23;
   res1[3]=w24;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[0][6] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+504);
   /* #37: @0 = 0.21875 */
@@ -23781,7 +24471,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w25;
   res1[3]=w26;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[0][7] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+588);
   /* #41: @0 = 0.25 */
@@ -23798,7 +24488,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w27;
   res1[3]=w28;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #44: output[0][8] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+672);
   /* #45: @0 = 0.28125 */
@@ -23815,7 +24505,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w29;
   res1[3]=w30;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #48: output[0][9] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+756);
   /* #49: @0 = 0.3125 */
@@ -23832,7 +24522,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w31;
   res1[3]=w32;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[0][10] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+840);
   /* #53: @0 = 0.34375 */
@@ -23849,7 +24539,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w33;
   res1[3]=w34;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #56: output[0][11] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+924);
   /* #57: @0 = 0.375 */
@@ -23866,7 +24556,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w35;
   res1[3]=w36;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #60: output[0][12] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1008);
   /* #61: @0 = 0.40625 */
@@ -23883,7 +24573,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w37;
   res1[3]=w38;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #64: output[0][13] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1092);
   /* #65: @0 = 0.4375 */
@@ -23900,7 +24590,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w39;
   res1[3]=w40;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #68: output[0][14] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1176);
   /* #69: @0 = 0.46875 */
@@ -23917,7 +24607,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w41;
   res1[3]=w42;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #72: output[0][15] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1260);
   /* #73: @0 = 0.5 */
@@ -23934,7 +24624,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w43;
   res1[3]=w44;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #76: output[0][16] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1344);
   /* #77: @0 = 0.53125 */
@@ -23951,7 +24641,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w45;
   res1[3]=w46;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #80: output[0][17] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1428);
   /* #81: @0 = 0.5625 */
@@ -23968,7 +24658,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w47;
   res1[3]=w48;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #84: output[0][18] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1512);
   /* #85: @0 = 0.59375 */
@@ -23985,7 +24675,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w49;
   res1[3]=w50;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #88: output[0][19] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1596);
   /* #89: @0 = 0.625 */
@@ -24002,7 +24692,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w51;
   res1[3]=w52;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #92: output[0][20] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1680);
   /* #93: @0 = 0.65625 */
@@ -24019,7 +24709,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w53;
   res1[3]=w54;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #96: output[0][21] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1764);
   /* #97: @0 = 0.6875 */
@@ -24036,7 +24726,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w55;
   res1[3]=w56;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #100: output[0][22] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1848);
   /* #101: @0 = 0.71875 */
@@ -24053,7 +24743,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w57;
   res1[3]=w58;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #104: output[0][23] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+1932);
   /* #105: @0 = 0.75 */
@@ -24070,7 +24760,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w59;
   res1[3]=w60;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #108: output[0][24] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+2016);
   /* #109: @0 = 0.78125 */
@@ -24087,7 +24777,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w61;
   res1[3]=w62;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #112: output[0][25] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+2100);
   /* #113: @0 = 0.8125 */
@@ -24104,7 +24794,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w63;
   res1[3]=w64;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #116: output[0][26] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+2184);
   /* #117: @0 = 0.84375 */
@@ -24121,7 +24811,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w65;
   res1[3]=w66;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #120: output[0][27] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+2268);
   /* #121: @0 = 0.875 */
@@ -24138,7 +24828,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w67;
   res1[3]=w68;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #124: output[0][28] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+2352);
   /* #125: @0 = 0.90625 */
@@ -24155,7 +24845,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w69;
   res1[3]=w70;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #128: output[0][29] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+2436);
   /* #129: @0 = 0.9375 */
@@ -24172,7 +24862,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w71;
   res1[3]=w72;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #132: output[0][30] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+2520);
   /* #133: @0 = 0.96875 */
@@ -24189,7 +24879,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w10;
   res1[2]=w73;
   res1[3]=w74;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #136: output[0][31] = @10 */
   if (res[0]) casadi_copy(w10, 84, res[0]+2604);
   /* #137: output[0][32] = @8 */
@@ -24266,7 +24956,7 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr04;
   res1[0]=w75;
   res1[1]=w76;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #172: output[1][32] = @75 */
   if (res[1]) casadi_copy(w75, 9, res[1]+3456);
   /* #173: output[2][0] = @12 */
@@ -24342,14 +25032,14 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w06;
   arg1[2]=wr04;
   res1[0]=w77;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #208: output[3][0] = @77 */
   casadi_copy(w77, 6, res[3]);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_384(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f71(arg, res, iw, w, mem);
+  return casadi_f95(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_384_checkout(void) {
@@ -24428,7 +25118,7 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_384_work_bytes(casadi_int *sz_arg, casad
 }
 
 /* wobbling_trace_576:(u[6],p[8])->(w[7x577],g[9x577],dg[9x577],R[6]) */
-static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f96(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w000, *w001=w+366, w002, w003, *w005=w+372, *w006=w+396, w007, *w008=w+401, *w009=w+408, *w010=w+415;
   casadi_real *w011=w+499, *w012=w+607, *w013=w+715, *w014=w+823, *w015=w+931, *w016=w+1039, *w017=w+1147, *w018=w+1255, *w019=w+1363, *w020=w+1471, *w021=w+1579, *w022=w+1687;
@@ -24457,7 +25147,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w003);
   arg1[1]=wr004;
   res1[0]=w005;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:5] */
   for (rr=w006, cs=w001+0; cs!=w001+5; cs+=1) *rr++ = *cs;
   /* #8: {@1, NULL} = start(@6, @4) */
@@ -24465,7 +25155,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr004;
   res1[0]=w001;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #9: @7 = 0 */
   w007 = 0.;
   /* #10: @8 = vertcat(@1, @7) */
@@ -24482,7 +25172,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w011;
   res1[3]=w012;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w010, 84, res[0]);
   /* #13: @0 = 0.0208333 */
@@ -24499,7 +25189,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w013;
   res1[3]=w014;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+84);
   /* #17: @0 = 0.0416667 */
@@ -24516,7 +25206,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w015;
   res1[3]=w016;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+168);
   /* #21: @0 = 0.0625 */
@@ -24533,7 +25223,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w017;
   res1[3]=w018;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+252);
   /* #25: @0 = 0.0833333 */
@@ -24550,7 +25240,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w019;
   res1[3]=w020;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+336);
   /* #29: @0 = 0.104167 */
@@ -24567,7 +25257,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w021;
   res1[3]=w022;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+420);
   /* #33: @0 = 0.125 */
@@ -24584,7 +25274,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w023;
   res1[3]=w024;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[0][6] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+504);
   /* #37: @0 = 0.145833 */
@@ -24601,7 +25291,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w025;
   res1[3]=w026;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[0][7] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+588);
   /* #41: @0 = 0.166667 */
@@ -24618,7 +25308,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w027;
   res1[3]=w028;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #44: output[0][8] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+672);
   /* #45: @0 = 0.1875 */
@@ -24635,7 +25325,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w029;
   res1[3]=w030;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #48: output[0][9] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+756);
   /* #49: @0 = 0.208333 */
@@ -24652,7 +25342,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w031;
   res1[3]=w032;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[0][10] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+840);
   /* #53: @0 = 0.229167 */
@@ -24669,7 +25359,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w033;
   res1[3]=w034;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #56: output[0][11] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+924);
   /* #57: @0 = 0.25 */
@@ -24686,7 +25376,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w035;
   res1[3]=w036;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #60: output[0][12] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1008);
   /* #61: @0 = 0.270833 */
@@ -24703,7 +25393,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w037;
   res1[3]=w038;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #64: output[0][13] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1092);
   /* #65: @0 = 0.291667 */
@@ -24720,7 +25410,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w039;
   res1[3]=w040;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #68: output[0][14] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1176);
   /* #69: @0 = 0.3125 */
@@ -24737,7 +25427,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w041;
   res1[3]=w042;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #72: output[0][15] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1260);
   /* #73: @0 = 0.333333 */
@@ -24754,7 +25444,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w043;
   res1[3]=w044;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #76: output[0][16] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1344);
   /* #77: @0 = 0.354167 */
@@ -24771,7 +25461,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w045;
   res1[3]=w046;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #80: output[0][17] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1428);
   /* #81: @0 = 0.375 */
@@ -24788,7 +25478,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w047;
   res1[3]=w048;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #84: output[0][18] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1512);
   /* #85: @0 = 0.395833 */
@@ -24805,7 +25495,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w049;
   res1[3]=w050;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #88: output[0][19] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1596);
   /* #89: @0 = 0.416667 */
@@ -24822,7 +25512,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w051;
   res1[3]=w052;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #92: output[0][20] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1680);
   /* #93: @0 = 0.4375 */
@@ -24839,7 +25529,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w053;
   res1[3]=w054;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #96: output[0][21] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1764);
   /* #97: @0 = 0.458333 */
@@ -24856,7 +25546,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w055;
   res1[3]=w056;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #100: output[0][22] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1848);
   /* #101: @0 = 0.479167 */
@@ -24873,7 +25563,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w057;
   res1[3]=w058;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #104: output[0][23] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1932);
   /* #105: @0 = 0.5 */
@@ -24890,7 +25580,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w059;
   res1[3]=w060;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #108: output[0][24] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2016);
   /* #109: @0 = 0.520833 */
@@ -24907,7 +25597,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w061;
   res1[3]=w062;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #112: output[0][25] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2100);
   /* #113: @0 = 0.541667 */
@@ -24924,7 +25614,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w063;
   res1[3]=w064;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #116: output[0][26] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2184);
   /* #117: @0 = 0.5625 */
@@ -24941,7 +25631,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w065;
   res1[3]=w066;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #120: output[0][27] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2268);
   /* #121: @0 = 0.583333 */
@@ -24958,7 +25648,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w067;
   res1[3]=w068;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #124: output[0][28] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2352);
   /* #125: @0 = 0.604167 */
@@ -24975,7 +25665,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w069;
   res1[3]=w070;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #128: output[0][29] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2436);
   /* #129: @0 = 0.625 */
@@ -24992,7 +25682,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w071;
   res1[3]=w072;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #132: output[0][30] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2520);
   /* #133: @0 = 0.645833 */
@@ -25009,7 +25699,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w073;
   res1[3]=w074;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #136: output[0][31] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2604);
   /* #137: @0 = 0.666667 */
@@ -25026,7 +25716,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w075;
   res1[3]=w076;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #140: output[0][32] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2688);
   /* #141: @0 = 0.6875 */
@@ -25043,7 +25733,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w077;
   res1[3]=w078;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #144: output[0][33] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2772);
   /* #145: @0 = 0.708333 */
@@ -25060,7 +25750,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w079;
   res1[3]=w080;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #148: output[0][34] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2856);
   /* #149: @0 = 0.729167 */
@@ -25077,7 +25767,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w081;
   res1[3]=w082;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #152: output[0][35] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2940);
   /* #153: @0 = 0.75 */
@@ -25094,7 +25784,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w083;
   res1[3]=w084;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #156: output[0][36] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3024);
   /* #157: @0 = 0.770833 */
@@ -25111,7 +25801,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w085;
   res1[3]=w086;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #160: output[0][37] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3108);
   /* #161: @0 = 0.791667 */
@@ -25128,7 +25818,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w087;
   res1[3]=w088;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #164: output[0][38] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3192);
   /* #165: @0 = 0.8125 */
@@ -25145,7 +25835,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w089;
   res1[3]=w090;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #168: output[0][39] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3276);
   /* #169: @0 = 0.833333 */
@@ -25162,7 +25852,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w091;
   res1[3]=w092;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #172: output[0][40] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3360);
   /* #173: @0 = 0.854167 */
@@ -25179,7 +25869,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w093;
   res1[3]=w094;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #176: output[0][41] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3444);
   /* #177: @0 = 0.875 */
@@ -25196,7 +25886,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w095;
   res1[3]=w096;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #180: output[0][42] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3528);
   /* #181: @0 = 0.895833 */
@@ -25213,7 +25903,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w097;
   res1[3]=w098;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #184: output[0][43] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3612);
   /* #185: @0 = 0.916667 */
@@ -25230,7 +25920,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w099;
   res1[3]=w100;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #188: output[0][44] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3696);
   /* #189: @0 = 0.9375 */
@@ -25247,7 +25937,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w101;
   res1[3]=w102;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #192: output[0][45] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3780);
   /* #193: @0 = 0.958333 */
@@ -25264,7 +25954,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w103;
   res1[3]=w104;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #196: output[0][46] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3864);
   /* #197: @0 = 0.979167 */
@@ -25281,7 +25971,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w105;
   res1[3]=w106;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #200: output[0][47] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3948);
   /* #201: output[0][48] = @8 */
@@ -25390,7 +26080,7 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr004;
   res1[0]=w107;
   res1[1]=w108;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #252: output[1][48] = @107 */
   if (res[1]) casadi_copy(w107, 9, res[1]+5184);
   /* #253: output[2][0] = @12 */
@@ -25498,14 +26188,14 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w006;
   arg1[2]=wr004;
   res1[0]=w109;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #304: output[3][0] = @109 */
   casadi_copy(w109, 6, res[3]);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_576(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f72(arg, res, iw, w, mem);
+  return casadi_f96(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_576_checkout(void) {
@@ -25584,7 +26274,7 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_576_work_bytes(casadi_int *sz_arg, casad
 }
 
 /* wobbling_trace_768:(u[6],p[8])->(w[7x769],g[9x769],dg[9x769],R[6]) */
-static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
   casadi_real **res1=res+4, *rr, w000, *w001=w+366, w002, w003, *w005=w+372, *w006=w+396, w007, *w008=w+401, *w009=w+408, *w010=w+415;
   casadi_real *w011=w+499, *w012=w+607, *w013=w+715, *w014=w+823, *w015=w+931, *w016=w+1039, *w017=w+1147, *w018=w+1255, *w019=w+1363, *w020=w+1471, *w021=w+1579, *w022=w+1687;
@@ -25615,7 +26305,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w003);
   arg1[1]=wr004;
   res1[0]=w005;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #7: @6 = @1[:5] */
   for (rr=w006, cs=w001+0; cs!=w001+5; cs+=1) *rr++ = *cs;
   /* #8: {@1, NULL} = start(@6, @4) */
@@ -25623,7 +26313,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=wr004;
   res1[0]=w001;
   res1[1]=0;
-  if (casadi_f3(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
   /* #9: @7 = 0 */
   w007 = 0.;
   /* #10: @8 = vertcat(@1, @7) */
@@ -25640,7 +26330,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w011;
   res1[3]=w012;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #12: output[0][0] = @10 */
   casadi_copy(w010, 84, res[0]);
   /* #13: @0 = 0.015625 */
@@ -25657,7 +26347,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w013;
   res1[3]=w014;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #16: output[0][1] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+84);
   /* #17: @0 = 0.03125 */
@@ -25674,7 +26364,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w015;
   res1[3]=w016;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #20: output[0][2] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+168);
   /* #21: @0 = 0.046875 */
@@ -25691,7 +26381,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w017;
   res1[3]=w018;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #24: output[0][3] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+252);
   /* #25: @0 = 0.0625 */
@@ -25708,7 +26398,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w019;
   res1[3]=w020;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #28: output[0][4] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+336);
   /* #29: @0 = 0.078125 */
@@ -25725,7 +26415,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w021;
   res1[3]=w022;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[0][5] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+420);
   /* #33: @0 = 0.09375 */
@@ -25742,7 +26432,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w023;
   res1[3]=w024;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #36: output[0][6] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+504);
   /* #37: @0 = 0.109375 */
@@ -25759,7 +26449,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w025;
   res1[3]=w026;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #40: output[0][7] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+588);
   /* #41: @0 = 0.125 */
@@ -25776,7 +26466,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w027;
   res1[3]=w028;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #44: output[0][8] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+672);
   /* #45: @0 = 0.140625 */
@@ -25793,7 +26483,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w029;
   res1[3]=w030;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #48: output[0][9] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+756);
   /* #49: @0 = 0.15625 */
@@ -25810,7 +26500,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w031;
   res1[3]=w032;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[0][10] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+840);
   /* #53: @0 = 0.171875 */
@@ -25827,7 +26517,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w033;
   res1[3]=w034;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #56: output[0][11] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+924);
   /* #57: @0 = 0.1875 */
@@ -25844,7 +26534,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w035;
   res1[3]=w036;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #60: output[0][12] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1008);
   /* #61: @0 = 0.203125 */
@@ -25861,7 +26551,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w037;
   res1[3]=w038;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #64: output[0][13] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1092);
   /* #65: @0 = 0.21875 */
@@ -25878,7 +26568,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w039;
   res1[3]=w040;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #68: output[0][14] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1176);
   /* #69: @0 = 0.234375 */
@@ -25895,7 +26585,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w041;
   res1[3]=w042;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #72: output[0][15] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1260);
   /* #73: @0 = 0.25 */
@@ -25912,7 +26602,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w043;
   res1[3]=w044;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #76: output[0][16] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1344);
   /* #77: @0 = 0.265625 */
@@ -25929,7 +26619,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w045;
   res1[3]=w046;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #80: output[0][17] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1428);
   /* #81: @0 = 0.28125 */
@@ -25946,7 +26636,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w047;
   res1[3]=w048;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #84: output[0][18] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1512);
   /* #85: @0 = 0.296875 */
@@ -25963,7 +26653,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w049;
   res1[3]=w050;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #88: output[0][19] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1596);
   /* #89: @0 = 0.3125 */
@@ -25980,7 +26670,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w051;
   res1[3]=w052;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #92: output[0][20] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1680);
   /* #93: @0 = 0.328125 */
@@ -25997,7 +26687,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w053;
   res1[3]=w054;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #96: output[0][21] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1764);
   /* #97: @0 = 0.34375 */
@@ -26014,7 +26704,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w055;
   res1[3]=w056;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #100: output[0][22] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1848);
   /* #101: @0 = 0.359375 */
@@ -26031,7 +26721,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w057;
   res1[3]=w058;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #104: output[0][23] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+1932);
   /* #105: @0 = 0.375 */
@@ -26048,7 +26738,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w059;
   res1[3]=w060;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #108: output[0][24] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2016);
   /* #109: @0 = 0.390625 */
@@ -26065,7 +26755,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w061;
   res1[3]=w062;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #112: output[0][25] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2100);
   /* #113: @0 = 0.40625 */
@@ -26082,7 +26772,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w063;
   res1[3]=w064;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #116: output[0][26] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2184);
   /* #117: @0 = 0.421875 */
@@ -26099,7 +26789,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w065;
   res1[3]=w066;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #120: output[0][27] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2268);
   /* #121: @0 = 0.4375 */
@@ -26116,7 +26806,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w067;
   res1[3]=w068;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #124: output[0][28] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2352);
   /* #125: @0 = 0.453125 */
@@ -26133,7 +26823,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w069;
   res1[3]=w070;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #128: output[0][29] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2436);
   /* #129: @0 = 0.46875 */
@@ -26150,7 +26840,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w071;
   res1[3]=w072;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #132: output[0][30] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2520);
   /* #133: @0 = 0.484375 */
@@ -26167,7 +26857,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w073;
   res1[3]=w074;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #136: output[0][31] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2604);
   /* #137: @0 = 0.5 */
@@ -26184,7 +26874,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w075;
   res1[3]=w076;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #140: output[0][32] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2688);
   /* #141: @0 = 0.515625 */
@@ -26201,7 +26891,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w077;
   res1[3]=w078;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #144: output[0][33] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2772);
   /* #145: @0 = 0.53125 */
@@ -26218,7 +26908,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w079;
   res1[3]=w080;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #148: output[0][34] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2856);
   /* #149: @0 = 0.546875 */
@@ -26235,7 +26925,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w081;
   res1[3]=w082;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #152: output[0][35] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+2940);
   /* #153: @0 = 0.5625 */
@@ -26252,7 +26942,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w083;
   res1[3]=w084;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #156: output[0][36] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3024);
   /* #157: @0 = 0.578125 */
@@ -26269,7 +26959,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w085;
   res1[3]=w086;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #160: output[0][37] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3108);
   /* #161: @0 = 0.59375 */
@@ -26286,7 +26976,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w087;
   res1[3]=w088;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #164: output[0][38] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3192);
   /* #165: @0 = 0.609375 */
@@ -26303,7 +26993,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w089;
   res1[3]=w090;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #168: output[0][39] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3276);
   /* #169: @0 = 0.625 */
@@ -26320,7 +27010,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w091;
   res1[3]=w092;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #172: output[0][40] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3360);
   /* #173: @0 = 0.640625 */
@@ -26337,7 +27027,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w093;
   res1[3]=w094;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #176: output[0][41] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3444);
   /* #177: @0 = 0.65625 */
@@ -26354,7 +27044,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w095;
   res1[3]=w096;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #180: output[0][42] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3528);
   /* #181: @0 = 0.671875 */
@@ -26371,7 +27061,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w097;
   res1[3]=w098;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #184: output[0][43] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3612);
   /* #185: @0 = 0.6875 */
@@ -26388,7 +27078,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w099;
   res1[3]=w100;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #188: output[0][44] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3696);
   /* #189: @0 = 0.703125 */
@@ -26405,7 +27095,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w101;
   res1[3]=w102;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #192: output[0][45] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3780);
   /* #193: @0 = 0.71875 */
@@ -26422,7 +27112,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w103;
   res1[3]=w104;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #196: output[0][46] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3864);
   /* #197: @0 = 0.734375 */
@@ -26439,7 +27129,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w105;
   res1[3]=w106;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #200: output[0][47] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+3948);
   /* #201: @0 = 0.75 */
@@ -26456,7 +27146,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w107;
   res1[3]=w108;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #204: output[0][48] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+4032);
   /* #205: @0 = 0.765625 */
@@ -26473,7 +27163,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w109;
   res1[3]=w110;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #208: output[0][49] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+4116);
   /* #209: @0 = 0.78125 */
@@ -26490,7 +27180,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w111;
   res1[3]=w112;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #212: output[0][50] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+4200);
   /* #213: @0 = 0.796875 */
@@ -26507,7 +27197,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w113;
   res1[3]=w114;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #216: output[0][51] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+4284);
   /* #217: @0 = 0.8125 */
@@ -26524,7 +27214,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w115;
   res1[3]=w116;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #220: output[0][52] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+4368);
   /* #221: @0 = 0.828125 */
@@ -26541,7 +27231,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w117;
   res1[3]=w118;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #224: output[0][53] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+4452);
   /* #225: @0 = 0.84375 */
@@ -26558,7 +27248,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w119;
   res1[3]=w120;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #228: output[0][54] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+4536);
   /* #229: @0 = 0.859375 */
@@ -26575,7 +27265,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w121;
   res1[3]=w122;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #232: output[0][55] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+4620);
   /* #233: @0 = 0.875 */
@@ -26592,7 +27282,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w123;
   res1[3]=w124;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #236: output[0][56] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+4704);
   /* #237: @0 = 0.890625 */
@@ -26609,7 +27299,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w125;
   res1[3]=w126;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #240: output[0][57] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+4788);
   /* #241: @0 = 0.90625 */
@@ -26626,7 +27316,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w127;
   res1[3]=w128;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #244: output[0][58] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+4872);
   /* #245: @0 = 0.921875 */
@@ -26643,7 +27333,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w129;
   res1[3]=w130;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #248: output[0][59] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+4956);
   /* #249: @0 = 0.9375 */
@@ -26660,7 +27350,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w131;
   res1[3]=w132;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #252: output[0][60] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+5040);
   /* #253: @0 = 0.953125 */
@@ -26677,7 +27367,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w133;
   res1[3]=w134;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #256: output[0][61] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+5124);
   /* #257: @0 = 0.96875 */
@@ -26694,7 +27384,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w135;
   res1[3]=w136;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #260: output[0][62] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+5208);
   /* #261: @0 = 0.984375 */
@@ -26711,7 +27401,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w010;
   res1[2]=w137;
   res1[3]=w138;
-  if (casadi_f63(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
   /* #264: output[0][63] = @10 */
   if (res[0]) casadi_copy(w010, 84, res[0]+5292);
   /* #265: output[0][64] = @8 */
@@ -26852,7 +27542,7 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr004;
   res1[0]=w139;
   res1[1]=w140;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #332: output[1][64] = @139 */
   if (res[1]) casadi_copy(w139, 9, res[1]+6912);
   /* #333: output[2][0] = @12 */
@@ -26992,14 +27682,14 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[1]=w006;
   arg1[2]=wr004;
   res1[0]=w141;
-  if (casadi_f12(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f14(arg1, res1, iw, w, 0)) return 1;
   /* #400: output[3][0] = @141 */
   casadi_copy(w141, 6, res[3]);
   return 0;
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_768(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f73(arg, res, iw, w, mem);
+  return casadi_f97(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_trace_768_checkout(void) {
@@ -27078,7 +27768,7 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_768_work_bytes(casadi_int *sz_arg, casad
 }
 
 /* wobbling_advance:(t,w[7],h,p[8])->(w_end[7],g[9],dg[9]) */
-static int casadi_f74(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+static int casadi_f98(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+3, *rr, *w0=w+115, w1, *w3=w+122, w4, *w5=w+124, *w6=w+148, *w7=w+155, *w8=w+161, *w9=w+170;
   const casadi_real **arg1=arg+4, *cs, *wr2;
   /* #0: @0 = input[1][0] */
@@ -27091,14 +27781,14 @@ static int casadi_f74(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[0]=(&w1);
   arg1[1]=wr2;
   res1[0]=w3;
-  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f8(arg1, res1, iw, w, 0)) return 1;
   /* #4: @4 = input[2][0] */
   w4 = arg[2] ? arg[2][0] : 0;
   /* #5: @5 = turns(@4, @2) */
   arg1[0]=(&w4);
   arg1[1]=wr2;
   res1[0]=w5;
-  if (casadi_f4(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
   /* #6: @6 = working_step(@0, @3, @5, @4, @2) */
   arg1[0]=w0;
   arg1[1]=w3;
@@ -27106,7 +27796,7 @@ static int casadi_f74(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[3]=(&w4);
   arg1[4]=wr2;
   res1[0]=w6;
-  if (casadi_f64(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f88(arg1, res1, iw, w, 0)) return 1;
   /* #7: output[0][0] = @6 */
   casadi_copy(w6, 7, res[0]);
   /* #8: @1 = (@1+@4) */
@@ -27119,7 +27809,7 @@ static int casadi_f74(const casadi_real** arg, casadi_real** res, casadi_int* iw
   arg1[2]=wr2;
   res1[0]=w8;
   res1[1]=w9;
-  if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
+  if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #11: output[1][0] = @8 */
   casadi_copy(w8, 9, res[1]);
   /* #12: output[2][0] = @9 */
@@ -27128,7 +27818,7 @@ static int casadi_f74(const casadi_real** arg, casadi_real** res, casadi_int* iw
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_advance(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
-  return casadi_f74(arg, res, iw, w, mem);
+  return casadi_f98(arg, res, iw, w, mem);
 }
 
 CASADI_SYMBOL_EXPORT int wobbling_advance_checkout(void) {
@@ -27205,6 +27895,437 @@ CASADI_SYMBOL_EXPORT int wobbling_advance_work_bytes(casadi_int *sz_arg, casadi_
   if (sz_res) *sz_res = 5*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
   if (sz_w) *sz_w = 179*sizeof(casadi_real);
+  return 0;
+}
+
+/* wobbling_begin:(u[6],p[8])->(y[6x6]) */
+static int casadi_f99(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, *rr, *w0=w+2, *w1=w+8, *w3=w+13;
+  const casadi_real **arg1=arg+2, *cs, *wr2;
+  /* #0: @0 = input[0][0] */
+  casadi_copy(arg[0], 6, w0);
+  /* #1: @1 = @0[:5] */
+  for (rr=w1, cs=w0+0; cs!=w0+5; cs+=1) *rr++ = *cs;
+  /* #2: @2 = input[1][0] */
+  wr2 = arg[1] ? arg[1] : casadi_zeros;
+  /* #3: {@0, @3} = start(@1, @2) */
+  arg1[0]=w1;
+  arg1[1]=wr2;
+  res1[0]=w0;
+  res1[1]=w3;
+  if (casadi_f5(arg1, res1, iw, w, 0)) return 1;
+  /* #4: output[0][0] = @0 */
+  casadi_copy(w0, 6, res[0]);
+  /* #5: output[0][1] = @3 */
+  if (res[0]) casadi_copy(w3, 30, res[0]+6);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_begin(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f99(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_begin_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_begin_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_begin_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_begin_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_begin_n_in(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_begin_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real wobbling_begin_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_begin_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "u";
+    case 1: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_begin_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "y";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_begin_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s4;
+    case 1: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_begin_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s6;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_begin_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 4;
+  if (sz_res) *sz_res = 3;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 43;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_begin_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 4*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 3*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 43*sizeof(casadi_real);
+  return 0;
+}
+
+/* wobbling_swing:(t,h,y[6x6],p[8])->(y_end[6x6]) */
+static int casadi_f100(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+1, w1, w2, *w4=w+422, *w5=w+446;
+  const casadi_real **arg1=arg+4, *wr0, *wr3;
+  /* #0: @0 = input[2][0] */
+  wr0 = arg[2] ? arg[2] : casadi_zeros;
+  /* #1: @1 = input[0][0] */
+  w1 = arg[0] ? arg[0][0] : 0;
+  /* #2: @2 = input[1][0] */
+  w2 = arg[1] ? arg[1][0] : 0;
+  /* #3: @3 = input[3][0] */
+  wr3 = arg[3] ? arg[3] : casadi_zeros;
+  /* #4: @4 = turns(@2, @3) */
+  arg1[0]=(&w2);
+  arg1[1]=wr3;
+  res1[0]=w4;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  /* #5: @5 = variational_steps(@0, @1, @4, @2, @3) */
+  arg1[0]=wr0;
+  arg1[1]=(&w1);
+  arg1[2]=w4;
+  arg1[3]=(&w2);
+  arg1[4]=wr3;
+  res1[0]=w5;
+  if (casadi_f7(arg1, res1, iw, w, 0)) return 1;
+  /* #6: output[0][0] = @5 */
+  casadi_copy(w5, 36, res[0]);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_swing(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f100(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_swing_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_swing_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_swing_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_swing_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_swing_n_in(void) { return 4;}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_swing_n_out(void) { return 1;}
+
+CASADI_SYMBOL_EXPORT casadi_real wobbling_swing_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_swing_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "t";
+    case 1: return "h";
+    case 2: return "y";
+    case 3: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_swing_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "y_end";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_swing_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s25;
+    case 1: return casadi_s25;
+    case 2: return casadi_s6;
+    case 3: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_swing_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s6;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_swing_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 14;
+  if (sz_res) *sz_res = 3;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 482;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_swing_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 14*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 3*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 482*sizeof(casadi_real);
+  return 0;
+}
+
+/* wobbling_end:(y[6x6],u[6],p[8])->(J[6x6],R[6]) */
+static int casadi_f101(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+2, *rr, *w1=w+45, *w2=w+51, w3, *w5=w+56;
+  const casadi_real **arg1=arg+3, *cs, *wr0, *wr4;
+  /* #0: @0 = input[0][0] */
+  wr0 = arg[0] ? arg[0] : casadi_zeros;
+  /* #1: @1 = input[1][0] */
+  casadi_copy(arg[1], 6, w1);
+  /* #2: @2 = @1[:5] */
+  for (rr=w2, cs=w1+0; cs!=w1+5; cs+=1) *rr++ = *cs;
+  /* #3: @3 = @1[5] */
+  for (rr=(&w3), cs=w1+5; cs!=w1+6; cs+=1) *rr++ = *cs;
+  /* #4: @4 = input[2][0] */
+  wr4 = arg[2] ? arg[2] : casadi_zeros;
+  /* #5: {@5, @1} = landing_with_derivative(@0, @2, @3, @4) */
+  arg1[0]=wr0;
+  arg1[1]=w2;
+  arg1[2]=(&w3);
+  arg1[3]=wr4;
+  res1[0]=w5;
+  res1[1]=w1;
+  if (casadi_f10(arg1, res1, iw, w, 0)) return 1;
+  /* #6: output[0][0] = @5 */
+  casadi_copy(w5, 36, res[0]);
+  /* #7: output[1][0] = @1 */
+  casadi_copy(w1, 6, res[1]);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_end(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f101(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_end_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_end_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_end_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_end_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_end_n_in(void) { return 3;}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_end_n_out(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_real wobbling_end_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_end_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "y";
+    case 1: return "u";
+    case 2: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_end_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "J";
+    case 1: return "R";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_end_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s6;
+    case 1: return casadi_s4;
+    case 2: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_end_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s6;
+    case 1: return casadi_s4;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_end_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 7;
+  if (sz_res) *sz_res = 4;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 92;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_end_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 7*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 4*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 92*sizeof(casadi_real);
+  return 0;
+}
+
+/* wobbling_observed_swing:(t,h,w[7],p[8])->(w_end[7],nodes[7x12],g[9x12],dg[9x12]) */
+static int casadi_f102(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real **res1=res+4, w0, w1, *w3=w+366, *w4=w+390, *w5=w+397, *w6=w+404, *w7=w+488, *w8=w+596;
+  const casadi_real **arg1=arg+4, *wr2;
+  /* #0: @0 = input[0][0] */
+  w0 = arg[0] ? arg[0][0] : 0;
+  /* #1: @1 = input[1][0] */
+  w1 = arg[1] ? arg[1][0] : 0;
+  /* #2: @2 = input[3][0] */
+  wr2 = arg[3] ? arg[3] : casadi_zeros;
+  /* #3: @3 = turns(@1, @2) */
+  arg1[0]=(&w1);
+  arg1[1]=wr2;
+  res1[0]=w3;
+  if (casadi_f6(arg1, res1, iw, w, 0)) return 1;
+  /* #4: @4 = input[2][0] */
+  casadi_copy(arg[2], 7, w4);
+  /* #5: {@5, @6, @7, @8} = working_steps(@0, @3, @4, @1, @2) */
+  arg1[0]=(&w0);
+  arg1[1]=w3;
+  arg1[2]=w4;
+  arg1[3]=(&w1);
+  arg1[4]=wr2;
+  res1[0]=w5;
+  res1[1]=w6;
+  res1[2]=w7;
+  res1[3]=w8;
+  if (casadi_f87(arg1, res1, iw, w, 0)) return 1;
+  /* #6: output[0][0] = @5 */
+  casadi_copy(w5, 7, res[0]);
+  /* #7: output[1][0] = @6 */
+  casadi_copy(w6, 84, res[1]);
+  /* #8: output[2][0] = @7 */
+  casadi_copy(w7, 108, res[2]);
+  /* #9: output[3][0] = @8 */
+  casadi_copy(w8, 108, res[3]);
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_observed_swing(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f102(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_observed_swing_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_observed_swing_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_observed_swing_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void wobbling_observed_swing_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_observed_swing_n_in(void) { return 4;}
+
+CASADI_SYMBOL_EXPORT casadi_int wobbling_observed_swing_n_out(void) { return 4;}
+
+CASADI_SYMBOL_EXPORT casadi_real wobbling_observed_swing_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_observed_swing_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "t";
+    case 1: return "h";
+    case 2: return "w";
+    case 3: return "p";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* wobbling_observed_swing_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "w_end";
+    case 1: return "nodes";
+    case 2: return "g";
+    case 3: return "dg";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_observed_swing_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s25;
+    case 1: return casadi_s25;
+    case 2: return casadi_s26;
+    case 3: return casadi_s5;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* wobbling_observed_swing_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s26;
+    case 1: return casadi_s28;
+    case 2: return casadi_s29;
+    case 3: return casadi_s29;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_observed_swing_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 14;
+  if (sz_res) *sz_res = 10;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 704;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int wobbling_observed_swing_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 14*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 10*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 704*sizeof(casadi_real);
   return 0;
 }
 
