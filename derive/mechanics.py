@@ -14,6 +14,7 @@ import sympy as sp
 from stridemap.derive.declaration import Declaration
 from stridemap.derive.parts import STANCE_FOOT, Coordinate
 from stridemap.derive.simplify import simplified
+from stridemap.derive.terms import terms_in
 from stridemap.errors import InputError
 
 BASE = 2
@@ -121,14 +122,13 @@ class Mechanics:
         result = rows.as_mutable()
         for i, coordinate in enumerate(self.walker.coordinates):
             for j in range(rows.cols):
-                # The mass enters every equation as a polynomial.
-                entry = sp.expand(rows[i, j])
-                result[i, j] = entry.coeff(massless.mass, 0)
+                without, with_ = _orders(rows[i, j], massless.mass)
+                result[i, j] = without
                 if coordinate not in massless.coordinates:
                     continue
-                if rest := sp.simplify(result[i, j]):
+                if rest := sp.simplify(without):
                     self._refuse_limit(coordinate, rest)
-                result[i, j] = entry.coeff(massless.mass, 1)
+                result[i, j] = with_
         return result
 
     def _refuse_limit(self, coordinate: Coordinate, rest: sp.Expr) -> NoReturn:
@@ -423,3 +423,11 @@ class Mechanics:
         change = self.after_release * after - self.stance_basis * self.walker.v
         rows = self.on_stance(self.floating_mass_matrix[:BASE, :])
         return self.without_massless(rows * change).applyfunc(simplified)
+
+
+def _orders(entry: sp.Expr, mass: sp.Symbol) -> tuple[sp.Expr, sp.Expr]:
+    """Coefficients of the zeroth and the first power of a mass, which enters equations as a polynomial."""
+    if any(mass in term.free_symbols for term in terms_in([entry])):  # `coeff` does not see into terms
+        return entry.subs(mass, 0), entry.diff(mass).subs(mass, 0)
+    expanded = sp.expand(entry)
+    return expanded.coeff(mass, 0), expanded.coeff(mass, 1)
