@@ -12,7 +12,7 @@ from stridemap.derive.simplify import simplified, start_afresh
 from stridemap.derive.steps import in_steps
 from stridemap.derive.walker import Walker
 
-ALWAYS = 22
+ALWAYS = 23
 """Programs that every walker has."""
 
 DEFAULT_SOURCES = {

@@ -55,7 +55,7 @@ def test_the_command_and_the_module_are_the_same():
         script, module = pool.map(shell, commands)
     assert script == module
     found = printed(script)
-    assert list(found) == ["model", "params", "orbits"]
+    assert list(found) == ["model", "params", "orbits", "search"]
     orbits = stridemap.find_orbits("wobbling", k=6, alpha=0.25, omega=3)
     assert found["orbits"] == [orbit.to_dict() for orbit in orbits]
     assert len(orbits) == 2
@@ -64,7 +64,7 @@ def test_the_command_and_the_module_are_the_same():
 @pytest.mark.quick
 def test_json_of_a_point_with_two_cycles(run):
     found = printed(run("orbit", "--model", "wobbling", *TWO, "--json"))
-    assert list(found) == ["model", "params", "orbits"]
+    assert list(found) == ["model", "params", "orbits", "search"]
     assert found["model"] == "wobbling"
     assert found["params"] == {
         "k": 6.0, "alpha": 0.25, "omega": 3.0, "beta": 0.15, "Kp": 10.0, "Kd": 0.6, "S": 0.18, "gamma": 0.18,

@@ -1,4 +1,4 @@
-"""A long torque on a coordinate that only the vanishing mass moves with: the mass is found within its terms."""
+"""A long torque on a coordinate that only the vanishing mass moves with: the limit sees into terms."""
 
 import numpy as np
 import pytest

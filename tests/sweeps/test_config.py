@@ -94,7 +94,7 @@ def test_strides_are_resolved_for_every_axis():
 
 def test_settings_at_their_limits_are_accepted():
     least = {"starts": 1, "seed": 0, "subgrid": 1, "period_min": 0.01, "period_max": 0.02}
-    assert config(search=least).search.model_dump() == least
+    assert config(search=least).search.model_dump() == {**least, "search_box": {}, "widen": 1.0}
     assert config(search={"seed": 2**32 - 1}).search.seed == 4294967295
     assert config(grid={"k": {"start": 7, "stop": 7, "num": 1}}, max_cells=1).grid == {"k": (7.0,)}
 
@@ -108,7 +108,15 @@ def test_hash_is_sha256_of_canonical_json():
         "model": "wobbling",
         "params": {name: value for name, value in DEFAULTS.items() if name != "k"},
         "grid": {"k": [1.0, 2.0]},
-        "search": {"starts": 7, "seed": 0, "subgrid": {"k": 1}, "period_min": 0.3, "period_max": 3.0},
+        "search": {
+            "starts": 7,
+            "seed": 0,
+            "subgrid": {"k": 1},
+            "period_min": 0.3,
+            "period_max": 3.0,
+            "search_box": {},
+            "widen": 1.0,
+        },
         "acceptance": asdict(AcceptanceOptions()),
         "continuation": asdict(ContinuationOptions()),
     }
