@@ -74,6 +74,7 @@ class Functions:
         yield self.centre_of_mass()
         yield self.ground_force()
         yield self.zmp()
+        yield self.centre_of_pressure()
         yield self.swing_foot()
         yield self.stance_foot()
         yield self.drawing()
@@ -339,20 +340,47 @@ class Functions:
         return m.ground_force(acceleration, torques)
 
     def zmp(self) -> Program:
-        """Zero moment point and its signed distance from the stance foot."""
+        """The paper's point: where the ground force's line through the centre of mass meets the ground."""
         b = self._builder()
         acceleration, _ = self._acceleration(b)
         fx, fy = b.let_vector("ground", self._ground_force(b, acceleration))
         com_x, com_y = b.let_vector("com", self.mechanics.centre_of_mass)
         point = b.let("point", com_x - fx / fy * com_y - self.walker.stance[0])
         outputs = [
-            Output("zmp", point, "zero moment point ahead of the stance foot"),
-            Output("d", -point, "signed distance: stance foot minus zero moment point"),
+            Output("zmp", point, "the paper's zero moment point, ahead of the stance foot"),
+            Output("d", -point, "the paper's distance d: stance foot minus this point"),
         ]
         source = DEFAULT_SOURCES["zmp"]
         if "zmp" in self.walker.sources:
             source = f"{self.walker.sources['zmp']}: p = x_g - x_g'' y_g / (1 + y_g'')"
-        return b.close("zmp", "Zero moment point", source, outputs)
+        summary = (
+            "The paper's zero moment point, which leaves out the change of angular momentum; "
+            "centre_of_pressure has where the ground force acts"
+        )
+        return b.close("zmp", summary, source, outputs)
+
+    def centre_of_pressure(self) -> Program:
+        """Where the ground force acts, from the moment about the contact."""
+        b = self._builder()
+        contact = self.walker.stance[0]
+        # The force matters where there is a moment; symbols show that before it is worked out.
+        stand_in = sp.Matrix(sp.symbols("ground_x ground_y", real=True))
+        m = self.mechanics
+        torques = b.let_vector("applied", m.applied_torques)
+        moment = m.contact_moment(stand_in, torques)
+        offset = sp.S.Zero
+        if moment != 0:
+            acceleration, _ = self._acceleration(b)
+            force = b.let_vector("ground", m.ground_force(acceleration, torques))
+            moment = b.let("about_contact", moment.xreplace(dict(zip(stand_in, force, strict=True))))
+            offset = b.let("ahead", moment / force[1])
+        outputs = [
+            Output("cop", contact + offset, "centre of pressure, along the ground"),
+            Output("offset", offset, "from the contact, which is straight below the stance foot, to it"),
+            Output("moment", moment, "moment of the ground about the contact, positive from x to y"),
+        ]
+        source = "angular momentum about the contact: its change is that of gravity and of this moment"
+        return b.close("centre_of_pressure", "Centre of pressure", source, outputs)
 
     def swing_foot(self) -> Program:
         """Swing foot and its velocity."""
