@@ -5,12 +5,13 @@ from dataclasses import dataclass, field
 
 import sympy as sp
 
+from stridemap.derive.declaration import Declaration
+from stridemap.derive.ground import in_ground_frame
 from stridemap.derive.mechanics import Mechanics
 from stridemap.derive.parts import TIME
 from stridemap.derive.program import Argument, Builder, Entry, Factors, Output, Program
 from stridemap.derive.simplify import simplified, start_afresh
 from stridemap.derive.steps import in_steps
-from stridemap.derive.walker import Walker
 
 DEFAULT_SOURCES = {
     "mass_matrix": "M ddq + h + v = Q",
@@ -35,13 +36,13 @@ class Functions:
     walker : Walker
     """
 
-    walker: Walker
+    walker: Declaration
     mechanics: Mechanics = field(init=False)
     arguments: tuple[Argument, ...] = field(init=False)
 
     def __post_init__(self) -> None:
         start_afresh()
-        w = self.walker
+        self.walker = w = in_ground_frame(self.walker)
         self.mechanics = Mechanics(in_steps(w))
         time = Entry(TIME, w.units.time, "time since touchdown")
         q = tuple(Entry(c.symbol, c.unit, c.meaning) for c in w.coordinates)
