@@ -354,10 +354,7 @@ class Functions:
         source = DEFAULT_SOURCES["zmp"]
         if "zmp" in self.walker.sources:
             source = f"{self.walker.sources['zmp']}: p = x_g - x_g'' y_g / (1 + y_g'')"
-        summary = (
-            "The paper's zero moment point, which leaves out the change of angular momentum; "
-            "centre_of_pressure has where the ground force acts"
-        )
+        summary = "The paper's zero moment point: leaves out the change of angular momentum (see centre_of_pressure)"
         return b.close("zmp", summary, source, outputs)
 
     def centre_of_pressure(self) -> Program:
@@ -367,7 +364,9 @@ class Functions:
         # The force matters where there is a moment; symbols show that before it is worked out.
         stand_in = sp.Matrix(sp.symbols("ground_x ground_y", real=True))
         m = self.mechanics
-        torques = b.let_vector("applied", m.applied_torques)
+        torques = m.applied_torques
+        if len(torques):
+            torques = b.let_vector("applied", torques)
         moment = m.contact_moment(stand_in, torques)
         offset = sp.S.Zero
         if moment != 0:

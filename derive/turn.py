@@ -114,7 +114,9 @@ def _places(walker: Declaration) -> Iterator[dict[sp.Symbol, float]]:
         yield {**dict.fromkeys(STANCE_FOOT, 0.0), **moved, **position}
 
 
-def _numbers(conditions: list[_Condition], q: sp.Matrix, place: Mapping[sp.Symbol, float]) -> tuple[Array, Array]:
+def _numbers(
+    conditions: list[_Condition], q: sp.Matrix, place: Mapping[sp.Symbol, float]
+) -> tuple[Array, Array]:
     """Rows of conditions at a position and what they are to be; empty where they have no real values."""
     rows, wanted = [np.zeros((0, len(q)))], [np.zeros(0)]
     for one in conditions:

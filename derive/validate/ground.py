@@ -61,7 +61,10 @@ def validate_ground(walker: Declaration, declared: Declaration) -> None:
         try:
             rise = float(walker.rise.subs(values).evalf())
         except TypeError:
-            refuse(walker, f"rise is {walker.rise}, which is not a number with the parameters' defaults; correct it")
+            refuse(
+                walker,
+                f"rise is {walker.rise}, which is not a number with the parameters' defaults; correct it",
+            )
         sizes = [TOLERANCE * (1e-3 + math.hypot(x, y)) for x, y in feet]
         # A condition for stairs has zeros below the ground, too: where the foot that was left stands.
         level = all(abs(abs(y) - abs(rise)) <= size for (_, y), size in zip(feet, sizes, strict=True))

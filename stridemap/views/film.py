@@ -93,11 +93,14 @@ def draw_frame(axes: Axes, of: Scene, step: int, i: int) -> None:
     colours = walker.mass_colours(of.bodies, of.positions[i], hip, stance, swing)
     walker.draw_masses(axes, [mass.name for mass in of.bodies], of.positions[i], of.masses, colours)
     arrow = {"arrowstyle": "-|>,head_width=0.25,head_length=0.5", "color": style.GREEN, "linewidth": 1.5}
-    foot = np.array([of.contact[i], 0.0])
+    below = np.array([of.cop[i], 0.0])
     axes.annotate(
-        "", foot + FORCE * of.force[i], foot, arrowprops={**arrow, "shrinkA": 0, "shrinkB": 0}, zorder=6
+        "", below + FORCE * of.force[i], below, arrowprops={**arrow, "shrinkA": 0, "shrinkB": 0}, zorder=6
     )
     axes.plot(of.zmp[i], -0.035, "^", color=style.VERMILION, markersize=6, mew=0, zorder=6)
+    legend = {"transform": axes.transAxes, "va": "bottom", "fontsize": 5.5}
+    axes.text(0.02, 0.055, "→ ground force, at the centre of pressure", color=style.GREEN, **legend)
+    axes.text(0.02, 0.01, "▲ the paper's zero moment point", color=style.VERMILION, **legend)
 
 
 def _draw_prints(axes: Axes, of: Scene, stance: str, swing: str) -> None:

@@ -30,8 +30,9 @@ class Scene:
         As shares of the whole.
     force : ndarray, shape (n + 1, 2)
         Ground force in terms of the weight.
-    contact, zmp : ndarray, shape (n + 1,)
-        Horizontal positions of the contact with the ground and of the zero moment point.
+    contact, cop, zmp : ndarray, shape (n + 1,)
+        Horizontal positions of the contact with the ground, of the centre of pressure, where the ground force
+        acts, and of the paper's zero moment point, from which its distance d is measured.
     step : float
         From one contact point to the next.
     middle : ndarray, shape (n + 1,)
@@ -44,6 +45,7 @@ class Scene:
     masses: Array
     force: Array
     contact: Array
+    cop: Array
     zmp: Array
     step: float
     middle: Array
@@ -82,8 +84,6 @@ def scene(orbit: Orbit, frames: int, magnify: float = 1.0) -> Scene:
     model = seen.model
     height = max(float(points[..., 1].max()) for points in (positions, *lines.values()))
     load = model.evaluate("total_mass", p=model.point(orbit.params))
-    # The zero moment point is where the line of the ground force through the centre of mass meets the ground.
-    zmp = seen.com[:, 0] - seen.force[:, 0] / seen.force[:, 1] * seen.com[:, 1]
     step = orbit.step_length / height
     return Scene(
         seen,
@@ -91,8 +91,9 @@ def scene(orbit: Orbit, frames: int, magnify: float = 1.0) -> Scene:
         {name: points / height for name, points in lines.items()},
         seen.masses / load["mass"],
         seen.force / load["weight"],
-        (zmp + seen.d) / height,
-        zmp / height,
+        seen.contact / height,
+        seen.cop / height,
+        (seen.contact - seen.d) / height,
         step,
         step * (np.linspace(0, 1, frames + 1) - 0.5),
     )

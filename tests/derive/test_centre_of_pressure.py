@@ -27,8 +27,8 @@ from stridemap.derive.models import WALKERS, compass, goswami_compass, rimless_w
 from stridemap.derive.printers.printer import Equations
 from stridemap.derive.printers.python import Python
 from stridemap.derive.turn import turn
+from tests.oracles import walkers
 from tests.oracles.rewritten import Change, rewritten, unsimplified
-from tests.oracles.walkers import walker as tests_walker
 
 MP = mpmath.mp
 STEP = MP.mpf("1e-15")
@@ -57,9 +57,7 @@ class Newton:
         self.walker, q = walker, list(walker.q)
         on_stance = dict(zip(STANCE_FOOT, walker.stance, strict=True))
         self.places = [self.function(q, b.position.subs(on_stance)) for b in walker.bodies]
-        self.angles = [
-            self.function(q, sp.Matrix([senses.get(b.name, 0) * b.angle])) for b in walker.bodies
-        ]
+        self.angles = [self.function(q, sp.Matrix([senses.get(b.name, 0) * b.angle])) for b in walker.bodies]
         self.masses, self.inertias = (
             [MP.mpf(sp.sympify(x).subs(self.values).evalf(50)) for x in of]
             for of in ([b.mass for b in walker.bodies], [b.inertia for b in walker.bodies])
@@ -119,7 +117,11 @@ class Case:
 
 def states(count, seed=5):
     rng = np.random.default_rng(seed)
-    return rng.uniform(-0.4, 0.4, (STATES, count)), rng.uniform(-1, 1, (STATES, count)), rng.uniform(0, 2, STATES)
+    return (
+        rng.uniform(-0.4, 0.4, (STATES, count)),
+        rng.uniform(-1, 1, (STATES, count)),
+        rng.uniform(0, 2, STATES),
+    )
 
 
 def along(case):
@@ -218,14 +220,16 @@ def test_a_torque_on_an_absolute_angle_is_a_motor_at_the_ankle():
     change = Change(("stance", "swing"), ((1, 0), (1, -1)), (0.0, 0.0))
     absolute = rewritten(goswami_compass.WALKER, change, "absolute")
     stance, swing = absolute.coordinates
-    driven = with_ankle(absolute, torques={stance: GAIN.symbol * sp.sin(TIME), swing: GAIN.symbol * swing.rate})
+    driven = with_ankle(
+        absolute, torques={stance: GAIN.symbol * sp.sin(TIME), swing: GAIN.symbol * swing.rate}
+    )
     agree(Case(driven, {}), moment=lambda t, q, v: 0.05 * (np.sin(t) + v[1]))
     # On the angle between the legs it is not.
     inner = with_ankle(absolute, motors=(Motor("hip", GAIN.symbol, drives=stance.symbol - swing.symbol),))
     assert not np.any(agree(Case(inner, {}), moment=lambda t, q, v: 0.0))
 
 
-@pytest.mark.parametrize("matrix", [((-1, 0), (0, 1)), ((0, -1), (1, -1)), ((2, 0), (1, -1))])
+@pytest.mark.parametrize("matrix", [((-1, 0), (0, 1)), ((0, -1), (1, -1)), ((1, 0), (1, 1))])
 def test_it_does_not_depend_on_the_coordinates(matrix):
     change = Change(("one", "other"), matrix, (0.0, 0.25))
     driven = with_ankle(goswami_compass.WALKER, motors=(Motor("ankle", TORQUE, drives=th1.symbol),))
@@ -252,9 +256,9 @@ def test_a_rolling_foot_with_a_motor_at_the_ankle():
 
 
 def test_arcs_that_turn_against_the_leg_need_a_moment():
-    """A foot that rolls the wrong way is no rigid part of its leg: the ground would have to turn it."""
+    """A foot that rolls the wrong way is not a rigid part of its leg: the ground would have to turn it."""
     walker = round_feet.WALKER.with_(
-        name="gears", stance=rolling_arc(round_feet.RADIUS.symbol, -round_feet.q1), touchdown=round_feet.WALKER.touchdown
+        name="gears", stance=rolling_arc(round_feet.RADIUS.symbol, -round_feet.q1)
     )
     assert np.abs(agree(Case(walker, PASSIVE["round_feet"]))).min() > 1e-3
 
@@ -270,7 +274,10 @@ def with_body(position, angle, inertia=sp.S.Zero, **changes):
         coordinates=(*base.coordinates, *coordinates),
         bodies=(*base.bodies, Body("load", sp.Rational(1, 2), position, inertia, angle)),
         relabel={**base.relabel, **{c.symbol: c.symbol for c in coordinates}},
-        search_box={**base.search_box, **{n: (0.1, 0.3) for c in coordinates for n in (c.name, f"d{c.name}")}},
+        search_box={
+            **base.search_box,
+            **{n: (0.1, 0.3) for c in coordinates for n in (c.name, f"d{c.name}")},
+        },
         **changes,
     )
 
@@ -279,7 +286,9 @@ def test_a_wheel_about_the_hip():
     """Nothing but the motor shows in which sense its angle is counted: in that of the other bodies."""
     psi = Coordinate("psi", "rad", "angle of a wheel about the hip")
     motors = (Motor("wheel", sp.sin(TIME), drives=psi.symbol - th1.symbol),)
-    absolute = with_body(goswami_compass.hip, psi.symbol, sp.Rational(1, 5), coordinates=(psi,), motors=motors)
+    absolute = with_body(
+        goswami_compass.hip, psi.symbol, sp.Rational(1, 5), coordinates=(psi,), motors=motors
+    )
     assert not np.any(agree(Case(absolute, {"load": 1}), moment=lambda t, q, v: 0.0))
     motors = (Motor("wheel", sp.sin(TIME), drives=psi.symbol),)
     relative = with_body(
@@ -299,7 +308,9 @@ def test_a_load_in_cartesian_coordinates():
     assert turn(free).guided == ()
     assert np.abs(agree(Case(free, {}), moment=lambda t, q, v: 0.0)).max() < 1e-14
     # Springs that know where up is hold on to the ground.
-    stiff = with_body(place, sp.S.Zero, coordinates=(x, y), potentials={"spring": (3 * x.symbol**2 + y.symbol**2) / 2})
+    stiff = with_body(
+        place, sp.S.Zero, coordinates=(x, y), potentials={"spring": (3 * x.symbol**2 + y.symbol**2) / 2}
+    )
     agree(Case(stiff, {}), moment=lambda t, q, v: 2 * q[2] * q[3])
 
 
@@ -345,7 +356,7 @@ def test_a_spring_to_a_wall_does_not_push_on_the_foot():
 
 def test_walkers_of_the_other_tests():
     for name in ("rolling", "locked", "finite_feet"):
-        agree(Case(tests_walker(name), {}), moment=lambda t, q, v: 0.0)
+        agree(Case(walkers.walker(name), {}), moment=lambda t, q, v: 0.0)
 
 
 def test_a_wheel_that_is_braked_against_the_ground():
