@@ -30,9 +30,10 @@ from tests.oracles.states import (
 )
 
 FUNCTIONS = (
-    "mass_matrix", "bias_forces", "controller_torque", "state_derivative", "touchdown_condition",
+    "mass_matrix", "bias_forces", "controller_torque", "motor_rates", "state_derivative",
+    "touchdown_condition",
     "impact_map", "impact_impulse", "kinetic_energy", "potential_energy", "total_mass", "centre_of_mass",
-    "ground_force", "zmp", "swing_foot", "drawing", "spring_mode", "section_state", "before_touchdown",
+    "ground_force", "zmp", "centre_of_pressure", "swing_foot", "stance_foot", "drawing", "spring_mode", "section_state", "before_touchdown",
     "step_length",
 )  # fmt: skip
 JACOBIANS = {
@@ -42,7 +43,7 @@ JACOBIANS = {
     "impact_map_dq": ("v_plus_dq", "impact_map", "v_plus", "q"),
     "impact_map_dv": ("v_plus_dv", "impact_map", "v_plus", "v"),
 }
-PASSIVE = {"spring_mode", "controller_torque"}
+PASSIVE = {"spring_mode", "controller_torque", "motor_rates"}
 LACKING = {"wobbling": set(), "compass": {"spring_mode"}}
 PAIRS = [(m, f) for m in MODELS for f in (*FUNCTIONS, *JACOBIANS) if f not in LACKING.get(m, PASSIVE)]
 
