@@ -73,7 +73,7 @@ class Declaration:
 
     @property
     def to_level(self) -> sp.Matrix:
-        """Matrix that takes a vector from the ground's axes, along it and away from it, to the declared ones."""
+        """From vectors in the ground's axes, along it and away from it, to those in the declared axes."""
         c, s = sp.cos(self.ground), sp.sin(self.ground)
         return sp.ImmutableMatrix([[c, s], [-s, c]])
 

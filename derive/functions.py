@@ -354,7 +354,7 @@ class Functions:
         source = DEFAULT_SOURCES["zmp"]
         if "zmp" in self.walker.sources:
             source = f"{self.walker.sources['zmp']}: p = x_g - x_g'' y_g / (1 + y_g'')"
-        summary = "The paper's zero moment point: leaves out the change of angular momentum (see centre_of_pressure)"
+        summary = "The paper's zero moment point, which leaves out the change of angular momentum"
         return b.close("zmp", summary, source, outputs)
 
     def centre_of_pressure(self) -> Program:

@@ -286,16 +286,16 @@ class Mechanics:
 
     @cached_property
     def turn(self) -> Turn:
-        """How the coordinates change when the whole walker turns, the momentum of which is angular momentum."""
+        """How the coordinates change when the whole walker turns; angular momentum belongs to that."""
         return turn(self.walker)
 
     def contact_moment(self, force: sp.Matrix, torques: sp.Matrix) -> sp.Expr:
         """Moment of the ground on the stance foot about the contact, straight below `STANCE_FOOT`.
 
-        It is the balance of angular momentum about the contact: what torques, springs, dampers and the rolling
-        foot's constraint do work with in a turn of the whole walker, gravity apart, comes from the ground.
-        What acts at a place other than the foot (it depends on `STANCE_FOOT`) is not the foot's, and neither
-        is the torque of a guide (`Turn.guided`).
+        It is the balance of angular momentum about the contact: what torques, springs, dampers and the
+        rolling foot's constraint do work with in a turn of the whole walker, gravity apart, comes from the
+        ground. What acts at a place other than the foot (it depends on `STANCE_FOOT`) is not the foot's, and
+        neither is the torque of a guide (`Turn.guided`).
 
         Parameters
         ----------

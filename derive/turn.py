@@ -1,7 +1,7 @@
 """How a walker's coordinates change when all of it turns about a point, as one rigid body.
 
-Angular momentum is the momentum of this motion. Internal forces do no work in it, so what torques, springs and
-dampers do work with here acts between the walker and the ground.
+Angular momentum is the momentum of this motion. Internal forces do no work in it, so what torques, springs
+and dampers do work with here acts between the walker and the ground.
 """
 
 import math
@@ -55,8 +55,8 @@ class _Condition:
 def turn(walker: Declaration) -> Turn:
     """The turn of a walker, from the positions and angles of its bodies.
 
-    A body whose position does not show in which sense its angle is counted (a wheel about the hip) is taken to
-    count it in the sense of the others.
+    A body whose position does not show in which sense its angle is counted (a wheel about the hip) is taken
+    to count it in the sense of the others.
 
     Parameters
     ----------

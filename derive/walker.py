@@ -55,9 +55,9 @@ class Walker(Derived):
     gravity : sympy.Matrix, shape (2, 1)
         Acceleration of gravity; ``(sin(slope), -cos(slope))`` on ground that falls in the walking direction.
     ground : sympy.Expr
-        Angle by which the ground falls in the walking direction, for a walker that is declared with a vertical
-        y-axis: points as somebody sees them who stands upright, and gravity ``(0, -g)``. `stance` is along the
-        ground all the same.
+        Angle by which the ground falls in the walking direction, for a walker that is declared with a
+        vertical y-axis: points as somebody sees them who stands upright, and gravity ``(0, -g)``. `stance` is
+        along the ground all the same.
     rise : sympy.Expr
         How much higher each foothold is than the one before, on stairs; negative where they lead down.
     potentials : dict of str to sympy.Expr

@@ -32,8 +32,8 @@ def validate_gravity(walker: Declaration) -> None:
     if walker.ground != 0 and sp.simplify(walker.gravity[0]) != 0:
         refuse(
             walker,
-            f"gravity is {list(walker.gravity)} and ground is {walker.ground}: where ground says how the ground "
-            "falls, points and gravity are those of somebody who stands upright; give gravity = (0, -g), or "
+            f"gravity is {list(walker.gravity)} and ground is {walker.ground}: where ground says how the "
+            "ground falls, points and gravity are those of somebody who stands upright; give gravity = (0, -g), or "
             "leave ground out and write all points along the ground",
         )
 
@@ -114,9 +114,9 @@ def _sentence(walker: Declaration, feet: list[tuple[float, float]], rise: float,
     angles = [math.atan2(-y, x) if x > 0 else math.atan2(y, -x) for x, y in feet]
     if not rise and max(angles) - min(angles) < 1e-7:
         return (
-            f"{start}. It touches down on ground that falls by {angles[0]:.6g} rad: give ground = that angle in "
-            "terms of parameters, with gravity straight down, (0, -g); for stairs give rise = the height of a "
-            "step in place of it"
+            f"{start}. It touches down on ground that falls by {angles[0]:.6g} rad: give ground = that angle "
+            "in terms of parameters, with gravity straight down, (0, -g); for stairs give rise = the height "
+            "of a step in place of it"
         )
     heights = [abs(y) for _, y in feet]
     if max(heights) - min(heights) < 1e-7:

@@ -1,7 +1,7 @@
 """The ground's frame: what is declared upright has the numbers of the same walker declared along the ground.
 
-A declaration in a frame that is not said is refused: state, period and multipliers would be right, and the cost of
-transport, the friction and the clearance not.
+A declaration in a frame that is not said is refused: state, period and multipliers would be right, and the
+cost of transport, the friction and the clearance not.
 """
 
 import numpy as np
