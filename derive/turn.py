@@ -45,11 +45,36 @@ class Turn:
 
 @dataclass(frozen=True)
 class _Condition:
-    """Rows that the turn fulfils: the change of a point or an angle, and what it is to be."""
+    """Rows that the turn fulfils: the change of a point or an angle, and what it is to be; also in numbers."""
 
     rows: sp.Matrix
     wanted: sp.Matrix
-    body: str = ""
+    body: str
+    numbers: tuple[tuple[Array, Array], ...]
+
+    @classmethod
+    def at(
+        cls, rows: sp.Matrix, wanted: sp.Matrix, places: list[Mapping[sp.Symbol, float]], body: str = ""
+    ) -> "_Condition":
+        """A condition with its numbers at each of some positions; none where they are not real."""
+        return cls(rows, wanted, body, tuple(_numbers(rows, wanted, place) for place in places))
+
+
+def _numbers(rows: sp.Matrix, wanted: sp.Matrix, place: Mapping[sp.Symbol, float]) -> tuple[Array, Array]:
+    try:
+        a = np.array(rows.subs(place).evalf().tolist(), dtype=np.float64)
+        b = np.array(list(wanted.subs(place).evalf()), dtype=np.float64)
+    except TypeError:
+        return np.zeros((0, rows.cols)), np.zeros(0)
+    real = np.isfinite(a).all(axis=1) & np.isfinite(b)
+    return a[real], b[real]
+
+
+def _joined(conditions: list[_Condition], place: int, columns: int) -> tuple[Array, Array]:
+    """All rows at a position, and what they are to be."""
+    parts = [one.numbers[place] for one in conditions]
+    rows = np.concatenate([np.zeros((0, columns)), *(a for a, _ in parts)])
+    return rows, np.concatenate([np.zeros(0), *(b for _, b in parts)])
 
 
 def turn(walker: Declaration) -> Turn:
@@ -62,46 +87,38 @@ def turn(walker: Declaration) -> Turn:
     ----------
     walker : Walker
     """
-    q = walker.q
-    points = [("", walker.swing_foot), *((b.name, b.position) for b in walker.bodies)]
-    conditions = [_of_point(q, point, name) for name, point in points]
-    places = list(_places(walker))
+    q, places = walker.q, list(_places(walker))
     turning: list[_Condition] = []
     guided: list[_Condition] = []
-    for one in conditions:
-        (turning if _fulfilled([*turning, one], q, places) else guided).append(one)
+    for name, point in [("", walker.swing_foot), *((b.name, b.position) for b in walker.bodies)]:
+        arm = point - STANCE_FOOT
+        one = _Condition.at(point.jacobian(q), sp.Matrix([-arm[1], arm[0]]), places, name)
+        (turning if _fulfilled([*turning, one], len(q)) else guided).append(one)
     turning += _of_angles(walker, turning, places)
-    found = [_solved(turning, guided, q, place) for place in places]
+    found = [_solved(turning, guided, i, len(q)) for i in range(len(places))]
     names = tuple(one.body for one in guided)
-    if not found:
-        return Turn(sp.zeros(len(q), 1), names)
     halves = np.round(2 * found[0])
     if all(np.abs(2 * x - halves).max() < TOLERANCE for x in found):
         return Turn(sp.Matrix([sp.Rational(int(x), 2) for x in halves]), names)
     return Turn(_in_symbols(turning, q, places[0]), names)
 
 
-def _of_point(q: sp.Matrix, point: sp.Matrix, body: str) -> _Condition:
-    arm = point - STANCE_FOOT
-    return _Condition(point.jacobian(q), sp.Matrix([-arm[1], arm[0]]), body)
-
-
 def _of_angles(
     walker: Declaration, turning: list[_Condition], places: list[Mapping[sp.Symbol, float]]
-) -> Iterator[_Condition]:
+) -> list[_Condition]:
     """Angles of bodies that the positions do not determine, in the sense of those that they do."""
-    q, senses, free = walker.q, [], []
+    q, senses, free = walker.q, 0, []
     for body in walker.bodies:
         rows = sp.Matrix([body.angle]).jacobian(q)
         if rows.is_zero_matrix:
             continue
-        either = [_fulfilled([*turning, _Condition(rows, sp.Matrix([s]))], q, places) for s in (1, -1)]
+        ways = [_Condition.at(rows, sp.Matrix([sense]), places) for sense in (1, -1)]
+        either = [_fulfilled([*turning, way], len(q)) for way in ways]
         if all(either):
-            free.append(rows)
+            free.append(ways)
         elif any(either):
-            senses.append(1 if either[0] else -1)
-    sense = -1 if sum(senses) < 0 else 1
-    return (_Condition(rows, sp.Matrix([sense])) for rows in free)
+            senses += 1 if either[0] else -1
+    return [ways[senses < 0] for ways in free]
 
 
 def _places(walker: Declaration) -> Iterator[dict[sp.Symbol, float]]:
@@ -114,44 +131,24 @@ def _places(walker: Declaration) -> Iterator[dict[sp.Symbol, float]]:
         yield {**dict.fromkeys(STANCE_FOOT, 0.0), **moved, **position}
 
 
-def _numbers(
-    conditions: list[_Condition], q: sp.Matrix, place: Mapping[sp.Symbol, float]
-) -> tuple[Array, Array]:
-    """Rows of conditions at a position and what they are to be; empty where they have no real values."""
-    rows, wanted = [np.zeros((0, len(q)))], [np.zeros(0)]
-    for one in conditions:
-        try:
-            a = np.array(one.rows.subs(place).evalf().tolist(), dtype=np.float64)
-            b = np.array(list(one.wanted.subs(place).evalf()), dtype=np.float64)
-        except TypeError:
-            continue
-        if np.isfinite(a).all() and np.isfinite(b).all():
-            rows.append(a)
-            wanted.append(b)
-    return np.concatenate(rows), np.concatenate(wanted)
-
-
-def _fulfilled(conditions: list[_Condition], q: sp.Matrix, places: list[Mapping[sp.Symbol, float]]) -> bool:
+def _fulfilled(conditions: list[_Condition], columns: int) -> bool:
     """Whether one change of the coordinates fulfils all conditions, at every position."""
-    for place in places:
-        a, b = _numbers(conditions, q, place)
+    for place in range(len(conditions[0].numbers)):
+        a, b = _joined(conditions, place, columns)
         x = np.linalg.lstsq(a, b, rcond=1e-10)[0]
         if np.abs(a @ x - b).max(initial=0.0) > TOLERANCE * (1 + np.abs(b).max(initial=0.0)):
             return False
     return True
 
 
-def _solved(
-    turning: list[_Condition], guided: list[_Condition], q: sp.Matrix, place: Mapping[sp.Symbol, float]
-) -> Array:
+def _solved(turning: list[_Condition], guided: list[_Condition], place: int, columns: int) -> Array:
     """The turn at a position; what is guided turns along as far as its guide lets it."""
-    a, b = _numbers(turning, q, place)
+    a, b = _joined(turning, place, columns)
     x: Array = np.linalg.lstsq(a, b, rcond=1e-10)[0]
     if guided:
-        left = np.linalg.svd(a, full_matrices=True)
-        rank = int((left[1] > 1e-10 * left[1].max(initial=1.0)).sum())
-        free = left[2][rank:].T
-        g, w = _numbers(guided, q, place)
+        _, sizes, directions = np.linalg.svd(a, full_matrices=True)
+        free = directions[int((sizes > 1e-10 * sizes.max(initial=1.0)).sum()) :].T
+        g, w = _joined(guided, place, columns)
         x = x + free @ np.linalg.lstsq(g @ free, w - g @ x, rcond=1e-10)[0]
     return x
 
@@ -161,10 +158,9 @@ def _in_symbols(turning: list[_Condition], q: sp.Matrix, place: Mapping[sp.Symbo
 
     A coordinate that no row determines stays as it is.
     """
-    still = _Condition(sp.eye(len(q)), sp.zeros(len(q), 1))
-    rows = sp.Matrix.vstack(*(one.rows for one in (*turning, still)))
-    wanted = sp.Matrix.vstack(*(one.wanted for one in (*turning, still)))
-    numbers = _numbers([_Condition(rows, wanted)], q, place)[0]
+    rows = sp.Matrix.vstack(*(one.rows for one in turning), sp.eye(len(q)))
+    wanted = sp.Matrix.vstack(*(one.wanted for one in turning), sp.zeros(len(q), 1))
+    numbers = _numbers(rows, wanted, place)[0]
     chosen: list[int] = []
     for i in range(len(numbers)):
         if np.linalg.matrix_rank(numbers[[*chosen, i]], tol=1e-8) > len(chosen):

@@ -6,6 +6,7 @@ clearance do not. So it is tried at some touchdowns, with the parameters' defaul
 
 import math
 from collections.abc import Mapping
+from itertools import islice
 
 import sympy as sp
 
@@ -13,6 +14,9 @@ from stridemap.derive.declaration import Declaration
 from stridemap.derive.parts import STANCE_FOOT
 from stridemap.derive.validate.mechanics import TOLERANCE, touchdowns
 from stridemap.derive.validate.refusal import refuse
+
+TOUCHDOWNS = 6
+"""Touchdowns that are looked at; on stairs, whose condition has other zeros too, all that are found."""
 
 Values = Mapping[sp.Symbol, float]
 
@@ -33,8 +37,8 @@ def validate_gravity(walker: Declaration) -> None:
         refuse(
             walker,
             f"gravity is {list(walker.gravity)} and ground is {walker.ground}: where ground says how the "
-            "ground falls, points and gravity are those of somebody who stands upright; give gravity = (0, -g), or "
-            "leave ground out and write all points along the ground",
+            "ground falls, points and gravity are those of somebody who stands upright; give gravity = (0, -g), "
+            "or leave ground out and write all points along the ground",
         )
 
 
@@ -95,7 +99,7 @@ def _feet(walker: Declaration, values: Values) -> list[tuple[float, float]]:
     places = dict(zip(STANCE_FOOT, walker.stance, strict=True))
     foot = sp.Matrix(walker.swing_foot).subs(places) - walker.stance
     feet = []
-    for before in touchdowns(walker, values):
+    for before in islice(touchdowns(walker, values), TOUCHDOWNS if walker.rise == 0 else None):
         try:
             x, y = (float(e.subs({**values, **before}).evalf()) for e in foot)
         except TypeError:

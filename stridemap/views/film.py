@@ -60,7 +60,7 @@ def _frame(
         axes.text(0.5, 0.985, title, transform=axes.transAxes, ha="center", va="top", fontsize=8)
         if magnify != 1:
             axes.text(
-                0.99, 0.01, f"displacement of the wobbling mass ×{magnify:g}", transform=axes.transAxes,
+                0.99, 0.037, f"displacement of the wobbling mass ×{magnify:g}", transform=axes.transAxes,
                 ha="right", va="bottom", fontsize=6, color=style.DARK,
             )  # fmt: skip
     canvas.draw()
@@ -98,9 +98,9 @@ def draw_frame(axes: Axes, of: Scene, step: int, i: int) -> None:
         "", below + FORCE * of.force[i], below, arrowprops={**arrow, "shrinkA": 0, "shrinkB": 0}, zorder=6
     )
     axes.plot(of.zmp[i], -0.035, "^", color=style.VERMILION, markersize=6, mew=0, zorder=6)
-    legend = {"transform": axes.transAxes, "va": "bottom", "fontsize": 5.5}
-    axes.text(0.02, 0.055, "→ ground force, at the centre of pressure", color=style.GREEN, **legend)
-    axes.text(0.02, 0.01, "▲ the paper's zero moment point", color=style.VERMILION, **legend)
+    legend = {"transform": axes.transAxes, "va": "bottom", "fontsize": 4.8}
+    axes.text(0.01, 0.005, "→ force, at the centre of pressure", color=style.GREEN, **legend)
+    axes.text(0.99, 0.005, "▲ paper's zero moment point", ha="right", color=style.VERMILION, **legend)
 
 
 def _draw_prints(axes: Axes, of: Scene, stance: str, swing: str) -> None:

@@ -18,7 +18,7 @@ from tests.oracles.reference import REFERENCE, reference_name
 from tests.oracles.sweeping import STRIDEMAP, tables
 
 ORBIT_KEYS = (
-    "status state period multipliers spectral_radius stable group step_length speed d_max work work_positive "
+    "status state period multipliers spectral_radius stable group step_length speed d_max cop_max work work_positive "
     "work_net cot cot_per_speed min_vertical_force friction clearance peaks x_zero_crossings "
     "wobble_amplitude touchdown_speed impact_friction lift_off_speed trailing_lifts_off residual "
     "integration_error"

@@ -88,7 +88,7 @@ def test_columns_bear_the_agreed_names():
     assert names[:10] == ["cell", *parameters, "status"]
     assert names[10:16] == ["theta1", "dtheta1", "dtheta2", "x", "dx", "period"]
     assert names[16:26] == [f"multiplier_{i}_{part}" for i in range(5) for part in ("re", "im")]
-    measures = "spectral_radius stable group step_length speed d_max work work_positive work_net cot"
+    measures = "spectral_radius stable group step_length speed d_max cop_max work work_positive work_net cot"
     measures += " cot_per_speed min_vertical_force friction clearance peaks x_zero_crossings"
     measures += " wobble_amplitude touchdown_speed impact_friction lift_off_speed trailing_lifts_off"
     measures += " residual integration_error"
