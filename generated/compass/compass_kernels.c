@@ -1,5 +1,5 @@
 /* Compass walker: kernels of the solver
- * Printed by CasADi 3.8.2 from equations ec68da684ca0fe80.
+ * Printed by CasADi 3.8.2 from equations 69e9fda06e4f058f.
  * Do not edit: run `make derive`.
  * SPDX-License-Identifier: BSD-3-Clause
  */

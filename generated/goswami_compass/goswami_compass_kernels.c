@@ -1,5 +1,5 @@
 /* Compass gait on a slope: kernels of the solver
- * Printed by CasADi 3.8.2 from equations 1c8bc4439ac6affb.
+ * Printed by CasADi 3.8.2 from equations c4f511f3fef29195.
  * Do not edit: run `make derive`.
  * SPDX-License-Identifier: BSD-3-Clause
  */

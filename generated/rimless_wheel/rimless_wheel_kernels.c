@@ -1,5 +1,5 @@
 /* Rimless wheel: kernels of the solver
- * Printed by CasADi 3.8.2 from equations cbc716d6093ad19c.
+ * Printed by CasADi 3.8.2 from equations 2f0ae08682c82ed1.
  * Do not edit: run `make derive`.
  * SPDX-License-Identifier: BSD-3-Clause
  */

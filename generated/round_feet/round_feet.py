@@ -672,7 +672,7 @@ def ground_force(xp, q, v, p):
 
 
 def zmp(xp, q, v, p):
-    """The paper's zero moment point: leaves out the change of angular momentum (see centre_of_pressure).
+    """The paper's zero moment point, which leaves out the change of angular momentum.
 
     Source: p = x_g - F_x / F_y y_g with the ground force F.
     246 operations.

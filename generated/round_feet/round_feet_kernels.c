@@ -1,5 +1,5 @@
 /* Walker on round feet: kernels of the solver
- * Printed by CasADi 3.8.2 from equations 94325dd9d7d39dcc.
+ * Printed by CasADi 3.8.2 from equations a869f52c72737ddc.
  * Do not edit: run `make derive`.
  * SPDX-License-Identifier: BSD-3-Clause
  */

@@ -1,5 +1,5 @@
 /* Simplest walker: kernels of the solver
- * Printed by CasADi 3.8.2 from equations 9696ff4f1edbc5c4.
+ * Printed by CasADi 3.8.2 from equations 1c328fc53a8ef75d.
  * Do not edit: run `make derive`.
  * SPDX-License-Identifier: BSD-3-Clause
  */

@@ -599,7 +599,7 @@ def ground_force(xp, t, q, v, p):
 
 
 def zmp(xp, t, q, v, p):
-    """The paper's zero moment point: leaves out the change of angular momentum (see centre_of_pressure).
+    """The paper's zero moment point, which leaves out the change of angular momentum.
 
     Source: Kamimura & Sano 2023, eq. (6): p = x_g - x_g'' y_g / (1 + y_g'').
     142 operations.

@@ -1,5 +1,5 @@
 /* Compass walker with a horizontally wobbling mass: kernels of the solver
- * Printed by CasADi 3.8.2 from equations 2e0d3f0ceab4a7aa.
+ * Printed by CasADi 3.8.2 from equations 581183d49ea7c8b1.
  * Do not edit: run `make derive`.
  * SPDX-License-Identifier: BSD-3-Clause
  */
