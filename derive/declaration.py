@@ -41,6 +41,8 @@ class Declaration:
     relabel: Mapping[sp.Symbol, sp.Expr]
     search_box: Mapping[str, tuple[float, float]]
     gravity: sp.Matrix = DOWN
+    ground: sp.Expr = sp.S.Zero
+    rise: sp.Expr = sp.S.Zero
     potentials: Mapping[str, sp.Expr] = field(default_factory=dict)
     dissipation: sp.Expr = sp.S.Zero
     motors: tuple[Motor, ...] = ()
@@ -68,6 +70,17 @@ class Declaration:
     def v(self) -> sp.Matrix:
         """Rates of the coordinates, shape (n, 1)."""
         return sp.Matrix([c.rate for c in self.coordinates])
+
+    @property
+    def to_level(self) -> sp.Matrix:
+        """From vectors in the ground's axes, along it and away from it, to those in the declared axes."""
+        c, s = sp.cos(self.ground), sp.sin(self.ground)
+        return sp.ImmutableMatrix([[c, s], [-s, c]])
+
+    @property
+    def standing(self) -> sp.Matrix:
+        """Where the stance foot is in the swing phase, in the axes of the declaration, shape (2, 1)."""
+        return self.stance if self.ground == 0 else self.to_level * self.stance
 
     @property
     def phase(self) -> Coordinate | None:

@@ -115,7 +115,7 @@ class Derived(Declaration):
 
     def _standing(self, value: sp.Expr | sp.Matrix) -> sp.Expr | sp.Matrix:
         """`value` with the stance foot where it is in the swing phase."""
-        return sp.sympify(value).subs(dict(zip(STANCE_FOOT, self.stance, strict=True)))
+        return sp.sympify(value).subs(dict(zip(STANCE_FOOT, self.standing, strict=True)))
 
     @cached_property
     def _inertia(self) -> sp.Matrix:

@@ -5,12 +5,13 @@ from dataclasses import dataclass, field
 
 import sympy as sp
 
+from stridemap.derive.declaration import Declaration
+from stridemap.derive.ground import in_ground_frame
 from stridemap.derive.mechanics import Mechanics
 from stridemap.derive.parts import TIME
 from stridemap.derive.program import Argument, Builder, Entry, Factors, Output, Program
 from stridemap.derive.simplify import simplified, start_afresh
 from stridemap.derive.steps import in_steps
-from stridemap.derive.walker import Walker
 
 ALWAYS = 23
 """Programs that every walker has."""
@@ -38,13 +39,13 @@ class Functions:
     walker : Walker
     """
 
-    walker: Walker
+    walker: Declaration
     mechanics: Mechanics = field(init=False)
     arguments: tuple[Argument, ...] = field(init=False)
 
     def __post_init__(self) -> None:
         start_afresh()
-        w = self.walker
+        self.walker = w = in_ground_frame(self.walker)
         self.mechanics = Mechanics(in_steps(w))
         time = Entry(TIME, w.units.time, "time since touchdown")
         q = tuple(Entry(c.symbol, c.unit, c.meaning) for c in w.coordinates)
@@ -77,6 +78,7 @@ class Functions:
         yield self.centre_of_mass()
         yield self.ground_force()
         yield self.zmp()
+        yield self.centre_of_pressure()
         yield self.swing_foot()
         yield self.stance_foot()
         yield self.drawing()
@@ -348,20 +350,46 @@ class Functions:
         return m.ground_force(acceleration, torques)
 
     def zmp(self) -> Program:
-        """Zero moment point and its signed distance from the stance foot."""
+        """The paper's point: where the ground force's line through the centre of mass meets the ground."""
         b = self._builder()
         acceleration, _ = self._acceleration(b)
         fx, fy = b.let_vector("ground", self._ground_force(b, acceleration))
         com_x, com_y = b.let_vector("com", self.mechanics.centre_of_mass)
         point = b.let("point", com_x - fx / fy * com_y - self.walker.stance[0])
         outputs = [
-            Output("zmp", point, "zero moment point ahead of the stance foot"),
-            Output("d", -point, "signed distance: stance foot minus zero moment point"),
+            Output("zmp", point, "the paper's zero moment point, ahead of the stance foot"),
+            Output("d", -point, "the paper's distance d: stance foot minus this point"),
         ]
         source = DEFAULT_SOURCES["zmp"]
         if "zmp" in self.walker.sources:
             source = f"{self.walker.sources['zmp']}: p = x_g - x_g'' y_g / (1 + y_g'')"
-        return b.close("zmp", "Zero moment point", source, outputs)
+        summary = "The paper's zero moment point, which leaves out the change of angular momentum"
+        return b.close("zmp", summary, source, outputs)
+
+    def centre_of_pressure(self) -> Program:
+        """Where the ground force acts, from the moment about the contact."""
+        b = self._builder()
+        contact = self.walker.stance[0]
+        # The force matters where there is a moment; symbols show that before it is worked out.
+        stand_in = sp.Matrix(sp.symbols("ground_x ground_y", real=True))
+        m = self.mechanics
+        torques = m.applied_torques
+        if len(torques):
+            torques = b.let_vector("applied", torques)
+        moment = m.contact_moment(stand_in, torques)
+        offset = sp.S.Zero
+        if moment != 0:
+            acceleration, _ = self._acceleration(b)
+            force = b.let_vector("ground", m.ground_force(acceleration, torques))
+            moment = b.let("about_contact", moment.xreplace(dict(zip(stand_in, force, strict=True))))
+            offset = b.let("ahead", moment / force[1])
+        outputs = [
+            Output("cop", contact + offset, "centre of pressure, along the ground"),
+            Output("offset", offset, "from the contact, which is straight below the stance foot, to it"),
+            Output("moment", moment, "moment of the ground about the contact, positive from x to y"),
+        ]
+        source = "angular momentum about the contact: its change is that of gravity and of this moment"
+        return b.close("centre_of_pressure", "Centre of pressure", source, outputs)
 
     def swing_foot(self) -> Program:
         """Swing foot and its velocity."""

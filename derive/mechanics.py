@@ -15,6 +15,7 @@ from stridemap.derive.declaration import Declaration
 from stridemap.derive.parts import STANCE_FOOT, Coordinate
 from stridemap.derive.simplify import simplified
 from stridemap.derive.terms import terms_in
+from stridemap.derive.turn import Turn, turn
 from stridemap.errors import InputError
 
 BASE = 2
@@ -282,6 +283,48 @@ class Mechanics:
         springs = sp.Matrix([sum(self.walker.potentials.values(), sp.S.Zero)]).jacobian(STANCE_FOOT).T
         total += self.on_stance(springs) - self.motor_base_jacobian.T * torques
         return self.without_massless(total).applyfunc(simplified)
+
+    @cached_property
+    def turn(self) -> Turn:
+        """How the coordinates change when the whole walker turns; angular momentum belongs to that."""
+        return turn(self.walker)
+
+    def contact_moment(self, force: sp.Matrix, torques: sp.Matrix) -> sp.Expr:
+        """Moment of the ground on the stance foot about the contact, straight below `STANCE_FOOT`.
+
+        It is the balance of angular momentum about the contact: what torques, springs, dampers and the
+        rolling foot's constraint do work with in a turn of the whole walker, gravity apart, comes from the
+        ground. What acts at a place other than the foot (it depends on `STANCE_FOOT`) is not the foot's, and
+        neither is the torque of a guide (`Turn.guided`).
+
+        Parameters
+        ----------
+        force : sympy.Matrix, shape (2, 1)
+            Ground force.
+        torques : sympy.Matrix, shape (n_motors, 1)
+            Of the motors.
+
+        Returns
+        -------
+        sympy.Expr
+            Positive from x to y.
+        """
+        rates, q, v, stance = self.turn.rates, self.walker.q, self.walker.v, set(STANCE_FOOT)
+        total = sp.S.Zero
+        for j, motor in enumerate(self.walker.actuators):
+            if not motor.drives.free_symbols & stance:
+                total += torques[j] * simplified((self.motor_jacobian[j, :] * rates)[0])
+        for potential in self.walker.potentials.values():
+            if not potential.free_symbols & stance:
+                total -= simplified(self._along(potential, q, rates))
+        total -= simplified(self._along(self.walker.dissipation, v, rates))
+        carried = self.stance_jacobian * rates  # what rolls without slip moves so in the turn, too
+        total -= force[0] * simplified(carried[0] + self.walker.stance[1]) + force[1] * simplified(carried[1])
+        return total
+
+    def _along(self, value: sp.Expr, symbols: sp.Matrix, direction: sp.Matrix) -> sp.Expr:
+        """Derivative of a value in a direction of its symbols, without the mass that vanishes."""
+        return self.without_massless((sp.Matrix([value]).jacobian(symbols) * direction)[0])
 
     # -- what is measured --------------------------------------------------------------------------------
 

@@ -12,7 +12,9 @@ from typing import Any
 import sympy as sp
 
 from stridemap.derive.derived import Derived
+from stridemap.derive.ground import in_ground_frame
 from stridemap.derive.parts import DIMENSIONLESS, STANCE_FOOT, Clock, exact
+from stridemap.derive.validate.ground import validate_gravity, validate_ground
 from stridemap.derive.validate.mechanics import validate_mechanics
 from stridemap.derive.validate.model_name import validate_model_name
 from stridemap.derive.validate.motors import validate_motors
@@ -29,7 +31,8 @@ USUAL_PERIODS = (0.3, 3.0)
 class Walker(Derived):
     """A planar walker that steps from one foot to the other, over flat or sloping ground.
 
-    The x-axis lies along the ground, in the direction of walking, and the y-axis points away from it.
+    The x-axis lies along the ground, in the direction of walking, and the y-axis points away from it; with
+    `ground`, points and gravity are those of somebody who stands upright, and are turned.
 
     Parameters
     ----------
@@ -51,6 +54,12 @@ class Walker(Derived):
         middle.
     gravity : sympy.Matrix, shape (2, 1)
         Acceleration of gravity; ``(sin(slope), -cos(slope))`` on ground that falls in the walking direction.
+    ground : sympy.Expr
+        Angle by which the ground falls in the walking direction, for a walker that is declared with a
+        vertical y-axis: points as somebody sees them who stands upright, and gravity ``(0, -g)``. `stance` is
+        along the ground all the same.
+    rise : sympy.Expr
+        How much higher each foothold is than the one before, on stairs; negative where they lead down.
     potentials : dict of str to sympy.Expr
         Potential energy in addition to gravity (springs), by name.
     dissipation : sympy.Expr
@@ -126,7 +135,10 @@ class Walker(Derived):
         validate_names(self)
         validate_model_name(self)
         validate_motors(self)
-        validate_mechanics(self)
+        validate_gravity(self)
+        seen = in_ground_frame(self)
+        validate_mechanics(seen)
+        validate_ground(seen, self)
         if usual and self.units.time != DIMENSIONLESS.time:
             object.__setattr__(self, "period_range", self._usual_periods())
 
@@ -136,7 +148,7 @@ class Walker(Derived):
         rest |= {symbol: 0 for c in self.coordinates for symbol in (c.symbol, c.rate)}
         total = sum((body.mass for body in self.bodies), sp.S.Zero)
         moment = sum((body.mass * body.position for body in self.bodies), sp.zeros(2, 1))
-        com = (moment / total).subs(dict(zip(STANCE_FOOT, self.stance, strict=True))).subs(rest)
+        com = (moment / total).subs(dict(zip(STANCE_FOOT, self.standing, strict=True))).subs(rest)
         gravity = self.gravity.subs(rest)
         try:
             unit = math.sqrt(float(sp.sqrt(com.dot(com) / gravity.dot(gravity))))

@@ -43,6 +43,7 @@ SUBROOMS = {
     "backends": ("SIMD lanes, scalar C, interpreter", "casadi"),
     "kernels": ("step map, Runge-Kutta, observation", "casadi"),
     "options": ("checked records", "casadi"),
+    "linear": ("linear systems on arrays", "numpy"),
     "model": ("its specification and equations, wherever its files are", "casadi"),
 }
 WRITES = ("derive", "generated", "writes")

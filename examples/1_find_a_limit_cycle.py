@@ -53,7 +53,7 @@ axes[0].plot(motion.t, motion.coordinate("theta1"), label=r"stance leg $\theta_1
 axes[0].plot(motion.t, motion.coordinate("theta2"), "--", label=r"between the legs $\theta_2$")
 axes[0].set_ylabel("rad")
 axes[1].plot(motion.t, motion.coordinate("x"), label="wobbling mass $x$")
-axes[1].plot(motion.t, motion.d, "--", label="stance foot minus zero moment point $d$")
+axes[1].plot(motion.t, motion.d, "--", label="the paper's distance $d$")
 axes[1].set_ylabel("L")
 axes[2].plot(motion.t, motion.force[:, 1], label="vertical ground force")
 axes[2].plot(motion.t, motion.force[:, 0], "--", label="horizontal ground force")

@@ -53,7 +53,7 @@ for orbit in orbits:
         f"\ngroup {orbit.group}, {'stable' if orbit.stable else 'unstable'} "
         f"(largest multiplier {orbit.spectral_radius:.4f})\n"
         f"  step {m['step_length']:.4f} m in {m['period']:.4f} s: {m['speed']:.4f} m/s\n"
-        f"  zero moment point within {m['d_max']:.4f} m of the foot\n"
+        f"  the paper's distance d up to {m['d_max']:.4f} m\n"
         f"  work of the hip {m['work']:.3f} J a step, cost of transport {m['cot']:.4f}\n"
         f"  vertical ground force at least {m['min_vertical_force']:.1f} N\n"
         f"  friction needed {m['friction']:.3f}"
@@ -112,7 +112,8 @@ for spring in (softest, stiffest):
 
 # %%
 # The margin is not only the distance to the edges. The largest multiplier says how fast the
-# robot recovers, and the zero moment point how near it comes to tipping:
+# robot recovers, and the paper's distance d how hard the ground's force turns it about its
+# centre of mass (on a point foot the force acts at the foot, so d is not a measure of tipping):
 
 figure, axes = plt.subplots(3, sharex=True, figsize=(6.4, 6.2), layout="constrained")
 # Closer together towards the fold, where everything changes as the square root of the
@@ -133,7 +134,7 @@ for ax in axes:
 axes[0].legend(frameon=False)
 
 # %%
-# Near the soft edge the robot needs least work and keeps its zero moment point nearest, but
+# Near the soft edge the robot needs least work and keeps `d` smallest, but
 # it stands with its back to a cliff: a spring only a little softer has no gait. The best of
 # both is somewhat above the fold, where the largest multiplier is smallest:
 

@@ -99,9 +99,20 @@ _ENTRIES = (
         "d_max",
         "length",
         "largest distance d",
-        "Largest distance between stance foot and zero moment point during the step; "
-        "missing where the contact is lost.",
+        "Largest absolute value during the step of the paper's distance d, from the point "
+        "x_g - (F_x / F_y) y_g to the stance foot; that leaves out the change of angular momentum, so it is not where the ground "
+        "force acts (cop_max); missing where the contact is lost.",
         r"\max_t |d(t)|",
+        over_steps="maximum",
+    ),
+    Quantity(
+        "cop_max",
+        "length",
+        "largest distance of the centre of pressure",
+        "Largest distance during the step of the centre of pressure, where the ground force acts, from the "
+        "stance foot's contact: 0 for a point foot without a motor or a spring at the ankle, and what a foot "
+        "must reach for those; missing where the contact is lost.",
+        r"\max_t |p(t)|",
         over_steps="maximum",
     ),
     Quantity(

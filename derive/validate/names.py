@@ -251,6 +251,8 @@ def _scalars(walker: Declaration) -> Iterator[tuple[str, Any]]:
     yield "the touchdown's condition", walker.touchdown.condition
     yield "the touchdown's region", walker.touchdown.region
     yield "the dissipation", walker.dissipation
+    yield "the ground's angle", walker.ground
+    yield "the rise", walker.rise
     for name, value in walker.potentials.items():
         yield f"the potential {name}", value
     for coordinate, value in walker.torques.items():
@@ -284,6 +286,8 @@ def _symbols(walker: Declaration) -> None:
         "inertia": parameters | massless,
         "angle": parameters | q,
         "potential": parameters | q | base | massless,
+        "ground": parameters,
+        "rise": parameters,
         "dissipation": parameters | q | v | massless,
         "torque": parameters | q | v | {TIME} | massless,
         "drive": parameters | q | base,

@@ -458,7 +458,7 @@ def ground_force(xp, t, q, v, p):
 
 
 def zmp(xp, t, q, v, p):
-    """Zero moment point.
+    """The paper's zero moment point, which leaves out the change of angular momentum.
 
     Source: Kamimura & Sano 2023, eq. (6): p = x_g - x_g'' y_g / (1 + y_g'').
     106 operations.
@@ -503,6 +503,19 @@ def zmp(xp, t, q, v, p):
     return {
         "zmp": point,
         "d": -point,
+    }
+
+
+def centre_of_pressure(xp):
+    """Centre of pressure.
+
+    Source: angular momentum about the contact: its change is that of gravity and of this moment.
+    0 operations.
+    """
+    return {
+        "cop": 0,
+        "offset": 0,
+        "moment": 0,
     }
 
 

@@ -672,7 +672,7 @@ def ground_force(xp, q, v, p):
 
 
 def zmp(xp, q, v, p):
-    """Zero moment point.
+    """The paper's zero moment point, which leaves out the change of angular momentum.
 
     Source: p = x_g - F_x / F_y y_g with the ground force F.
     246 operations.
@@ -735,6 +735,21 @@ def zmp(xp, q, v, p):
     return {
         "zmp": point,
         "d": -point,
+    }
+
+
+def centre_of_pressure(xp, q, p):
+    """Centre of pressure.
+
+    Source: angular momentum about the contact: its change is that of gravity and of this moment.
+    2 operations.
+    """
+    q1 = q[0]
+    radius = p[5]
+    return {
+        "cop": -q1*radius,
+        "offset": 0,
+        "moment": 0,
     }
 
 

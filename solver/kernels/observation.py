@@ -9,10 +9,11 @@ from stridemap.solver.kernels.runge_kutta import STAGES
 from stridemap.solver.kernels.step_map import BLOCK, StepMap
 from stridemap.solver.model.model import Model
 
-OBSERVABLES = ("d", "vertical_force", "friction", "foot_height", "peak", "touchdown", "wobble")
+OBSERVABLES = ("d", "cop", "vertical_force", "friction", "foot_height", "peak", "touchdown", "wobble")
 """Row order of the observables.
 
-`d`, stance foot minus zero moment point; vertical ground force; horizontal over vertical ground force;
+`d`, the paper's distance; `cop`, centre of pressure ahead of the contact; vertical ground force; horizontal
+over vertical ground force;
 height of the swing foot; acceleration of the stance angle (zero where its rate is extreme);
 touchdown condition; position of the wobbling mass. Zero where a model has no such angle or mass. The power
 of each motor follows, then the torque of each.
@@ -64,6 +65,7 @@ class Observation:
         wobbling, stance = spec.wobbling, spec.stance_angle
         rows = {
             "d": sm.call("zmp", **values)["d"],
+            "cop": sm.call("centre_of_pressure", **values)["offset"],
             "vertical_force": force[1],
             "friction": force[0] / force[1],
             "foot_height": sm.call("swing_foot", **values)["foot"][1],

@@ -347,8 +347,14 @@ def cot_per_speed(cycles: Cycles) -> Array:
 
 @_measure
 def d_max(cycles: Cycles) -> Array:
-    """Largest distance of stance foot and zero moment point."""
+    """Largest absolute value of the paper's distance d."""
     return cycles.where_in_contact(extreme(cycles.trace, "d", np.absolute))
+
+
+@_measure
+def cop_max(cycles: Cycles) -> Array:
+    """Largest distance of the centre of pressure from the contact."""
+    return cycles.where_in_contact(extreme(cycles.trace, "cop", np.absolute))
 
 
 @_measure

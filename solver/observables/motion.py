@@ -33,7 +33,12 @@ class Motion:
     torque : ndarray, shape (..., n, n_actuators)
         In the order of `Model.actuated`.
     d : ndarray, shape (..., n)
-        Stance foot minus zero moment point.
+        The paper's distance: stance foot minus the point ``x_g - Fx / Fy y_g``. It leaves out the change of
+        angular momentum, so the ground force does not act there.
+    cop : ndarray, shape (..., n)
+        Centre of pressure, where the ground force acts: its position along the ground.
+    contact : ndarray, shape (..., n)
+        Position along the ground of the stance foot's contact: 0 for a point foot.
     force : ndarray, shape (..., n, 2)
         Ground force on the stance foot, horizontal and vertical.
     com : ndarray, shape (..., n, 2)
@@ -51,6 +56,8 @@ class Motion:
     v: Array
     torque: Array
     d: Array
+    cop: Array
+    contact: Array
     force: Array
     com: Array
     positions: Array
@@ -115,6 +122,8 @@ def motions(
         "v": values["v"],
         "torque": _torques(model, values),
         "d": model.evaluate("zmp", **values)["d"],
+        "cop": model.evaluate("centre_of_pressure", **values)["cop"],
+        "contact": model.evaluate("stance_foot", **values)["stance"][..., 0],
         "force": model.evaluate("ground_force", **values)["force"],
         "com": model.evaluate("centre_of_mass", **values)["com"],
         "positions": drawing["positions"],

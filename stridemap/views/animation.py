@@ -31,9 +31,9 @@ def animate(
 ) -> Path:
     """Write a GIF of limit cycles walking side by side, which loops without a jump.
 
-    It shows the legs, the masses (discs whose areas are as the masses), springs, the force of the ground on
-    the stance foot (arrow) and the zero moment point (triangle). A step of each walker lasts the same time on
-    the screen, whatever its period.
+    It shows the legs, the masses (discs whose areas are as the masses), springs, the force of the ground at
+    the centre of pressure (arrow) and the paper's zero moment point, from which its distance d is measured
+    (triangle). A step of each walker lasts the same time on the screen, whatever its period.
 
     Parameters
     ----------

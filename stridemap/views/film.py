@@ -58,7 +58,7 @@ def _frame(
         axes.text(0.5, 0.985, title, transform=axes.transAxes, ha="center", va="top", fontsize=8)
         if magnify != 1:
             axes.text(
-                0.99, 0.01, f"displacement of the wobbling mass ×{magnify:g}", transform=axes.transAxes,
+                0.99, 0.037, f"displacement of the wobbling mass ×{magnify:g}", transform=axes.transAxes,
                 ha="right", va="bottom", fontsize=6, color=style.DARK,
             )  # fmt: skip
     canvas.draw()
@@ -95,11 +95,14 @@ def draw_frame(axes: Axes, of: Scene, step: int, i: int) -> None:
     colours = walker.mass_colours(of.bodies, of.positions[i], hip, stance, swing)
     walker.draw_masses(axes, [mass.name for mass in of.bodies], of.positions[i], of.masses, colours)
     arrow = {"arrowstyle": "-|>,head_width=0.25,head_length=0.5", "color": style.GREEN, "linewidth": 1.5}
-    foot = np.array([of.contact[i], 0.0])
+    below = np.array([of.cop[i], 0.0])
     axes.annotate(
-        "", foot + FORCE * of.force[i], foot, arrowprops={**arrow, "shrinkA": 0, "shrinkB": 0}, zorder=6
+        "", below + FORCE * of.force[i], below, arrowprops={**arrow, "shrinkA": 0, "shrinkB": 0}, zorder=6
     )
     axes.plot(of.zmp[i], -0.035, "^", color=style.VERMILION, markersize=6, mew=0, zorder=6)
+    legend = {"transform": axes.transAxes, "va": "bottom", "fontsize": 4.8}
+    axes.text(0.01, 0.005, "→ force, at the centre of pressure", color=style.GREEN, **legend)
+    axes.text(0.99, 0.005, "▲ paper's zero moment point", ha="right", color=style.VERMILION, **legend)
 
 
 def _leg_directions(of: Scene, i: int) -> tuple[np.ndarray, np.ndarray]:

@@ -24,9 +24,9 @@ def plot(orbit: Orbit, kind: str = "profiles", *, samples: int = 201) -> "Figure
     ----------
     orbit : Orbit
     kind : {"profiles", "phase"}
-        ``profiles``: coordinates, rates, ground force and the distance `d` from the zero moment point to the
-        stance foot, against time over one step. ``phase``: the rate of each coordinate against the
-        coordinate; a dot marks the state just after touchdown, and a dotted line the jump at the impact.
+        ``profiles``: coordinates, rates, ground force, the paper's distance `d` and how far the centre of
+        pressure is ahead of the contact, against time over one step. ``phase``: the rate of each coordinate
+        against the coordinate; a dot marks the state just after touchdown, and a dotted line the jump at the impact.
     samples : int
         Number of times, both ends of the step included.
 
@@ -51,7 +51,7 @@ def plot(orbit: Orbit, kind: str = "profiles", *, samples: int = 201) -> "Figure
 
 
 def _profiles(seen: Motion, title: str) -> "Figure":
-    """One column for coordinates, force and d; one for the rates."""
+    """One column for coordinates and force; one for the rates."""
     from stridemap.views import style
     from stridemap.views.notation import latex_axis, state_labels, time_label, unit_of
 
@@ -67,8 +67,10 @@ def _profiles(seen: Motion, title: str) -> "Figure":
         force.plot(seen.t, seen.force[:, component], look, color=style.GREEN, label=symbol)
     force.set_ylabel(latex_axis("ground force", unit_of("force", spec.units), spec.units))
     force.legend()
-    distance.plot(seen.t, seen.d, color=style.VERMILION)
-    distance.set_ylabel(latex_axis("$d$", spec.units.length, spec.units))
+    distance.plot(seen.t, seen.d, color=style.VERMILION, label="paper's $d$")
+    distance.plot(seen.t, seen.cop - seen.contact, "--", color=style.GREEN, label="centre of pressure")
+    distance.set_ylabel(latex_axis("distance", spec.units.length, spec.units))
+    distance.legend()
     for axes in panels.ravel():
         shown = axes.get_ylim()
         axes.axhline(0, color=style.GREY, linewidth=0.5, zorder=0)

@@ -37,8 +37,9 @@ class Scene:
         As shares of the whole.
     force : ndarray, shape (n + 1, 2)
         Ground force in terms of the weight.
-    contact, zmp : ndarray, shape (n + 1,)
-        Horizontal positions of the contact with the ground and of the zero moment point.
+    contact, cop, zmp : ndarray, shape (n + 1,)
+        Horizontal positions of the contact with the ground, of the centre of pressure, where the ground force
+        acts, and of the paper's zero moment point, from which its distance d is measured.
     step : float
         From one contact point to the next.
     middle : ndarray, shape (n + 1,)
@@ -59,6 +60,7 @@ class Scene:
     masses: Array
     force: Array
     contact: Array
+    cop: Array
     zmp: Array
     step: float
     middle: Array
@@ -103,8 +105,6 @@ def scene(orbit: Orbit, frames: int, magnify: float = 1.0) -> Scene:
     load = model.evaluate("total_mass", p=p)
     stance = model.evaluate("stance_foot", q=seen.q, p=p)["stance"] / height
     swing = model.evaluate("swing_foot", q=seen.q, v=seen.v, p=p)["foot"] / height
-    # The zero moment point is where the line of the ground force through the centre of mass meets the ground.
-    zmp = seen.com[:, 0] - seen.force[:, 0] / seen.force[:, 1] * seen.com[:, 1]
     step, rise = orbit.step_length / height, float(swing[-1, 1] - stance[0, 1])
     if abs(rise) < LEVEL:
         rise = 0.0
@@ -119,8 +119,9 @@ def scene(orbit: Orbit, frames: int, magnify: float = 1.0) -> Scene:
         scaled,
         seen.masses / load["mass"],
         seen.force / load["weight"],
-        (zmp + seen.d) / height,
-        zmp / height,
+        seen.contact / height,
+        seen.cop / height,
+        (seen.contact - seen.d) / height,
         step,
         middle,
         float(stance[0, 1]),

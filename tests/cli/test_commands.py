@@ -19,9 +19,9 @@ from tests.oracles.sweeping import STRIDEMAP, tables
 
 ORBIT_KEYS = (
     "status state period multipliers spectral_radius multiplier_error stable undecided group step_length "
-    "speed d_max work work_positive work_net peak_torque peak_power cot cot_per_speed min_vertical_force "
-    "friction clearance peaks x_zero_crossings wobble_amplitude touchdown_speed impact_friction "
-    "lift_off_speed trailing_lifts_off residual state_error integration_error"
+    "speed d_max cop_max work work_positive work_net peak_torque peak_power cot cot_per_speed "
+    "min_vertical_force friction clearance peaks x_zero_crossings wobble_amplitude touchdown_speed "
+    "impact_friction lift_off_speed trailing_lifts_off residual state_error integration_error"
 ).split()
 """In this order; others script against them."""
 

@@ -284,6 +284,7 @@ def test_stairs_cost_the_rise():
         "stairs",
         gravity=sp.Matrix([0, -1]),
         touchdown=Touchdown(sp.cos(sp.pi / 6) - sp.cos(theta - lean), region=lean - theta),
+        rise=-sp.sin(lean),
     )
     orbit = cycle(light_model(stairs), ([ROLLING[0] + slope, *ROLLING[1:]], {"slope": slope}))
     assert orbit.state["dtheta"] == pytest.approx(0.460341126609458, abs=1e-12)

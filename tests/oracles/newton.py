@@ -231,6 +231,34 @@ class Newton:
         point = x_g - along / up * y_g  # on level ground up is 1 + ddy_g
         return {"zmp": point, "d": -point}
 
+    def moment(self, bodies):
+        """What the accelerations of bodies need beyond gravity's, about the stance foot, from x to y."""
+        acceleration = self.state_derivative()["dv"]
+        total = 0 * self.t
+        for body in bodies:
+            point = body.point
+            push = times(point.jacobian, acceleration) + point.acceleration - self.gravity
+            x, y = point.position.T
+            total = total + body.mass * (x * push[:, 1] - y * push[:, 0])
+            if body.inertia is not None:
+                total = total + self.sense * body.inertia * (body.turn * acceleration).sum(axis=-1)
+        return total
+
+    sense = 1
+    """Of the bodies' angles, from x to y."""
+
+    def guide(self):
+        """Moment of what keeps a body from turning along with the walker."""
+        return 0 * self.t
+
+    def centre_of_pressure(self):
+        moment = self.moment(self.bodies) - self.guide()
+        offset = moment / self.ground_force()["force"][:, 1]
+        return {"cop": offset, "offset": offset, "moment": moment}
+
+    def stance_foot(self):
+        return {"stance": 0 * self.hip.position}
+
     def swing_foot(self):
         return {"foot": self.foot.position, "dfoot": self.velocity(self.foot)}
 
@@ -269,6 +297,12 @@ class Wobbling(Newton):
     def potential_energy(self):
         spring = self.par["k"] * self.q[:, 2] ** 2 / 2
         return {"potential": super().potential_energy()["potential"] + spring}
+
+    def guide(self):
+        """What keeps the rail horizontal carries the load of the mass on it."""
+        load, acceleration = self.bodies[1], self.state_derivative()["dv"]
+        push = times(load.point.jacobian, acceleration) + load.point.acceleration - self.gravity
+        return load.mass * self.q[:, 2] * push[:, 1]
 
     def lines(self):
         return {**super().lines(), "spring": [body.point for body in self.bodies[:2]]}
@@ -354,6 +388,8 @@ class Garcia(Newton):
 
 class Wheel(Newton):
     """A hub on spokes, which turns with them; its angle leans ahead."""
+
+    sense = -1
 
     def build(self):
         self.between = 2 * self.xp.pi / self.par["spokes"]

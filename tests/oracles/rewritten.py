@@ -5,6 +5,7 @@ rewritten walker is derived without simplifying its equations, which is fast, an
 simplifying does; its kernels run in CasADi's virtual machine.
 """
 
+from contextlib import contextmanager
 from dataclasses import dataclass, fields, replace
 from unittest import mock
 
@@ -197,14 +198,21 @@ class _Rewriting:
         return {name: pair for name, pair in box.items() if name not in {s.name for s in section}}
 
 
-def light_model(walker):
-    """A walker's model, derived without simplifying and without kernels in C."""
+@contextmanager
+def unsimplified():
+    """What is derived inside is not simplified, which is fast."""
     plain = {"new": lambda expr: sp.sympify(expr)}
     with (
         mock.patch.object(mechanics, "simplified", **plain),
         mock.patch.object(functions, "simplified", **plain),
         mock.patch.object(program, "simplified", **plain),
     ):
+        yield
+
+
+def light_model(walker):
+    """A walker's model, derived without simplifying and without kernels in C."""
+    with unsimplified():
         equations = emit.equations(walker, "tests")
     text = Python().text(equations).encode()
     contents = {equations_file(walker.name): text}

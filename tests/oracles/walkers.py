@@ -6,8 +6,8 @@ import numpy as np
 import sympy as sp
 
 from stridemap.codegen import derive_model
-from stridemap.derive import STANCE_FOOT, Body, Clock, Parameter, Walker, rolling_arc
-from stridemap.derive.models import compass, simplest_walker, wobbling
+from stridemap.derive import STANCE_FOOT, Body, Clock, Motor, Parameter, Walker, rolling_arc
+from stridemap.derive.models import compass, goswami_compass, simplest_walker, wobbling
 from stridemap.derive.models.controller import OMEGA, hip_torque
 from stridemap.solver.backends.compiler import cache_folder
 from stridemap.solver.cycles.search import continued, find_all
@@ -91,7 +91,16 @@ def two_motors() -> Walker:
     )
 
 
-WALKERS = {f.__name__: f for f in (finite_feet, damped, latched, rolling, locked, two_motors)}
+def ankled() -> Walker:
+    """The compass gait with a motor at its ankle, which holds the leg back at first and then pushes it on."""
+    gain = Parameter("gain", 0.12, "m g L", "torque of the ankle")
+    lean = sp.sin(3 * goswami_compass.theta1)
+    ankle = Motor("ankle", -gain.symbol * lean, drives=goswami_compass.theta1)
+    base = goswami_compass.WALKER
+    return base.with_(name="ankled", parameters=(*base.parameters, gain), motors=(ankle,))
+
+
+WALKERS = {f.__name__: f for f in (finite_feet, damped, latched, rolling, locked, two_motors, ankled)}
 
 # -- what is done with them --------------------------------------------------------------------------------
 

@@ -88,11 +88,11 @@ def test_columns_bear_the_agreed_names():
     assert names[:10] == ["cell", *parameters, "status"]
     assert names[10:16] == ["theta1", "dtheta1", "dtheta2", "x", "dx", "period"]
     assert names[16:26] == [f"multiplier_{i}_{part}" for i in range(5) for part in ("re", "im")]
-    measures = "spectral_radius multiplier_error stable undecided group step_length speed d_max work"
-    measures += " work_positive work_net peak_torque peak_power cot cot_per_speed min_vertical_force"
-    measures += " friction clearance peaks x_zero_crossings wobble_amplitude touchdown_speed"
-    measures += " impact_friction lift_off_speed trailing_lifts_off residual state_error"
-    measures += " integration_error"
+    measures = "spectral_radius multiplier_error stable undecided group step_length speed d_max"
+    measures += " cop_max work work_positive work_net peak_torque peak_power cot cot_per_speed"
+    measures += " min_vertical_force friction clearance peaks x_zero_crossings wobble_amplitude"
+    measures += " touchdown_speed impact_friction lift_off_speed trailing_lifts_off residual"
+    measures += " state_error integration_error"
     assert names[26:] == measures.split() == list(MEASURED)
     assert cell_schema(MODEL).names == ["cell", *parameters, "orbits", "stable_orbits", "status", "reason"]
     compass = orbit_schema(load("compass")).names

@@ -32,7 +32,8 @@ function chartsOf(samples) {
     }
   }
   const has = (name) => samples[0][name] !== null;
-  if (has("d")) charts.push({ title: "d: stance foot minus zero moment point", unit: model.units.length, series: [named("d", (s) => s.d, "series-0")], measure: "d_max" });
+  if (has("d")) charts.push({ title: "d: stance foot minus the paper's zero moment point", unit: model.units.length, series: [named("d", (s) => s.d, "series-0")], measure: "d_max" });
+  if (has("offset")) charts.push({ title: "centre of pressure ahead of the contact", unit: model.units.length, series: [named("offset", (s) => s.offset, "series-0")], measure: "cop_max" });
   if (has("force")) {
     charts.push({
       title: "ground force on the stance foot", unit: model.units.force, zero: true,
@@ -77,7 +78,7 @@ function lineChart({ title, unit, series, measure, zero }, times, row) {
   root.append(svg("text", { x: width - right, y: height - 9, class: "tick end" }, withUnit("t", model.units.time)));
   for (const side of bound === null ? [] : [-bound, bound].filter((v) => v > low && v < high)) {
     root.append(svg("line", { x1: left, x2: width - right, y1: y(side), y2: y(side), class: "bound" }));
-    root.append(svg("text", { x: width - right + 4, y: y(side), class: "tick" }, side < 0 ? `${MINUS}max` : "d_max"));
+    root.append(svg("text", { x: width - right + 4, y: y(side), class: "tick" }, side < 0 ? `${MINUS}max` : measure));
   }
   root.append(...lines(series, times, x, y));
   const mark = svg("line", { y1: top, y2: height - bottom, class: "now" });

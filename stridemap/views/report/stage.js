@@ -160,12 +160,12 @@ class Stage {
     });
   }
 
-  // Centre of mass, zero moment point with its distance from the foot, and ground force.
+  // Centre of mass, the paper's zero moment point with its distance from the foot, and ground force.
   measures(pen, toPixels, scale) {
-    const { com, zmp, force } = this.seen;
-    const footAt = toPixels([0, 0]);
+    const { com, zmp, force, contact, cop } = this.seen;
+    const footAt = toPixels([contact, 0]);
     if (zmp !== null) {
-      const point = toPixels([zmp, 0]);
+      const point = toPixels([contact + zmp, 0]);
       pen.strokeStyle = pen.fillStyle = styled("zmp");
       pen.lineWidth = 2;
       segment(pen, footAt[0], footAt[1] + 16, point[0], footAt[1] + 16);
@@ -179,10 +179,11 @@ class Stage {
       triangle(pen, [point[0], point[1] + 4], 8);
     }
     if (force !== null) {
-      const tip = toPixels(force.map((f) => (0.5 * this.size * f) / this.usualForce));
+      const at = cop ?? contact;
+      const [along, up] = force.map((f) => (0.5 * this.size * f) / this.usualForce);
       pen.strokeStyle = pen.fillStyle = styled("force");
       pen.lineWidth = 3;
-      arrow(pen, footAt, tip, 9);
+      arrow(pen, toPixels([at, 0]), toPixels([at + along, up]), 9);
     }
     if (com !== null) {
       pen.fillStyle = styled("card");

@@ -30,10 +30,11 @@ from tests.oracles.states import (
 )
 
 FUNCTIONS = (
-    "mass_matrix", "bias_forces", "controller_torque", "state_derivative", "touchdown_condition",
+    "mass_matrix", "bias_forces", "controller_torque", "motor_rates", "state_derivative",
+    "touchdown_condition",
     "impact_map", "impact_impulse", "kinetic_energy", "potential_energy", "total_mass", "centre_of_mass",
-    "ground_force", "zmp", "swing_foot", "drawing", "spring_mode", "section_state", "before_touchdown",
-    "step_length", "motor_rates",
+    "ground_force", "zmp", "centre_of_pressure", "swing_foot", "stance_foot", "drawing", "spring_mode",
+    "section_state", "before_touchdown", "step_length",
 )  # fmt: skip
 JACOBIANS = {
     "state_derivative_dq": ("dv_dq", "state_derivative", "dv", "q"),

@@ -82,9 +82,11 @@ def test_extremes_agree_with_brute_force(motions):
         assert m.orbit.min_vertical_force == pytest.approx(lowest, abs=1e-8)
         if lowest > 0:
             assert m.orbit.d_max == pytest.approx(m.largest(m.d), abs=1e-8)
+            assert m.orbit.cop_max == 0.0  # point feet without a motor at the ankle
             assert m.orbit.friction == pytest.approx(m.largest(m.friction), abs=1e-8)
         else:
             assert np.isnan(m.orbit.d_max)
+            assert np.isnan(m.orbit.cop_max)
             assert np.isnan(m.orbit.friction)
         assert m.orbit.clearance == pytest.approx(-m.largest(m.foot_height, sign=-1), abs=1e-8)
 
