@@ -82,11 +82,13 @@ class Program:
     summary, source : str
         What it computes, and the equation it comes from.
     arguments : tuple of Argument
-        Only those that the function depends on.
+        Only those that the function reads.
     statements : tuple of (Symbol, sympy.Expr)
         Intermediate terms; each uses arguments and earlier terms only.
     outputs : tuple of Output
         In terms of arguments and intermediate terms.
+    signature : tuple of Argument
+        All arguments of functions of its kind, whether this one reads them or not: the same for every model.
     """
 
     name: str
@@ -95,6 +97,7 @@ class Program:
     arguments: tuple[Argument, ...]
     statements: tuple[tuple[sp.Symbol, sp.Expr], ...]
     outputs: tuple[Output, ...]
+    signature: tuple[Argument, ...] = ()
 
     @property
     def operations(self) -> int:
@@ -244,7 +247,7 @@ class Builder:
         if unknown := program.used - known:
             raise ValueError(f"{name} uses {sorted(map(str, unknown))}, which no argument or term defines")
         kept = tuple(a for a in arguments if program.used & {e.symbol for e in a.entries})
-        return Program(name, summary, source, kept, statements, closed)
+        return Program(name, summary, source, kept, statements, closed, arguments)
 
 
 def _under_their_names(
