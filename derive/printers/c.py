@@ -84,7 +84,14 @@ class C(Printer):
         """The source file: no allocation, no global state, one function for each quantity."""
         body = [line for program in equations.programs for line in self.function(program, equations.model)]
         lines = [*banner(equations), f"#undef {OLD} /* that is for callers */"]
-        lines += [f'#include "{equations.model}.h"', "", "#include <math.h>", "", *_macros("\n".join(body)), ""]
+        lines += [
+            f'#include "{equations.model}.h"',
+            "",
+            "#include <math.h>",
+            "",
+            *_macros("\n".join(body)),
+            "",
+        ]
         return "\n".join(lines + body)
 
     def header(self, equations: Equations) -> str:

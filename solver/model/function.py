@@ -56,7 +56,9 @@ class ModelFunction(ca.Function):  # type: ignore[misc]
             raise InputError(f"{self.name()} was given {len(values)} arguments; {self._takes}")
         given = dict(zip(self.signature, values, strict=False))
         if twice := given.keys() & named.keys():
-            raise InputError(f"{self.name()} was given {min(twice)} twice, by position and by name; {self._takes}")
+            raise InputError(
+                f"{self.name()} was given {min(twice)} twice, by position and by name; {self._takes}"
+            )
         given |= named
         check_arguments(self._spec, self.name(), self.signature, self.reads, given)
         for name in self.reads:

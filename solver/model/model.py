@@ -14,8 +14,8 @@ from numpy.typing import NDArray
 
 from stridemap.errors import InputError
 from stridemap.quantities import measured_on
-from stridemap.solver.model.function import ModelFunction, check_arguments, wrong_size
 from stridemap.solver.model.files import MANIFEST, Files, equations_file, kernels_file, packed, unpacked
+from stridemap.solver.model.function import ModelFunction, check_arguments, wrong_size
 from stridemap.spec import SIGNATURE, Function, ModelSpec, Parameter, Quantity
 
 
@@ -119,7 +119,11 @@ class Model:
         spec = self.__dict__.get("spec")
         functions = {} if spec is None else spec.functions
         if name not in functions:
-            why = f"{spec.name} has no motor; " if spec and name == "forward_dynamics_du" and not spec.motors else ""
+            why = (
+                f"{spec.name} has no motor; "
+                if spec and name == "forward_dynamics_du" and not spec.motors
+                else ""
+            )
             raise AttributeError(
                 f"{type(self).__name__} has no attribute {name!r}; {why}functions: {', '.join(functions)}"
             )

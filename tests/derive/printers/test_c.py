@@ -63,8 +63,8 @@ def test_cpp_links_with_the_c(compiler, tmp_path):
     source = tmp_path / "main.cpp"
     source.write_text(
         "".join(f'#include "{name}.h"\n' for name in MODELS)
-        + "int main() { double z[5] = {0}, q[3], v[3]; "
-        + "".join(f"{name}_section_state(z, q, v); " for name in MODELS)
+        + "int main() { double z[5] = {0}, p[8] = {0}, q[3], v[3]; "
+        + "".join(f"{name}_section_state(z, p, q, v); " for name in MODELS)
         + "}\n"
     )
     for name in MODELS:
@@ -163,7 +163,7 @@ def test_header_and_readme_list_what_each_function_reads(name):
         )
         # What the code reads, it reads by index; the comment names the same entries.
         body = re.search(rf"^def {function}\(.*?(?=^def |\Z)", load(name).text(f"{name}.py"), re.M | re.S)[0]
-        unpacked = re.findall(r"^    (\w+) = [qvpz]\[\d+\]$", body, flags=re.M)
+        unpacked = re.findall(r"^    (\w+) = [qvupz]\[\d+\]$", body, flags=re.M)
         assert [read for read in reads if read != "t"] == unpacked
 
 
@@ -186,6 +186,7 @@ def readable_main(name):
     """A C program that calls every readable function on heap arrays of exactly the declared sizes."""
     model = load(name)
     state = {"q": [0.2, -0.3, 0.1], "v": [-0.4, 0.5, 0.6], "p": model.point({}), "z": ORBITS[name][:-1]}
+    state["u"] = [0.3]
     lines = [f'#include "{name}.h"', "#include <math.h>", "#include <stdio.h>", "#include <stdlib.h>"]
     lines += ["static double *copy(const double *from, int n) {"]
     lines += ["    double *x = malloc((size_t) n * sizeof(double));", "    int i;"]
@@ -195,11 +196,11 @@ def readable_main(name):
     lines += ["int main(void) {"]
     lines += [f"    const double {k}0[] = {c_list(v)};" for k, v in state.items()]
     for function, entry in model.spec.functions.items():
-        inputs = [a for a in entry.arguments if a != "t"]
+        inputs = [a for a in entry.signature if a != "t"]
         outputs = [(o.name, np.prod(o.shape, dtype=int)) for o in entry.outputs]
         arrays = [(a, f"copy({a}0, {model.spec.size(a)})") for a in inputs]
         arrays += [(f"{o}_", f"copy(0, {size})") for o, size in outputs]
-        given = ["0.7" if a == "t" else a for a in entry.arguments] + [f"{o}_" for o, _ in outputs]
+        given = ["0.7" if a == "t" else a for a in entry.signature] + [f"{o}_" for o, _ in outputs]
         lines += ["    {"] + [f"        double *{a} = {made};" for a, made in arrays]
         lines += [f"        {name}_{function}({', '.join(given)});"]
         lines += [f'        check("{function}", {o}_, {size});' for o, size in outputs]
