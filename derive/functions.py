@@ -215,13 +215,15 @@ class Functions:
         constant: sp.Matrix,
         solution: sp.Matrix,
         factors: Factors,
+        shorten: bool = True,
     ) -> list[sp.Matrix]:
         """Derivatives of the solution of ``residual = 0``, in which it stands as `constant`."""
         back = dict(zip(constant, solution, strict=True))
         columns = []
         for j, symbol in enumerate(wrt, 1):
-            right = residual.diff(symbol).applyfunc(simplified).xreplace(back)
-            columns.append(b.solve(f"d{j}", factors, b.let_vector(f"r{j}", right)))
+            right = residual.diff(symbol)
+            right = (right.applyfunc(simplified) if shorten else right).xreplace(back)
+            columns.append(b.solve(f"d{j}", factors, b.let_vector(f"r{j}", right, shorten)))
         return columns
 
     # -- touchdown and impact ----------------------------------------------------------------------------
@@ -500,7 +502,10 @@ class Functions:
             constant = self._constant(b, len(acceleration))
             residual = force - m.mass_matrix * constant
             wrt = self._forward_inputs[name]
-            value = sp.Matrix.hstack(*self._columns(b, residual, wrt, constant, acceleration, factors))
+            # Simplified terms stay short when they are differentiated by parameters, of which there are many.
+            shorten = name != "p"
+            columns = self._columns(b, residual, wrt, constant, acceleration, factors, shorten)
+            value = sp.Matrix.hstack(*columns)
             out = Output(f"dv_d{name}", value, f"derivative of dv with respect to {name}", is_matrix=True)
             summary = f"Derivative with respect to {name} of the accelerations for given torques"
             yield b.close(f"forward_dynamics_d{name}", summary, f"{source}, differentiated", [out])

@@ -151,9 +151,9 @@ class Builder:
         """A symbol of that name, or of a similar one that no argument bears."""
         return sp.Symbol(free(name, self.taken), real=True)
 
-    def let(self, name: str, expr: sp.Expr) -> sp.Expr:
+    def let(self, name: str, expr: sp.Expr, shorten: bool = True) -> sp.Expr:
         """Name an intermediate term; numbers and plain symbols are passed through."""
-        expr = simplified(sp.sympify(expr))
+        expr = simplified(sp.sympify(expr)) if shorten else sp.sympify(expr)
         if expr.is_Number or expr.is_Symbol:
             return expr
         symbol = self.symbol(name)
@@ -162,9 +162,9 @@ class Builder:
         self.named[symbol] = expr
         return symbol
 
-    def let_vector(self, name: str, values: Iterable[sp.Expr]) -> sp.Matrix:
+    def let_vector(self, name: str, values: Iterable[sp.Expr], shorten: bool = True) -> sp.Matrix:
         """Name the entries of a vector ``<name>_1``, ``<name>_2``, ..."""
-        return sp.Matrix([self.let(f"{name}_{i}", e) for i, e in enumerate(values, 1)])
+        return sp.Matrix([self.let(f"{name}_{i}", e, shorten) for i, e in enumerate(values, 1)])
 
     def let_symmetric(self, name: str, matrix: sp.Matrix) -> sp.Matrix:
         """Name the entries of a symmetric matrix ``<name>_11``, ``<name>_12``, ..., each once."""

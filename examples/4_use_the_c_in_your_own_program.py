@@ -23,10 +23,10 @@ import stridemap
 # It reads parameters and a state just after touchdown, integrates one swing phase with the
 # classical Runge-Kutta method, and prints the motion and the state after the impact. All
 # mechanics comes from four generated functions: ``section_state``, ``state_derivative``,
-# ``zmp`` and ``impact_map``. The header documents every argument. All functions of all models take the
-# time, coordinates, rates, torques of the motors and parameters, in this order (on the section there is a
-# point and parameters), and what a function does not read may be a null pointer: here the torques, because the
-# controller is part of the model.
+# ``zmp`` and ``impact_map``. The header documents every argument. All functions of all models
+# take time, coordinates, rates, torques of the motors and parameters, in this order (on the
+# section: a point and parameters). What a function does not read may be a null pointer: here
+# the torques, because the controller is part of the model.
 
 PROGRAM = r"""
 #include "wobbling.h"

@@ -114,7 +114,8 @@ class Input:
     Parameters
     ----------
     name : {"t", "q", "v", "u", "p", "z"}
-        Time, coordinates, rates, torques of the motors, parameters, section point; `ModelSpec.entries` says what each holds.
+        Time, coordinates, rates, torques of the motors, parameters, section point; `ModelSpec.entries` says
+        what each holds.
     reads : tuple of str
         The entries that the function reads; it never touches the others.
     """

@@ -1,8 +1,8 @@
 """Readable C99: a header and a source file for a walker's programs.
 
 The prototype of a function depends on the model's sizes only: every function takes time, coordinates, rates,
-torques and parameters, and leaves alone what it does not need. All numbers are `stridemap_real`: double, or float
-where ``STRIDEMAP_FLOAT`` is defined.
+torques and parameters, and leaves alone what it does not need. All numbers are `stridemap_real`: double, or
+float where ``STRIDEMAP_FLOAT`` is defined.
 """
 
 import math
@@ -26,7 +26,7 @@ EXACT = 2**24
 """Largest integer that a float, too, holds exactly, with all below it."""
 
 PRECISION = (
-    "/* All numbers are double; float where STRIDEMAP_FLOAT is defined, for the caller and for the .c file. */",
+    "/* Numbers are double; they are float where STRIDEMAP_FLOAT is defined, for callers and the .c file. */",
     "#ifndef STRIDEMAP_REAL_IS_DEFINED",
     "#define STRIDEMAP_REAL_IS_DEFINED",
     "#ifdef STRIDEMAP_FLOAT",

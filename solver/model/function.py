@@ -13,8 +13,8 @@ class ModelFunction(ca.Function):  # type: ignore[misc]
     """A `casadi.Function` of ``t, q, v, u, p``: time, coordinates, rates, torques of the motors, parameters.
 
     It is called with numbers or symbols, by keyword or in this order. What it does not read may be left out,
-    and is ignored; ``reads`` names the rest. Called by keyword it returns a dict of its results by name, called by
-    position the result itself, or a tuple of several.
+    and is ignored; ``reads`` names the rest. Called by keyword it returns a dict of its results by name, and
+    called by position the result itself, or a tuple of several.
 
     Parameters
     ----------
@@ -56,9 +56,7 @@ class ModelFunction(ca.Function):  # type: ignore[misc]
             raise InputError(f"{self.name()} was given {len(values)} arguments; {self._takes}")
         given = dict(zip(self.signature, values, strict=False))
         if twice := given.keys() & named.keys():
-            raise InputError(
-                f"{self.name()} was given {min(twice)} twice, by position and by name; {self._takes}"
-            )
+            raise InputError(f"{self.name()} was given {min(twice)} twice; {self._takes}")
         given |= named
         check_arguments(self._spec, self.name(), self.signature, self.reads, given)
         for name in self.reads:

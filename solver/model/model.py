@@ -23,8 +23,8 @@ class Model:
     """A generated walker.
 
     Every generated function is an attribute, a `casadi.Function` with named inputs and outputs:
-    ``load("wobbling").mass_matrix(q=[0.1, 0.2, 0.0], p=model.point({}))["M"]``. Each takes all of ``t, q, v, u,
-    p`` (``section_state`` takes ``z, p``), uses what it needs and ignores the rest; see `ModelFunction`.
+    ``load("wobbling").mass_matrix(q=[0.1, 0.2, 0.0], p=model.point({}))["M"]``. Each takes all of ``t``,
+    ``q``, ``v``, ``u`` and ``p`` (``section_state``: ``z``, ``p``), uses what it needs and ignores the rest.
 
     A model is a value: it can be sent to another process or machine, and takes its generated files along.
 
@@ -119,13 +119,8 @@ class Model:
         spec = self.__dict__.get("spec")
         functions = {} if spec is None else spec.functions
         if name not in functions:
-            why = (
-                f"{spec.name} has no motor; "
-                if spec and name == "forward_dynamics_du" and not spec.motors
-                else ""
-            )
             raise AttributeError(
-                f"{type(self).__name__} has no attribute {name!r}; {why}functions: {', '.join(functions)}"
+                f"{type(self).__name__} has no attribute {name!r}; functions: {', '.join(functions)}"
             )
         function = self._casadi(name, functions[name])
         self.__dict__[name] = function
