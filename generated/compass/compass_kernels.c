@@ -1,5 +1,5 @@
 /* Compass walker: kernels of the solver
- * Printed by CasADi 3.8.2 from equations d5f5970dec1f1381.
+ * Printed by CasADi 3.8.2 from equations fe118e3e9761098f.
  * Do not edit: run `make derive`.
  * SPDX-License-Identifier: BSD-3-Clause
  */

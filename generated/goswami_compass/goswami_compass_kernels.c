@@ -1,5 +1,5 @@
 /* Compass gait on a slope: kernels of the solver
- * Printed by CasADi 3.8.2 from equations ad5f2b037bf551ff.
+ * Printed by CasADi 3.8.2 from equations 5bb0517abe8f2e46.
  * Do not edit: run `make derive`.
  * SPDX-License-Identifier: BSD-3-Clause
  */

@@ -1,5 +1,5 @@
 /* Rimless wheel: kernels of the solver
- * Printed by CasADi 3.8.2 from equations 87fd8388a466376b.
+ * Printed by CasADi 3.8.2 from equations c91341447e79d438.
  * Do not edit: run `make derive`.
  * SPDX-License-Identifier: BSD-3-Clause
  */

@@ -1,5 +1,5 @@
 /* Walker on round feet: kernels of the solver
- * Printed by CasADi 3.8.2 from equations c90c3e4254804006.
+ * Printed by CasADi 3.8.2 from equations 74589ffce8759031.
  * Do not edit: run `make derive`.
  * SPDX-License-Identifier: BSD-3-Clause
  */

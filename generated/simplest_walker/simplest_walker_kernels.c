@@ -1,5 +1,5 @@
 /* Simplest walker: kernels of the solver
- * Printed by CasADi 3.8.2 from equations e3c62ed55941fad4.
+ * Printed by CasADi 3.8.2 from equations fb2ff6a901b42bd6.
  * Do not edit: run `make derive`.
  * SPDX-License-Identifier: BSD-3-Clause
  */

@@ -1,5 +1,5 @@
 /* Compass walker with a horizontally wobbling mass: kernels of the solver
- * Printed by CasADi 3.8.2 from equations a111285d48dcdf98.
+ * Printed by CasADi 3.8.2 from equations 67922ecce6768d02.
  * Do not edit: run `make derive`.
  * SPDX-License-Identifier: BSD-3-Clause
  */
