@@ -8,8 +8,9 @@ import sympy as sp
 from stridemap.derive.declaration import Declaration
 from stridemap.derive.ground import in_ground_frame
 from stridemap.derive.mechanics import Mechanics
-from stridemap.derive.parts import TIME
-from stridemap.derive.program import Argument, Builder, Entry, Factors, Output, Program
+from stridemap.derive.motors import kind_of
+from stridemap.derive.parts import TIME, Motor
+from stridemap.derive.program import Argument, Builder, Entry, Factors, Output, Program, free
 from stridemap.derive.simplify import simplified, start_afresh
 from stridemap.derive.steps import in_steps
 
@@ -51,10 +52,12 @@ class Functions:
         q = tuple(Entry(c.symbol, c.unit, c.meaning) for c in w.coordinates)
         v = tuple(Entry(c.rate, w.units.rate(c.unit), f"rate of {c.name}") for c in w.coordinates)
         p = tuple(Entry(a.symbol, a.unit, a.meaning) for a in w.parameters)
+        taken = {*"tqvup", *(e.symbol.name for e in (time, *q, *v, *p))}
         self.arguments = (
             Argument("t", (time,), scalar=True),
             Argument("q", q),
             Argument("v", v),
+            Argument("u", tuple(_torque_entry(w, motor, taken) for motor in w.actuators)),
             Argument("p", p),
         )
 
@@ -67,6 +70,7 @@ class Functions:
             yield self.motor_rates()
         yield self.state_derivative()
         yield from self.state_derivative_jacobians()
+        yield from self.forward_dynamics()
         yield self.touchdown_condition()
         yield self.touchdown_condition_dq()
         yield self.impact_map()
@@ -94,7 +98,9 @@ class Functions:
     def count(self) -> int:
         """How many programs there are, known before any is derived."""
         w = self.walker
-        return ALWAYS + sum(map(bool, (w.torques, w.quantities, w.spring_mode is not None)))
+        optional = [w.quantities, w.spring_mode is not None]
+        forward = len(self._forward_inputs)
+        return ALWAYS + sum(map(bool, optional)) + 2 * bool(w.actuators) + forward + bool(forward)
 
     def _builder(self) -> Builder:
         return Builder(self.arguments)
@@ -158,7 +164,7 @@ class Functions:
         """State the equation of motion and solve it; returns the accelerations and the factors of M."""
         m = self.mechanics
         matrix = b.let_matrix("M", m.mass_matrix, m.symmetric)
-        name = "u" if len(m.controller) == 1 else "u_{}"
+        name = "torque" if len(m.controller) == 1 else "torque_{}"
         torques = [b.let(name.format(i), u) for i, u in enumerate(m.controller, 1)]
         right = b.let_vector("force", self._force(torques))
         factors = b.factor("M", matrix, m.symmetric)
@@ -210,13 +216,15 @@ class Functions:
         constant: sp.Matrix,
         solution: sp.Matrix,
         factors: Factors,
+        shorten: bool = True,
     ) -> list[sp.Matrix]:
         """Derivatives of the solution of ``residual = 0``, in which it stands as `constant`."""
         back = dict(zip(constant, solution, strict=True))
         columns = []
         for j, symbol in enumerate(wrt, 1):
-            right = residual.diff(symbol).applyfunc(simplified).xreplace(back)
-            columns.append(b.solve(f"d{j}", factors, b.let_vector(f"r{j}", right)))
+            right = residual.diff(symbol)
+            right = (right.applyfunc(simplified) if shorten else right).xreplace(back)
+            columns.append(b.solve(f"d{j}", factors, b.let_vector(f"r{j}", right, shorten)))
         return columns
 
     # -- touchdown and impact ----------------------------------------------------------------------------
@@ -479,3 +487,60 @@ class Functions:
         out = Output("frequency", value, "natural frequency that names the solution groups")
         summary = "Natural frequency whose whole oscillations name the solution groups"
         return self._builder().close("spring_mode", summary, str(value), [out])
+
+    # -- forward dynamics with the torques as an input ---------------------------------------------------
+
+    @property
+    def _forward_inputs(self) -> dict[str, sp.Matrix]:
+        """What the forward dynamics is differentiated by, where there is any of it; empty without it.
+
+        In a massless limit, a torque on what has no mass is of the order of the mass: it is no input.
+        """
+        if not self.mechanics.takes_torques:
+            return {}
+        w = self.walker
+        inputs = {"q": w.q, "v": w.v, "u": self._torques, "p": sp.Matrix([a.symbol for a in w.parameters])}
+        return {name: wrt for name, wrt in inputs.items() if len(wrt)}
+
+    @property
+    def _torques(self) -> sp.Matrix:
+        """Symbols of the torques that are given, shape (n_motors, 1)."""
+        entries = next(a.entries for a in self.arguments if a.name == "u")
+        return sp.Matrix(len(entries), 1, [e.symbol for e in entries])
+
+    def forward_dynamics(self) -> Iterator[Program]:
+        """Accelerations for torques that are given, and their derivatives: the matrices of a linearisation.
+
+        As for `state_derivative_jacobians`, the equation of motion is differentiated, not its solution.
+        """
+        source = f"{self._source('state_derivative')} with the torques u in Q"
+        for name in ("", *self._forward_inputs) if self._forward_inputs else ():
+            b, m = self._builder(), self.mechanics
+            matrix = b.let_matrix("M", m.mass_matrix, m.symmetric)
+            force = m.force_of_given(self._torques)
+            right = b.let_vector("force", force)
+            factors = b.factor("M", matrix, m.symmetric)
+            acceleration = b.solve("acc", factors, right)
+            if not name:
+                out = Output("dv", acceleration, "accelerations: M dv = Q - h - v")
+                summary = "Accelerations for given torques of the motors"
+                yield b.close("forward_dynamics", summary, source, [out])
+                continue
+            constant = self._constant(b, len(acceleration))
+            residual = force - m.mass_matrix * constant
+            wrt = self._forward_inputs[name]
+            # Simplified terms stay short when they are differentiated by parameters, of which there are many.
+            shorten = name != "p"
+            columns = self._columns(b, residual, wrt, constant, acceleration, factors, shorten)
+            value = sp.Matrix.hstack(*columns)
+            out = Output(f"dv_d{name}", value, f"derivative of dv with respect to {name}", is_matrix=True)
+            summary = f"Derivative with respect to {name} of the accelerations for given torques"
+            yield b.close(f"forward_dynamics_d{name}", summary, f"{source}, differentiated", [out])
+
+
+def _torque_entry(walker: Declaration, motor: Motor, taken: set[str]) -> Entry:
+    """What an entry of the torques that are given is, under a name that nothing else bears."""
+    name = free(f"u_{motor.name}", taken)
+    taken.add(name)
+    unit = walker.units.of_motor(kind_of(walker, motor))
+    return Entry(sp.Symbol(name, real=True), unit, motor.meaning or f"of the motor {motor.name}")

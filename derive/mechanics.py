@@ -467,6 +467,19 @@ class Mechanics:
         rows = self.on_stance(self.floating_mass_matrix[:BASE, :])
         return self.without_massless(rows * change).applyfunc(simplified)
 
+    # -- torques that are given --------------------------------------------------------------------------
+
+    @property
+    def takes_torques(self) -> bool:
+        """Whether the motors' torques can be an input: no motor drives what has no mass."""
+        light = self.walker.massless.coordinates if self.walker.massless is not None else ()
+        indices = [i for i, c in enumerate(self.walker.coordinates) if c in light]
+        return all(self.motor_jacobian[j, i] == 0 for j in range(self.motor_jacobian.rows) for i in indices)
+
+    def force_of_given(self, torques: sp.Matrix) -> sp.Matrix:
+        """Right-hand side of the equation of motion for given torques of all motors, shape (n, 1)."""
+        return self.motor_jacobian.T * torques + self.passive_force()
+
 
 def _orders(entry: sp.Expr, mass: sp.Symbol) -> tuple[sp.Expr, sp.Expr]:
     """Coefficients of the zeroth and the first power of a mass, which enters equations as a polynomial."""

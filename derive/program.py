@@ -82,11 +82,13 @@ class Program:
     summary, source : str
         What it computes, and the equation it comes from.
     arguments : tuple of Argument
-        Only those that the function depends on.
+        Only those that the function reads.
     statements : tuple of (Symbol, sympy.Expr)
         Intermediate terms; each uses arguments and earlier terms only.
     outputs : tuple of Output
         In terms of arguments and intermediate terms.
+    signature : tuple of Argument
+        All arguments of functions of its kind, whether this one reads them or not: the same for every model.
     """
 
     name: str
@@ -95,6 +97,7 @@ class Program:
     arguments: tuple[Argument, ...]
     statements: tuple[tuple[sp.Symbol, sp.Expr], ...]
     outputs: tuple[Output, ...]
+    signature: tuple[Argument, ...] = ()
 
     @property
     def operations(self) -> int:
@@ -148,9 +151,9 @@ class Builder:
         """A symbol of that name, or of a similar one that no argument bears."""
         return sp.Symbol(free(name, self.taken), real=True)
 
-    def let(self, name: str, expr: sp.Expr) -> sp.Expr:
+    def let(self, name: str, expr: sp.Expr, shorten: bool = True) -> sp.Expr:
         """Name an intermediate term; numbers and plain symbols are passed through."""
-        expr = simplified(sp.sympify(expr))
+        expr = simplified(sp.sympify(expr)) if shorten else sp.sympify(expr)
         if expr.is_Number or expr.is_Symbol:
             return expr
         symbol = self.symbol(name)
@@ -159,9 +162,9 @@ class Builder:
         self.named[symbol] = expr
         return symbol
 
-    def let_vector(self, name: str, values: Iterable[sp.Expr]) -> sp.Matrix:
+    def let_vector(self, name: str, values: Iterable[sp.Expr], shorten: bool = True) -> sp.Matrix:
         """Name the entries of a vector ``<name>_1``, ``<name>_2``, ..."""
-        return sp.Matrix([self.let(f"{name}_{i}", e) for i, e in enumerate(values, 1)])
+        return sp.Matrix([self.let(f"{name}_{i}", e, shorten) for i, e in enumerate(values, 1)])
 
     def let_symmetric(self, name: str, matrix: sp.Matrix) -> sp.Matrix:
         """Name the entries of a symmetric matrix ``<name>_11``, ``<name>_12``, ..., each once."""
@@ -244,7 +247,7 @@ class Builder:
         if unknown := program.used - known:
             raise ValueError(f"{name} uses {sorted(map(str, unknown))}, which no argument or term defines")
         kept = tuple(a for a in arguments if program.used & {e.symbol for e in a.entries})
-        return Program(name, summary, source, kept, statements, closed)
+        return Program(name, summary, source, kept, statements, closed, arguments)
 
 
 def _under_their_names(

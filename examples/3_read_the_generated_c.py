@@ -137,7 +137,8 @@ assert worst < 1e-13
 # The same equations, three more times
 # ------------------------------------
 # The C, a Python module and CasADi functions come from one list of terms. The CasADi function
-# has named inputs and outputs, and can be differentiated or put into an optimisation:
+# has named inputs and outputs, and can be differentiated or put into an optimisation. It takes
+# time, coordinates, rates, torques and parameters, as all of them do, and uses what it needs:
 
 mass_matrix = model.mass_matrix
 print(mass_matrix)

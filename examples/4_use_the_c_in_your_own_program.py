@@ -23,7 +23,10 @@ import stridemap
 # It reads parameters and a state just after touchdown, integrates one swing phase with the
 # classical Runge-Kutta method, and prints the motion and the state after the impact. All
 # mechanics comes from four generated functions: ``section_state``, ``state_derivative``,
-# ``zmp`` and ``impact_map``. The header documents every argument.
+# ``zmp`` and ``impact_map``. The header documents every argument. All functions of all models
+# take time, coordinates, rates, torques of the motors and parameters, in this order (on the
+# section: a point and parameters). What a function does not read may be a null pointer: here
+# the torques, because the controller is part of the model.
 
 PROGRAM = r"""
 #include "wobbling.h"
@@ -50,7 +53,7 @@ static void runge_kutta(double t, double h, const double p[8], double y[2 * N])
 
     for (int stage = 0; stage < 4; stage++) {
         moved(y, part[stage] * h, k, q, v);
-        wobbling_state_derivative(t + part[stage] * h, q, v, p, k, k + N);
+        wobbling_state_derivative(t + part[stage] * h, q, v, NULL, p, k, k + N);
         for (int i = 0; i < 2 * N; i++)
             sum[i] += weight[stage] * k[i];
     }
@@ -72,15 +75,15 @@ int main(int argc, char **argv)
     for (int i = 0; i < 5; i++)
         z[i] = atof(argv[10 + i]);
 
-    wobbling_section_state(z, y, y + N);
+    wobbling_section_state(z, p, y, y + N);
     for (int i = 0; i <= steps; i++) {
         const double t = period * i / steps;
-        wobbling_zmp(t, y, y + N, p, zmp, d);
+        wobbling_zmp(t, y, y + N, NULL, p, zmp, d);
         printf("%.17g %.17g %.17g %.17g %.17g\n", t, y[0], y[1], y[2], d[0]);
         if (i < steps)
             runge_kutta(t, period / steps, p, y);
     }
-    wobbling_impact_map(y, y + N, p, q_plus, v_plus);
+    wobbling_impact_map(period, y, y + N, NULL, p, q_plus, v_plus);
     printf("%.17g %.17g %.17g %.17g %.17g\n",
             q_plus[0], v_plus[0], v_plus[1], q_plus[2], v_plus[2]);
     return 0;

@@ -5,7 +5,7 @@
 >>> [orbit.group for orbit in orbits]
 ['B', 'B']
 >>> stridemap.load("wobbling").mass_matrix
-Function(mass_matrix:(q[3],p[8])->(M[3x3]) SXFunction)
+Function(mass_matrix:(t,q[3],v[3],u,p[8])->(M[3x3]) SXFunction)
 """
 
 import ast

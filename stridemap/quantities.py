@@ -100,8 +100,8 @@ _ENTRIES = (
         "length",
         "largest distance d",
         "Largest absolute value during the step of the paper's distance d, from the point "
-        "x_g - (F_x / F_y) y_g to the stance foot; that leaves out the change of angular momentum, so it is not where the ground "
-        "force acts (cop_max); missing where the contact is lost.",
+        "x_g - (F_x / F_y) y_g to the stance foot; that leaves out the change of angular momentum, so it is "
+        "not where the ground force acts (cop_max); missing where the contact is lost.",
         r"\max_t |d(t)|",
         over_steps="maximum",
     ),

@@ -100,14 +100,22 @@ class Entry:
     meaning: str
 
 
+SIGNATURE = ("t", "q", "v", "u", "p")
+"""Arguments of every generated function: time, coordinates, rates, torques of the motors, parameters."""
+
+SECTION_SIGNATURE = ("z", "p")
+"""Arguments of the function of a point on the section, which no state is known for yet."""
+
+
 @dataclass(frozen=True)
 class Input:
     """An argument of a generated function.
 
     Parameters
     ----------
-    name : {"t", "q", "v", "p", "z"}
-        Time, coordinates, rates, parameters, section point; `ModelSpec.entries` says what each holds.
+    name : {"t", "q", "v", "u", "p", "z"}
+        Time, coordinates, rates, torques of the motors, parameters, section point; `ModelSpec.entries` says
+        what each holds.
     reads : tuple of str
         The entries that the function reads; it never touches the others.
     """
@@ -144,7 +152,7 @@ class Function:
     operations : int
         Arithmetic operations and function calls.
     inputs : tuple of Input
-        In the order of its arguments.
+        What it reads, in the order of `signature`.
     outputs : tuple of Output
     """
 
@@ -156,8 +164,13 @@ class Function:
 
     @property
     def arguments(self) -> tuple[str, ...]:
-        """Names of its arguments, in order."""
+        """Names of the arguments that it reads, in order."""
         return tuple(one.name for one in self.inputs)
+
+    @property
+    def signature(self) -> tuple[str, ...]:
+        """Names of all arguments in C and of a model's functions, whether it reads them or not."""
+        return SECTION_SIGNATURE if "z" in self.arguments else SIGNATURE
 
 
 @dataclass(frozen=True)
@@ -362,7 +375,7 @@ class ModelSpec:
 
         Parameters
         ----------
-        argument : {"t", "q", "v", "p", "z"}
+        argument : {"t", "q", "v", "u", "p", "z"}
         """
         if argument == "t":
             return (Entry("t", self.units.time, "time since touchdown"),)
@@ -370,6 +383,8 @@ class ModelSpec:
             return tuple(Entry(c.name, c.unit, c.meaning) for c in self.coordinates)
         if argument == "v":
             return tuple(Entry(f"d{c.name}", c.rate_unit, f"rate of {c.name}") for c in self.coordinates)
+        if argument == "u":
+            return tuple(Entry(m.name, m.unit, m.meaning) for m in self.motors)
         if argument == "p":
             return tuple(Entry(a.name, a.unit, a.meaning) for a in self.parameters)
         known = {e.name: e for e in (*self.entries("q"), *self.entries("v"))}

@@ -22,16 +22,16 @@ def example(equations: Equations) -> str:
     by_name = {p.name: p for p in equations.programs}
     preset = ", ".join(repr(a.default) for a in walker.parameters)
     names = ", ".join(a.name for a in walker.parameters)
-    used = {a.name for function in CALLED for a in by_name[function].arguments}
-    # A compiler complains of what is never read.
     parameters = [
         f"    /* the preset: {names} */",
         f"    const double p[{len(walker.parameters)}] = {{{preset}}};",
     ]
+    if not walker.parameters:
+        parameters = ["    const double *p = 0; /* there are no parameters */"]
     start = [_inside(walker.search_box[s]) for s in walker.section_names]
 
     def call(function: str, *outputs: str) -> str:
-        inputs = [a.name for a in by_name[function].arguments]
+        inputs = [a.name for a in by_name[function].signature]
         return f"    {name}_{function}({', '.join([*inputs, *outputs])});"
 
     lines = [
@@ -45,10 +45,11 @@ def example(equations: Equations) -> str:
         "",
         "int main(void)",
         "{",
-        *(parameters if "p" in used else []),
+        *parameters,
+        *_torques_of_example(walker),
         f"    /* a state just after touchdown: {', '.join(walker.section_names)} */",
         f"    const double z[{len(walker.section_names)}] = {{{', '.join(f'{v:g}' for v in start)}}};",
-        f"    const double {'t = 0.0, ' if 't' in used else ''}dt = 1e-3;",
+        "    const double t = 0.0, dt = 1e-3;",
         f"    double q[{n}], v[{n}], M[{n * n}], dq[{n}], dv[{n}], kinetic[1], potential[1];",
         f"    double force[2], q_plus[{n}], v_plus[{n}];",
         "    int i, j;",
@@ -86,6 +87,13 @@ def example(equations: Equations) -> str:
     return "\n".join(lines)
 
 
+def _torques_of_example(walker: Declaration) -> list[str]:
+    if not walker.actuators:
+        return ["    const double *u = 0; /* there are no motors */"]
+    # Only functions of given torques read them.
+    return [f"    const double u[{len(walker.actuators)}] = {{0.0}};"]
+
+
 def readme(equations: Equations) -> str:
     """What each file is and how to call the C."""
     walker, programs = equations.walker, equations.programs
@@ -115,13 +123,24 @@ def readme(equations: Equations) -> str:
         "allocation and no global state, so every function may be called from any thread. The header also",
         "compiles as C++.",
         "",
+        "In single precision (a microcontroller): define `STRIDEMAP_FLOAT` for your own files and for",
+        f"`{name}.c`. All numbers are `float` then, and the functions have names of their own, so that the",
+        "two precisions do not link by mistake. Code that was written for the former prototypes, which",
+        "differed from function to function, compiles with `STRIDEMAP_OLD_SIGNATURES` for one release.",
+        "",
         "## Arguments",
+        "",
+        "In C every function takes `t, q, v, u, p` in this order, whatever it reads (see the list below),",
+        "and then its results; what it does not read may be a null pointer. Only `section_state` takes a",
+        "point on the section and parameters, `z, p`. Functions of a model from `stridemap.load` take the same",
+        f"arguments; those in `{name}.py` and `{name}.js` take what they read, in this order.",
         "",
         "| argument | entries, in order |",
         "| --- | --- |",
         f"| `q[{len(walker.coordinates)}]` | {_list(c.name for c in walker.coordinates)} |",
         f"| `v[{len(walker.coordinates)}]` | {_list('d' + c.name for c in walker.coordinates)} |",
         f"| `p[{len(walker.parameters)}]` | {_list(a.name for a in walker.parameters)} |",
+        *_torque_row(walker),
         f"| `z[{len(walker.section_names)}]` | {_list(walker.section_names)} (just after touchdown) |",
         "| `t` | time since touchdown |",
         "",
@@ -141,6 +160,14 @@ def readme(equations: Equations) -> str:
         "",
     ]
     return "\n".join(lines)
+
+
+def _torque_row(walker: Declaration) -> list[str]:
+    names = _list(motor.name for motor in walker.actuators)
+    what = "torques of the motors; read by the forward dynamics only"
+    if not names:
+        return ["| `u` | nothing: there are no motors |"]
+    return [f"| `u[{len(walker.actuators)}]` | {names} ({what}) |"]
 
 
 def _motors(walker: Declaration) -> list[str]:

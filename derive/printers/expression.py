@@ -25,6 +25,8 @@ class ExpressionPrinter:
     names : mapping of Symbol to str
         What symbols are called, where it is not by their own names. (To rename them in the expression would
         change the order of its terms.)
+    integer : callable, optional
+        Prints an integer that stands beside something that is not one; by default as `number` does.
     """
 
     def __init__(
@@ -33,8 +35,10 @@ class ExpressionPrinter:
         call: Callable[[str, str], str],
         pi: str,
         names: Mapping[sp.Symbol, str],
+        integer: Callable[[int], str] | None = None,
     ) -> None:
         self._number = number
+        self._integer = integer or number
         self._call = call
         self._pi = pi
         self._names = names
@@ -64,15 +68,17 @@ class ExpressionPrinter:
             raise TypeError(
                 f"cannot print the number {coefficient}: generated code has only integers and fractions"
             )
-        above = [] if coefficient.p == 1 and rest is not sp.S.One else [self._number(int(coefficient.p))]
-        below = [] if coefficient.q == 1 else [self._number(int(coefficient.q))]
+        fraction = rest is sp.S.One and coefficient.q != 1
+        first = (self._number if fraction else self._integer)(int(coefficient.p))
+        above = [] if coefficient.p == 1 and rest is not sp.S.One else [first]
+        below = [] if coefficient.q == 1 else [self._integer(int(coefficient.q))]
         for factor in rest.as_ordered_factors() if rest is not sp.S.One else []:
             base, exponent = factor.as_base_exp() if factor.is_Pow else (factor, sp.S.One)
             if exponent.is_negative:
                 below += self._power(base, -exponent)
             else:
                 above += self._power(base, exponent)
-        text = sign + ("*".join(above) or self._number(1))
+        text = sign + ("*".join(above) or self._integer(1))
         if not below:
             return text
         return f"{text}/{below[0]}" if len(below) == 1 else f"{text}/({'*'.join(below)})"
@@ -95,7 +101,7 @@ class ExpressionPrinter:
         if expr.is_Add or (expr.is_Mul or expr.is_Pow):
             return f"({self._sum(expr)})"
         if expr.is_Integer:
-            return self._number(int(expr)) if expr >= 0 else f"({self._number(int(expr))})"
+            return self._integer(int(expr)) if expr >= 0 else f"({self._integer(int(expr))})"
         if expr.func in CALLS:
             return self._call(CALLS[expr.func], self._sum(expr.args[0]))
         known = ", ".join(CALLS.values())

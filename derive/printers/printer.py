@@ -63,6 +63,10 @@ class Printer(ABC):
     def number(self, value: int) -> str:
         """An integer, written so that the quotient of two is a fraction."""
 
+    def integer(self, value: int) -> str:
+        """An integer beside something that is not one; by default as `number`."""
+        return self.number(value)
+
     @abstractmethod
     def call(self, function: str, argument: str) -> str:
         """A call of ``sin``, ``sqrt``, ... (the names in `elementary.CALLS`) with a printed argument."""
@@ -99,14 +103,19 @@ class Printer(ABC):
 
     def expression(self, expr: sp.Expr, names: Mapping[sp.Symbol, str] | None = None) -> str:
         """An expression; raises TypeError for an operation that generated code has no form for."""
-        return ExpressionPrinter(self.number, self.call, self.pi, names or {})(expr)
+        return ExpressionPrinter(self.number, self.call, self.pi, names or {}, self.integer)(expr)
+
+    def result_name(self, program: Program, out: Output) -> str:
+        """What a result is called among the arguments, where results are."""
+        return free(out.name, {a.name for a in program.signature})
 
     def _names(self, program: Program) -> dict[sp.Symbol, str]:
         """What each entry and each term is called in this language."""
         scalars = {e.symbol for a in program.arguments if a.scalar for e in a.entries}
         taken = {a.name for a in program.arguments} | self.reserved
         if self.results_are_arguments:
-            taken |= {out.name for out in program.outputs}
+            taken |= {a.name for a in program.signature} | {out.name for out in program.outputs}
+            taken |= {self.result_name(program, out) for out in program.outputs}
         symbols = [e.symbol for a in program.arguments for e in a.entries if e.symbol not in scalars]
         symbols += [symbol for symbol, _ in program.statements]
         plain = {s.name for s in symbols}

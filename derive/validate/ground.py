@@ -37,8 +37,8 @@ def validate_gravity(walker: Declaration) -> None:
         refuse(
             walker,
             f"gravity is {list(walker.gravity)} and ground is {walker.ground}: where ground says how the "
-            "ground falls, points and gravity are those of somebody who stands upright; give gravity = (0, -g), "
-            "or leave ground out and write all points along the ground",
+            "ground falls, points and gravity are those of somebody who stands upright; give "
+            "gravity = (0, -g), or leave ground out and write all points along the ground",
         )
 
 

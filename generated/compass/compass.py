@@ -105,8 +105,8 @@ def state_derivative(xp, t, q, v, p):
     force_1 = beta*dtheta2*s_theta2*(dtheta2 - 2*dtheta1) + beta*(s_theta1 - s_theta1_minus_theta2) + s_theta1
     c_omega_t = xp.cos(omega*t)
     s_omega_t = xp.sin(omega*t)
-    u = -Kd*(dtheta2 + gamma*omega*s_omega_t) - Kp*(S - gamma*(c_omega_t + 1) + theta2)
-    force_2 = beta*(dtheta1*dtheta1*s_theta2 + s_theta1_minus_theta2) + u
+    torque = -Kd*(dtheta2 + gamma*omega*s_omega_t) - Kp*(S - gamma*(c_omega_t + 1) + theta2)
+    force_2 = beta*(dtheta1*dtheta1*s_theta2 + s_theta1_minus_theta2) + torque
     acc_f2 = force_2 - M_L21*force_1
     acc_2 = acc_f2/M_D2
     acc_1 = force_1*t1 - M_L21*acc_2
@@ -153,8 +153,8 @@ def state_derivative_dq(xp, t, q, v, p):
     force_1 = beta*(s_theta1 - s_theta1_minus_theta2) - beta*s_theta2*t3 + s_theta1
     c_omega_t = xp.cos(omega*t)
     s_omega_t = xp.sin(omega*t)
-    u = -Kd*(dtheta2 + gamma*omega*s_omega_t) - Kp*(S - gamma*(c_omega_t + 1) + theta2)
-    force_2 = beta*(dtheta1*dtheta1*s_theta2 + s_theta1_minus_theta2) + u
+    torque = -Kd*(dtheta2 + gamma*omega*s_omega_t) - Kp*(S - gamma*(c_omega_t + 1) + theta2)
+    force_2 = beta*(dtheta1*dtheta1*s_theta2 + s_theta1_minus_theta2) + torque
     acc_f2 = force_2 - M_L21*force_1
     acc_2 = acc_f2*t2
     acc_1 = force_1*t1 - M_L21*acc_2
@@ -199,6 +199,173 @@ def state_derivative_dv(xp, q, v, p):
     d2_1 = r2_1*t1 - M_L21*d2_2
     return {
         "dv_dv": [[d1_1, d2_1], [d1_2, d2_2]],
+    }
+
+
+def forward_dynamics(xp, q, v, u, p):
+    """Accelerations for given torques of the motors.
+
+    Source: Kamimura & Sano 2023, eq. (1) with the torques u in Q.
+    36 operations.
+    """
+    theta1 = q[0]
+    theta2 = q[1]
+    dtheta1 = v[0]
+    dtheta2 = v[1]
+    u_theta2 = u[0]
+    beta = p[1]
+    c_theta2 = xp.cos(theta2)
+    M_11 = 2*beta*(1 - c_theta2) + 1
+    t1 = 1/M_11
+    M_12 = beta*(c_theta2 - 1)
+    M_L21 = M_12*t1
+    M_D2 = beta - M_11*M_L21*M_L21
+    s_theta1 = xp.sin(theta1)
+    s_theta2 = xp.sin(theta2)
+    s_theta1_minus_theta2 = xp.sin(theta1 - theta2)
+    force_1 = beta*dtheta2*s_theta2*(dtheta2 - 2*dtheta1) + beta*(s_theta1 - s_theta1_minus_theta2) + s_theta1
+    force_2 = beta*(dtheta1*dtheta1*s_theta2 + s_theta1_minus_theta2) + u_theta2
+    acc_f2 = force_2 - M_L21*force_1
+    acc_2 = acc_f2/M_D2
+    acc_1 = force_1*t1 - M_L21*acc_2
+    return {
+        "dv": [acc_1, acc_2],
+    }
+
+
+def forward_dynamics_dq(xp, q, v, u, p):
+    """Derivative with respect to q of the accelerations for given torques.
+
+    Source: Kamimura & Sano 2023, eq. (1) with the torques u in Q, differentiated.
+    70 operations.
+    """
+    theta1 = q[0]
+    theta2 = q[1]
+    dtheta1 = v[0]
+    dtheta2 = v[1]
+    u_theta2 = u[0]
+    beta = p[1]
+    c_theta2 = xp.cos(theta2)
+    M_11 = 2*beta*(1 - c_theta2) + 1
+    t1 = 1/M_11
+    M_12 = beta*(c_theta2 - 1)
+    M_L21 = M_12*t1
+    M_D2 = beta - M_11*M_L21*M_L21
+    t2 = 1/M_D2
+    c_theta1 = xp.cos(theta1)
+    c_theta1_minus_theta2 = xp.cos(theta1 - theta2)
+    r1_1 = beta*(c_theta1 - c_theta1_minus_theta2) + c_theta1
+    r1_2 = beta*c_theta1_minus_theta2
+    d1_f2 = r1_2 - M_L21*r1_1
+    d1_2 = d1_f2*t2
+    d1_1 = r1_1*t1 - M_L21*d1_2
+    t3 = dtheta2*(2*dtheta1 - dtheta2)
+    s_theta1 = xp.sin(theta1)
+    s_theta2 = xp.sin(theta2)
+    s_theta1_minus_theta2 = xp.sin(theta1 - theta2)
+    force_1 = beta*(s_theta1 - s_theta1_minus_theta2) - beta*s_theta2*t3 + s_theta1
+    force_2 = beta*(dtheta1*dtheta1*s_theta2 + s_theta1_minus_theta2) + u_theta2
+    acc_f2 = force_2 - M_L21*force_1
+    acc_2 = acc_f2*t2
+    acc_1 = force_1*t1 - M_L21*acc_2
+    r2_1 = beta*(acc_2*s_theta2 - 2*acc_1*s_theta2 + c_theta1_minus_theta2 - c_theta2*t3)
+    r2_2 = beta*(acc_1*s_theta2 - c_theta1_minus_theta2 + c_theta2*dtheta1*dtheta1)
+    d2_f2 = r2_2 - M_L21*r2_1
+    d2_2 = d2_f2*t2
+    d2_1 = r2_1*t1 - M_L21*d2_2
+    return {
+        "dv_dq": [[d1_1, d2_1], [d1_2, d2_2]],
+    }
+
+
+def forward_dynamics_dv(xp, q, v, p):
+    """Derivative with respect to v of the accelerations for given torques.
+
+    Source: Kamimura & Sano 2023, eq. (1) with the torques u in Q, differentiated.
+    37 operations.
+    """
+    theta2 = q[1]
+    dtheta1 = v[0]
+    dtheta2 = v[1]
+    beta = p[1]
+    c_theta2 = xp.cos(theta2)
+    M_11 = 2*beta*(1 - c_theta2) + 1
+    t1 = 1/M_11
+    M_12 = beta*(c_theta2 - 1)
+    M_L21 = M_12*t1
+    M_D2 = beta - M_11*M_L21*M_L21
+    t2 = 1/M_D2
+    s_theta2 = xp.sin(theta2)
+    r1_1 = -2*beta*dtheta2*s_theta2
+    r1_2 = 2*beta*dtheta1*s_theta2
+    d1_f2 = r1_2 - M_L21*r1_1
+    d1_2 = d1_f2*t2
+    d1_1 = r1_1*t1 - M_L21*d1_2
+    r2_1 = 2*beta*s_theta2*(dtheta2 - dtheta1)
+    d2_f2 = -M_L21*r2_1
+    d2_2 = d2_f2*t2
+    d2_1 = r2_1*t1 - M_L21*d2_2
+    return {
+        "dv_dv": [[d1_1, d2_1], [d1_2, d2_2]],
+    }
+
+
+def forward_dynamics_du(xp, q, p):
+    """Derivative with respect to u of the accelerations for given torques.
+
+    Source: Kamimura & Sano 2023, eq. (1) with the torques u in Q, differentiated.
+    15 operations.
+    """
+    theta2 = q[1]
+    beta = p[1]
+    c_theta2 = xp.cos(theta2)
+    M_11 = 2*beta*(1 - c_theta2) + 1
+    t1 = 1/M_11
+    M_12 = beta*(c_theta2 - 1)
+    M_L21 = M_12*t1
+    M_D2 = beta - M_11*M_L21*M_L21
+    d1_2 = 1/M_D2
+    d1_1 = -M_L21*d1_2
+    return {
+        "dv_du": [[d1_1], [d1_2]],
+    }
+
+
+def forward_dynamics_dp(xp, q, v, u, p):
+    """Derivative with respect to p of the accelerations for given torques.
+
+    Source: Kamimura & Sano 2023, eq. (1) with the torques u in Q, differentiated.
+    59 operations.
+    """
+    theta1 = q[0]
+    theta2 = q[1]
+    dtheta1 = v[0]
+    dtheta2 = v[1]
+    u_theta2 = u[0]
+    beta = p[1]
+    c_theta2 = xp.cos(theta2)
+    M_11 = 2*beta*(1 - c_theta2) + 1
+    t1 = 1/M_11
+    M_12 = beta*(c_theta2 - 1)
+    M_L21 = M_12*t1
+    M_D2 = beta - M_11*M_L21*M_L21
+    t2 = 1/M_D2
+    s_theta2 = xp.sin(theta2)
+    t3 = dtheta2*s_theta2*(2*dtheta1 - dtheta2)
+    s_theta1 = xp.sin(theta1)
+    s_theta1_minus_theta2 = xp.sin(theta1 - theta2)
+    force_1 = beta*(s_theta1 - s_theta1_minus_theta2) - beta*t3 + s_theta1
+    force_2 = beta*(dtheta1*dtheta1*s_theta2 + s_theta1_minus_theta2) + u_theta2
+    acc_f2 = force_2 - M_L21*force_1
+    acc_2 = acc_f2*t2
+    acc_1 = force_1*t1 - M_L21*acc_2
+    r2_1 = acc_1*(2*c_theta2 - 2) + acc_2*(1 - c_theta2) + s_theta1 - s_theta1_minus_theta2 - t3
+    r2_2 = acc_1*(1 - c_theta2) - acc_2 + dtheta1*dtheta1*s_theta2 + s_theta1_minus_theta2
+    d2_f2 = r2_2 - M_L21*r2_1
+    d2_2 = d2_f2*t2
+    d2_1 = r2_1*t1 - M_L21*d2_2
+    return {
+        "dv_dp": [[0, d2_1, 0, 0, 0, 0], [0, d2_2, 0, 0, 0, 0]],
     }
 
 
@@ -445,8 +612,8 @@ def ground_force(xp, t, q, v, p):
     force_1 = beta*dtheta2*s_theta2*(dtheta2 - 2*dtheta1) - t2
     c_omega_t = xp.cos(omega*t)
     s_omega_t = xp.sin(omega*t)
-    u = -Kd*(dtheta2 + gamma*omega*s_omega_t) - Kp*(S - gamma*(c_omega_t + 1) + theta2)
-    force_2 = beta*(dtheta1*dtheta1*s_theta2 + s_theta1_minus_theta2) + u
+    torque = -Kd*(dtheta2 + gamma*omega*s_omega_t) - Kp*(S - gamma*(c_omega_t + 1) + theta2)
+    force_2 = beta*(dtheta1*dtheta1*s_theta2 + s_theta1_minus_theta2) + torque
     acc_f2 = force_2 - M_L21*force_1
     acc_2 = acc_f2/M_D2
     acc_1 = force_1*t1 - M_L21*acc_2
@@ -492,8 +659,8 @@ def zmp(xp, t, q, v, p):
     force_1 = beta*dtheta2*s_theta2*(dtheta2 - 2*dtheta1) - t1
     c_omega_t = xp.cos(omega*t)
     s_omega_t = xp.sin(omega*t)
-    u = -Kd*(dtheta2 + gamma*omega*s_omega_t) - Kp*(S - gamma*(c_omega_t + 1) + theta2)
-    force_2 = beta*(dtheta1*dtheta1*s_theta2 + s_theta1_minus_theta2) + u
+    torque = -Kd*(dtheta2 + gamma*omega*s_omega_t) - Kp*(S - gamma*(c_omega_t + 1) + theta2)
+    force_2 = beta*(dtheta1*dtheta1*s_theta2 + s_theta1_minus_theta2) + torque
     acc_f2 = force_2 - M_L21*force_1
     acc_2 = acc_f2/M_D2
     acc_1 = force_1*t4 - M_L21*acc_2

@@ -173,6 +173,190 @@ def state_derivative_dv(xp, q, v, p):
     }
 
 
+def forward_dynamics(xp, q, v, p):
+    """Accelerations for given torques of the motors.
+
+    Source: M ddq + h + v = Q with the torques u in Q.
+    65 operations.
+    """
+    theta1 = q[0]
+    theta2 = q[1]
+    dtheta1 = v[0]
+    dtheta2 = v[1]
+    mu = p[0]
+    beta = p[1]
+    slope = p[2]
+    t1 = 1/((beta + 1)*(beta + 1))
+    c_theta2 = xp.cos(theta2)
+    M_11 = t1*(beta*beta*(mu - 2*c_theta2 + 2) + 2*beta*(mu - c_theta2 + 1) + mu + 2)
+    t2 = 1/M_11
+    M_12 = beta*t1*(beta*(c_theta2 - 1) + c_theta2)
+    M_L21 = M_12*t2
+    M_22 = beta*beta*t1
+    M_D2 = M_22 - M_11*M_L21*M_L21
+    t3 = 1/(beta + 1)
+    s_theta2 = xp.sin(theta2)
+    s_slope_minus_theta1 = xp.sin(slope - theta1)
+    s_slope_minus_theta1_plus_theta2 = xp.sin(slope - theta1 + theta2)
+    force_1 = -t3*(beta*dtheta2*s_theta2*(2*dtheta1 - dtheta2) + beta*s_slope_minus_theta1 - beta*s_slope_minus_theta1_plus_theta2 + mu*s_slope_minus_theta1*(beta + 1) + 2*s_slope_minus_theta1)
+    force_2 = beta*t3*(dtheta1*dtheta1*s_theta2 - s_slope_minus_theta1_plus_theta2)
+    acc_f2 = force_2 - M_L21*force_1
+    acc_2 = acc_f2/M_D2
+    acc_1 = force_1*t2 - M_L21*acc_2
+    return {
+        "dv": [acc_1, acc_2],
+    }
+
+
+def forward_dynamics_dq(xp, q, v, p):
+    """Derivative with respect to q of the accelerations for given torques.
+
+    Source: M ddq + h + v = Q with the torques u in Q, differentiated.
+    109 operations.
+    """
+    theta1 = q[0]
+    theta2 = q[1]
+    dtheta1 = v[0]
+    dtheta2 = v[1]
+    mu = p[0]
+    beta = p[1]
+    slope = p[2]
+    t1 = 1/((beta + 1)*(beta + 1))
+    c_theta2 = xp.cos(theta2)
+    M_11 = t1*(beta*beta*(mu - 2*c_theta2 + 2) + 2*beta*(mu - c_theta2 + 1) + mu + 2)
+    t2 = 1/M_11
+    M_22 = beta*beta*t1
+    M_12 = beta*t1*(beta*(c_theta2 - 1) + c_theta2)
+    M_L21 = M_12*t2
+    M_D2 = M_22 - M_11*M_L21*M_L21
+    t3 = 1/M_D2
+    t4 = 1/(beta + 1)
+    t5 = mu*(beta + 1)
+    c_slope_minus_theta1 = xp.cos(slope - theta1)
+    c_slope_minus_theta1_plus_theta2 = xp.cos(slope - theta1 + theta2)
+    r1_1 = t4*(beta*c_slope_minus_theta1 - beta*c_slope_minus_theta1_plus_theta2 + c_slope_minus_theta1*t5 + 2*c_slope_minus_theta1)
+    r1_2 = beta*c_slope_minus_theta1_plus_theta2*t4
+    d1_f2 = r1_2 - M_L21*r1_1
+    d1_2 = d1_f2*t3
+    d1_1 = r1_1*t2 - M_L21*d1_2
+    t6 = dtheta2*(2*dtheta1 - dtheta2)
+    s_theta2 = xp.sin(theta2)
+    s_slope_minus_theta1 = xp.sin(slope - theta1)
+    s_slope_minus_theta1_plus_theta2 = xp.sin(slope - theta1 + theta2)
+    force_1 = -t4*(beta*s_slope_minus_theta1 - beta*s_slope_minus_theta1_plus_theta2 + beta*s_theta2*t6 + s_slope_minus_theta1*t5 + 2*s_slope_minus_theta1)
+    force_2 = beta*t4*(dtheta1*dtheta1*s_theta2 - s_slope_minus_theta1_plus_theta2)
+    acc_f2 = force_2 - M_L21*force_1
+    acc_2 = acc_f2*t3
+    acc_1 = force_1*t2 - M_L21*acc_2
+    r2_1 = beta*t4*(acc_2*s_theta2 - 2*acc_1*s_theta2 + c_slope_minus_theta1_plus_theta2 - c_theta2*t6)
+    r2_2 = beta*t4*(acc_1*s_theta2 - c_slope_minus_theta1_plus_theta2 + c_theta2*dtheta1*dtheta1)
+    d2_f2 = r2_2 - M_L21*r2_1
+    d2_2 = d2_f2*t3
+    d2_1 = r2_1*t2 - M_L21*d2_2
+    return {
+        "dv_dq": [[d1_1, d2_1], [d1_2, d2_2]],
+    }
+
+
+def forward_dynamics_dv(xp, q, v, p):
+    """Derivative with respect to v of the accelerations for given torques.
+
+    Source: M ddq + h + v = Q with the torques u in Q, differentiated.
+    57 operations.
+    """
+    theta2 = q[1]
+    dtheta1 = v[0]
+    dtheta2 = v[1]
+    mu = p[0]
+    beta = p[1]
+    t1 = 1/((beta + 1)*(beta + 1))
+    c_theta2 = xp.cos(theta2)
+    M_11 = t1*(beta*beta*(mu - 2*c_theta2 + 2) + 2*beta*(mu - c_theta2 + 1) + mu + 2)
+    t2 = 1/M_11
+    M_22 = beta*beta*t1
+    M_12 = beta*t1*(beta*(c_theta2 - 1) + c_theta2)
+    M_L21 = M_12*t2
+    M_D2 = M_22 - M_11*M_L21*M_L21
+    t3 = 1/M_D2
+    t4 = 1/(beta + 1)
+    t5 = 2*beta*t4
+    s_theta2 = xp.sin(theta2)
+    r1_1 = -dtheta2*s_theta2*t5
+    r1_2 = 2*beta*dtheta1*s_theta2*t4
+    d1_f2 = r1_2 - M_L21*r1_1
+    d1_2 = d1_f2*t3
+    d1_1 = r1_1*t2 - M_L21*d1_2
+    r2_1 = s_theta2*t5*(dtheta2 - dtheta1)
+    d2_f2 = -M_L21*r2_1
+    d2_2 = d2_f2*t3
+    d2_1 = r2_1*t2 - M_L21*d2_2
+    return {
+        "dv_dv": [[d1_1, d2_1], [d1_2, d2_2]],
+    }
+
+
+def forward_dynamics_dp(xp, q, v, p):
+    """Derivative with respect to p of the accelerations for given torques.
+
+    Source: M ddq + h + v = Q with the torques u in Q, differentiated.
+    183 operations.
+    """
+    theta1 = q[0]
+    theta2 = q[1]
+    dtheta1 = v[0]
+    dtheta2 = v[1]
+    mu = p[0]
+    beta = p[1]
+    slope = p[2]
+    t1 = 1/((beta + 1)*(beta + 1))
+    c_theta2 = xp.cos(theta2)
+    t2 = -2*c_theta2
+    t3 = mu + t2 + 2
+    t4 = beta*beta*t3 + 2*beta*(mu - c_theta2 + 1) + mu + 2
+    M_11 = t1*t4
+    t5 = 1/M_11
+    M_22 = beta*beta*t1
+    t6 = beta*(c_theta2 - 1)
+    t7 = t1*(c_theta2 + t6)
+    M_12 = beta*t7
+    M_L21 = M_12*t5
+    M_D2 = M_22 - M_11*M_L21*M_L21
+    t8 = 1/M_D2
+    t9 = 1/(beta + 1)
+    t10 = 2*dtheta1 - dtheta2
+    s_theta2 = xp.sin(theta2)
+    t11 = dtheta2*s_theta2*t10
+    s_slope_minus_theta1 = xp.sin(slope - theta1)
+    s_slope_minus_theta1_plus_theta2 = xp.sin(slope - theta1 + theta2)
+    t12 = beta*s_slope_minus_theta1 - beta*s_slope_minus_theta1_plus_theta2 + mu*s_slope_minus_theta1*(beta + 1) + 2*s_slope_minus_theta1
+    force_1 = -t9*(beta*t11 + t12)
+    t13 = dtheta1*dtheta1*s_theta2
+    force_2 = beta*t9*(t13 - s_slope_minus_theta1_plus_theta2)
+    acc_f2 = force_2 - M_L21*force_1
+    acc_2 = acc_f2*t8
+    acc_1 = force_1*t5 - M_L21*acc_2
+    r1_1 = -acc_1*t1*(beta*beta + 2*beta + 1) - s_slope_minus_theta1
+    d1_f2 = -M_L21*r1_1
+    d1_2 = d1_f2*t8
+    d1_1 = r1_1*t5 - M_L21*d1_2
+    t14 = 1/((beta + 1)*(beta + 1)*(beta + 1))
+    r2_1 = 2*acc_1*t14*t4 - acc_1*t1*(2*beta*t3 + 2*mu + t2 + 2) + 2*acc_2*beta*t14*(c_theta2 + t6) - acc_2*t1*t6 - acc_2*t7 + beta*dtheta2*s_theta2*t1*t10 + t1*t12 - t11*t9 - t9*(mu*s_slope_minus_theta1 + s_slope_minus_theta1 - s_slope_minus_theta1_plus_theta2)
+    r2_2 = 2*acc_1*beta*t14*(c_theta2 + t6) - acc_1*t1*t6 - acc_1*t7 + 2*acc_2*beta*beta*t14 - 2*acc_2*beta*t1 + beta*s_slope_minus_theta1_plus_theta2*t1 - beta*t1*t13 + dtheta1*dtheta1*s_theta2*t9 - s_slope_minus_theta1_plus_theta2*t9
+    d2_f2 = r2_2 - M_L21*r2_1
+    d2_2 = d2_f2*t8
+    d2_1 = r2_1*t5 - M_L21*d2_2
+    c_slope_minus_theta1 = xp.cos(slope - theta1)
+    c_slope_minus_theta1_plus_theta2 = xp.cos(slope - theta1 + theta2)
+    r3_1 = -t9*(beta*c_slope_minus_theta1 - beta*c_slope_minus_theta1_plus_theta2 + c_slope_minus_theta1*mu*(beta + 1) + 2*c_slope_minus_theta1)
+    r3_2 = -beta*c_slope_minus_theta1_plus_theta2*t9
+    d3_f2 = r3_2 - M_L21*r3_1
+    d3_2 = d3_f2*t8
+    d3_1 = r3_1*t5 - M_L21*d3_2
+    return {
+        "dv_dp": [[d1_1, d2_1, d3_1], [d1_2, d2_2, d3_2]],
+    }
+
+
 def touchdown_condition(xp, q, v):
     """Touchdown condition.
 

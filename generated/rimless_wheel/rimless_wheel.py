@@ -85,6 +85,78 @@ def state_derivative_dv(xp):
     }
 
 
+def forward_dynamics(xp, q, p):
+    """Accelerations for given torques of the motors.
+
+    Source: M ddq + h + v = Q with the torques u in Q.
+    4 operations.
+    """
+    theta = q[0]
+    slope = p[0]
+    lambda2 = p[2]
+    M_11 = 1/lambda2
+    s_slope_plus_theta = xp.sin(slope + theta)
+    force_1 = s_slope_plus_theta
+    acc_1 = force_1/M_11
+    return {
+        "dv": [acc_1],
+    }
+
+
+def forward_dynamics_dq(xp, q, p):
+    """Derivative with respect to q of the accelerations for given torques.
+
+    Source: M ddq + h + v = Q with the torques u in Q, differentiated.
+    5 operations.
+    """
+    theta = q[0]
+    slope = p[0]
+    lambda2 = p[2]
+    M_11 = 1/lambda2
+    t1 = 1/M_11
+    c_slope_plus_theta = xp.cos(slope + theta)
+    r1_1 = c_slope_plus_theta
+    d1_1 = r1_1*t1
+    return {
+        "dv_dq": [[d1_1]],
+    }
+
+
+def forward_dynamics_dv(xp):
+    """Derivative with respect to v of the accelerations for given torques.
+
+    Source: M ddq + h + v = Q with the torques u in Q, differentiated.
+    0 operations.
+    """
+    return {
+        "dv_dv": [[0]],
+    }
+
+
+def forward_dynamics_dp(xp, q, p):
+    """Derivative with respect to p of the accelerations for given torques.
+
+    Source: M ddq + h + v = Q with the torques u in Q, differentiated.
+    11 operations.
+    """
+    theta = q[0]
+    slope = p[0]
+    lambda2 = p[2]
+    M_11 = 1/lambda2
+    t1 = 1/M_11
+    c_slope_plus_theta = xp.cos(slope + theta)
+    r1_1 = c_slope_plus_theta
+    d1_1 = r1_1*t1
+    s_slope_plus_theta = xp.sin(slope + theta)
+    force_1 = s_slope_plus_theta
+    acc_1 = force_1*t1
+    r3_1 = acc_1/(lambda2*lambda2)
+    d3_1 = r3_1*t1
+    return {
+        "dv_dp": [[d1_1, 0, d3_1]],
+    }
+
+
 def touchdown_condition(xp, q, v, p):
     """Touchdown condition.
 

@@ -255,6 +255,290 @@ def state_derivative_dv(xp, q, v, p):
     }
 
 
+def forward_dynamics(xp, q, v, p):
+    """Accelerations for given torques of the motors.
+
+    Source: M ddq + h + v = Q with the torques u in Q.
+    139 operations.
+    """
+    q1 = q[0]
+    q2 = q[1]
+    dq1 = v[0]
+    dq2 = v[1]
+    hip_mass = p[0]
+    leg_mass = p[1]
+    inertia = p[2]
+    com_distance = p[3]
+    com_offset = p[4]
+    radius = p[5]
+    slope = p[6]
+    c_q1 = xp.cos(q1)
+    t1 = 2*c_q1*radius
+    s_q1_minus_q2 = xp.sin(q1 - q2)
+    t2 = com_offset*radius*s_q1_minus_q2
+    c_q1_minus_q2 = xp.cos(q1 - q2)
+    t3 = c_q1_minus_q2*com_distance*radius
+    t4 = com_distance*com_distance + com_offset*com_offset
+    c_q2 = xp.cos(q2)
+    s_q1 = xp.sin(q1)
+    s_q2 = xp.sin(q2)
+    M_11 = hip_mass*radius*radius + hip_mass*t1 + hip_mass + 2*inertia + 2*leg_mass*(com_offset*radius*s_q1 - c_q1*com_distance*radius - c_q2*com_distance - com_distance - com_offset*s_q2 + radius*radius + t1 + t2 - t3 + t4 + 1)
+    t5 = 1/M_11
+    M_12 = leg_mass*(c_q2*com_distance - com_distance*com_distance - com_offset*com_offset + com_offset*s_q2 - t2 + t3) - inertia
+    M_L21 = M_12*t5
+    M_22 = inertia + leg_mass*t4
+    M_D2 = M_22 - M_11*M_L21*M_L21
+    t6 = hip_mass + leg_mass*(2 - com_distance)
+    t7 = 2*dq1 - dq2
+    t8 = 2*dq1*dq2 - dq1*dq1 - dq2*dq2
+    s_slope = xp.sin(slope)
+    c_q1_minus_slope = xp.cos(q1 - slope)
+    s_q1_minus_slope = xp.sin(q1 - slope)
+    c_minus_q1_plus_q2_plus_slope = xp.cos(q2 - q1 + slope)
+    s_minus_q1_plus_q2_plus_slope = xp.sin(q2 - q1 + slope)
+    force_1 = dq1*dq1*radius*s_q1*t6 + leg_mass*(c_q1_minus_q2*com_offset*radius*t8 - c_minus_q1_plus_q2_plus_slope*com_offset - c_q1*com_offset*dq1*dq1*radius - c_q1_minus_slope*com_offset + c_q2*com_offset*dq2*t7 - com_distance*dq2*s_q2*t7 + com_distance*radius*s_q1_minus_q2*t8 + com_distance*s_minus_q1_plus_q2_plus_slope) - radius*s_slope*(hip_mass + 2*leg_mass) + s_q1_minus_slope*t6
+    force_2 = leg_mass*(c_minus_q1_plus_q2_plus_slope*com_offset - com_distance*s_minus_q1_plus_q2_plus_slope + dq1*dq1*(com_distance*s_q2 - c_q2*com_offset))
+    acc_f2 = force_2 - M_L21*force_1
+    acc_2 = acc_f2/M_D2
+    acc_1 = force_1*t5 - M_L21*acc_2
+    return {
+        "dv": [acc_1, acc_2],
+    }
+
+
+def forward_dynamics_dq(xp, q, v, p):
+    """Derivative with respect to q of the accelerations for given torques.
+
+    Source: M ddq + h + v = Q with the torques u in Q, differentiated.
+    254 operations.
+    """
+    q1 = q[0]
+    q2 = q[1]
+    dq1 = v[0]
+    dq2 = v[1]
+    hip_mass = p[0]
+    leg_mass = p[1]
+    inertia = p[2]
+    com_distance = p[3]
+    com_offset = p[4]
+    radius = p[5]
+    slope = p[6]
+    c_q1 = xp.cos(q1)
+    t1 = 2*c_q1*radius
+    s_q1_minus_q2 = xp.sin(q1 - q2)
+    t2 = com_offset*radius*s_q1_minus_q2
+    c_q1_minus_q2 = xp.cos(q1 - q2)
+    t3 = c_q1_minus_q2*com_distance*radius
+    t4 = com_distance*com_distance + com_offset*com_offset
+    c_q2 = xp.cos(q2)
+    s_q1 = xp.sin(q1)
+    s_q2 = xp.sin(q2)
+    M_11 = hip_mass*radius*radius + hip_mass*t1 + hip_mass + 2*inertia + 2*leg_mass*(com_offset*radius*s_q1 - c_q1*com_distance*radius - c_q2*com_distance - com_distance - com_offset*s_q2 + radius*radius + t1 + t2 - t3 + t4 + 1)
+    t5 = 1/M_11
+    M_22 = inertia + leg_mass*t4
+    M_12 = leg_mass*(c_q2*com_distance - com_distance*com_distance - com_offset*com_offset + com_offset*s_q2 - t2 + t3) - inertia
+    M_L21 = M_12*t5
+    M_D2 = M_22 - M_11*M_L21*M_L21
+    t6 = 1/M_D2
+    t7 = hip_mass + leg_mass*(2 - com_distance)
+    t8 = com_offset*dq1*dq1
+    t9 = 2*dq1 - dq2
+    t10 = radius*(2*dq1*dq2 - dq1*dq1 - dq2*dq2)
+    s_slope = xp.sin(slope)
+    c_q1_minus_slope = xp.cos(q1 - slope)
+    s_q1_minus_slope = xp.sin(q1 - slope)
+    c_minus_q1_plus_q2_plus_slope = xp.cos(q2 - q1 + slope)
+    s_minus_q1_plus_q2_plus_slope = xp.sin(q2 - q1 + slope)
+    force_1 = dq1*dq1*radius*s_q1*t7 + leg_mass*(c_q1_minus_q2*com_offset*t10 - c_minus_q1_plus_q2_plus_slope*com_offset - c_q1*radius*t8 - c_q1_minus_slope*com_offset + c_q2*com_offset*dq2*t9 - com_distance*dq2*s_q2*t9 + com_distance*s_minus_q1_plus_q2_plus_slope + com_distance*s_q1_minus_q2*t10) - radius*s_slope*(hip_mass + 2*leg_mass) + s_q1_minus_slope*t7
+    force_2 = leg_mass*(c_minus_q1_plus_q2_plus_slope*com_offset - com_distance*s_minus_q1_plus_q2_plus_slope + dq1*dq1*(com_distance*s_q2 - c_q2*com_offset))
+    acc_f2 = force_2 - M_L21*force_1
+    acc_2 = acc_f2*t6
+    acc_1 = force_1*t5 - M_L21*acc_2
+    t11 = 2*acc_1*com_distance
+    t12 = com_distance*dq1*dq1
+    t13 = 2*acc_1*com_offset
+    t14 = com_offset*dq2*dq2
+    t15 = 2*dq1*dq2
+    t16 = acc_2*com_distance - com_offset*t15 - t11 + t14 + t8
+    t17 = com_distance*dq2*dq2 - acc_2*com_offset - com_distance*t15
+    t18 = t12 + t13 + t17
+    r1_1 = c_q1*radius*(dq1*dq1*hip_mass + leg_mass*(2*dq1*dq1 - t12 - t13)) + c_q1_minus_slope*t7 + leg_mass*(com_offset*s_q1_minus_slope - c_minus_q1_plus_q2_plus_slope*com_distance - c_q1_minus_q2*radius*t18 - com_offset*s_minus_q1_plus_q2_plus_slope + radius*s_q1_minus_q2*t16) + radius*s_q1*(2*acc_1*hip_mass + leg_mass*(4*acc_1 - t11 + t8))
+    t19 = c_minus_q1_plus_q2_plus_slope*com_distance + com_offset*s_minus_q1_plus_q2_plus_slope
+    r1_2 = leg_mass*(acc_1*radius*(c_q1_minus_q2*com_offset + com_distance*s_q1_minus_q2) + t19)
+    d1_f2 = r1_2 - M_L21*r1_1
+    d1_2 = d1_f2*t6
+    d1_1 = r1_1*t5 - M_L21*d1_2
+    r2_1 = leg_mass*(c_q1_minus_q2*radius*t18 + c_q2*(t13 + t17) - radius*s_q1_minus_q2*t16 + s_q2*(acc_2*com_distance - com_offset*t15 - t11 + t14) + t19)
+    r2_2 = leg_mass*(c_q2*(t12 - acc_1*com_offset) - acc_1*c_q1_minus_q2*com_offset*radius - acc_1*com_distance*radius*s_q1_minus_q2 + s_q2*(acc_1*com_distance + t8) - t19)
+    d2_f2 = r2_2 - M_L21*r2_1
+    d2_2 = d2_f2*t6
+    d2_1 = r2_1*t5 - M_L21*d2_2
+    return {
+        "dv_dq": [[d1_1, d2_1], [d1_2, d2_2]],
+    }
+
+
+def forward_dynamics_dv(xp, q, v, p):
+    """Derivative with respect to v of the accelerations for given torques.
+
+    Source: M ddq + h + v = Q with the torques u in Q, differentiated.
+    120 operations.
+    """
+    q1 = q[0]
+    q2 = q[1]
+    dq1 = v[0]
+    dq2 = v[1]
+    hip_mass = p[0]
+    leg_mass = p[1]
+    inertia = p[2]
+    com_distance = p[3]
+    com_offset = p[4]
+    radius = p[5]
+    c_q1 = xp.cos(q1)
+    t1 = 2*c_q1*radius
+    s_q1_minus_q2 = xp.sin(q1 - q2)
+    t2 = com_offset*radius*s_q1_minus_q2
+    c_q1_minus_q2 = xp.cos(q1 - q2)
+    t3 = c_q1_minus_q2*com_distance*radius
+    t4 = com_distance*com_distance + com_offset*com_offset
+    c_q2 = xp.cos(q2)
+    s_q1 = xp.sin(q1)
+    s_q2 = xp.sin(q2)
+    M_11 = hip_mass*radius*radius + hip_mass*t1 + hip_mass + 2*inertia + 2*leg_mass*(com_offset*radius*s_q1 - c_q1*com_distance*radius - c_q2*com_distance - com_distance - com_offset*s_q2 + radius*radius + t1 + t2 - t3 + t4 + 1)
+    t5 = 1/M_11
+    M_22 = inertia + leg_mass*t4
+    M_12 = leg_mass*(c_q2*com_distance - com_distance*com_distance - com_offset*com_offset + com_offset*s_q2 - t2 + t3) - inertia
+    M_L21 = M_12*t5
+    M_D2 = M_22 - M_11*M_L21*M_L21
+    t6 = 1/M_D2
+    t7 = hip_mass + leg_mass*(2 - com_distance)
+    t8 = radius*s_q1*t7
+    t9 = c_q1*com_offset*radius
+    t10 = com_distance*dq2*s_q2
+    t11 = c_q2*com_offset*dq2
+    t12 = c_q1_minus_q2*com_offset*radius
+    t13 = com_distance*radius*s_q1_minus_q2
+    t14 = 2*dq2 - 2*dq1
+    r1_1 = 2*dq1*t8 + leg_mass*(2*t11 - 2*dq1*t9 - 2*t10 + t12*t14 + t13*t14)
+    t15 = c_q2*com_offset - com_distance*s_q2
+    r1_2 = -2*dq1*leg_mass*t15
+    d1_f2 = r1_2 - M_L21*r1_1
+    d1_2 = d1_f2*t6
+    d1_1 = r1_1*t5 - M_L21*d1_2
+    r2_1 = 2*leg_mass*(dq1 - dq2)*(t12 + t13 + t15)
+    d2_f2 = -M_L21*r2_1
+    d2_2 = d2_f2*t6
+    d2_1 = r2_1*t5 - M_L21*d2_2
+    return {
+        "dv_dv": [[d1_1, d2_1], [d1_2, d2_2]],
+    }
+
+
+def forward_dynamics_dp(xp, q, v, p):
+    """Derivative with respect to p of the accelerations for given torques.
+
+    Source: M ddq + h + v = Q with the torques u in Q, differentiated.
+    408 operations.
+    """
+    q1 = q[0]
+    q2 = q[1]
+    dq1 = v[0]
+    dq2 = v[1]
+    hip_mass = p[0]
+    leg_mass = p[1]
+    inertia = p[2]
+    com_distance = p[3]
+    com_offset = p[4]
+    radius = p[5]
+    slope = p[6]
+    c_q1 = xp.cos(q1)
+    t1 = 2*c_q1*radius
+    s_q1_minus_q2 = xp.sin(q1 - q2)
+    t2 = com_offset*radius*s_q1_minus_q2
+    c_q1_minus_q2 = xp.cos(q1 - q2)
+    t3 = c_q1_minus_q2*com_distance*radius
+    t4 = com_distance*com_distance + com_offset*com_offset
+    t5 = radius*radius + t1 + 1
+    c_q2 = xp.cos(q2)
+    s_q1 = xp.sin(q1)
+    s_q2 = xp.sin(q2)
+    M_11 = hip_mass*radius*radius + hip_mass*t1 + hip_mass + 2*inertia + 2*leg_mass*(com_offset*radius*s_q1 - c_q1*com_distance*radius - c_q2*com_distance - com_distance - com_offset*s_q2 + t2 - t3 + t4 + t5)
+    t6 = 1/M_11
+    M_22 = inertia + leg_mass*t4
+    t7 = c_q2*com_distance - com_distance*com_distance - com_offset*com_offset + com_offset*s_q2 - t2 + t3
+    M_12 = leg_mass*t7 - inertia
+    M_L21 = M_12*t6
+    M_D2 = M_22 - M_11*M_L21*M_L21
+    t8 = 1/M_D2
+    t9 = hip_mass + leg_mass*(2 - com_distance)
+    t10 = dq1*dq1*radius*s_q1
+    t11 = dq1*dq1 - 2*dq1*dq2 + dq2*dq2
+    t12 = 2*dq1 - dq2
+    t13 = -dq2*t12
+    t14 = c_q1*dq1*dq1*radius
+    c_minus_q1_plus_q2_plus_slope = xp.cos(q2 - q1 + slope)
+    s_minus_q1_plus_q2_plus_slope = xp.sin(q2 - q1 + slope)
+    t15 = com_distance*s_minus_q1_plus_q2_plus_slope - c_minus_q1_plus_q2_plus_slope*com_offset
+    s_slope = xp.sin(slope)
+    c_q1_minus_slope = xp.cos(q1 - slope)
+    s_q1_minus_slope = xp.sin(q1 - slope)
+    force_1 = leg_mass*(c_q2*com_offset*dq2*t12 - c_q1_minus_q2*com_offset*radius*t11 - c_q1_minus_slope*com_offset - com_distance*radius*s_q1_minus_q2*t11 + com_distance*s_q2*t13 - com_offset*t14 + t15) - radius*s_slope*(hip_mass + 2*leg_mass) + s_q1_minus_slope*t9 + t10*t9
+    t16 = c_q2*com_offset - com_distance*s_q2
+    t17 = c_minus_q1_plus_q2_plus_slope*com_offset - com_distance*s_minus_q1_plus_q2_plus_slope
+    force_2 = leg_mass*(t17 - dq1*dq1*t16)
+    acc_f2 = force_2 - M_L21*force_1
+    acc_2 = acc_f2*t8
+    acc_1 = force_1*t6 - M_L21*acc_2
+    r1_1 = dq1*dq1*radius*s_q1 - acc_1*t5 - radius*s_slope + s_q1_minus_slope
+    d1_f2 = -M_L21*r1_1
+    d1_2 = d1_f2*t8
+    d1_1 = r1_1*t6 - M_L21*d1_2
+    t18 = -2*com_distance
+    t19 = c_q1_minus_q2*radius*t11
+    t20 = radius*s_q1_minus_q2*t11
+    r2_1 = 2*s_q1_minus_slope - acc_1*(4*c_q1*radius - 2*c_q1*com_distance*radius - 2*c_q1_minus_q2*com_distance*radius - 2*c_q2*com_distance + 2*com_distance*com_distance + 2*com_offset*com_offset + 2*com_offset*radius*s_q1 + 2*com_offset*radius*s_q1_minus_q2 - 2*com_offset*s_q2 + 2*radius*radius + t18 + 2) - acc_2*t7 - c_q1_minus_slope*com_offset - c_q2*com_offset*t13 - com_distance*dq2*s_q2*t12 - com_distance*s_q1_minus_slope - com_distance*t20 - com_offset*t14 - com_offset*t19 - 2*radius*s_slope + t10*(2 - com_distance) - t17
+    r2_2 = -acc_1*t7 - acc_2*t4 - dq1*dq1*t16 - t15
+    d2_f2 = r2_2 - M_L21*r2_1
+    d2_2 = d2_f2*t8
+    d2_1 = r2_1*t6 - M_L21*d2_2
+    r3_1 = acc_2 - 2*acc_1
+    r3_2 = acc_1 - acc_2
+    d3_f2 = r3_2 - M_L21*r3_1
+    d3_2 = d3_f2*t8
+    d3_1 = r3_1*t6 - M_L21*d3_2
+    t21 = c_q1_minus_q2*radius + c_q2 + t18
+    t22 = 2*acc_1*leg_mass
+    r4_1 = leg_mass*(s_minus_q1_plus_q2_plus_slope - s_q1_minus_slope) - acc_2*leg_mass*t21 - leg_mass*t10 - leg_mass*(dq2*s_q2*t12 + t20) + t22*(c_q1*radius + t21 + 1)
+    t23 = 2*acc_2*leg_mass
+    r4_2 = dq1*dq1*leg_mass*s_q2 - acc_1*leg_mass*t21 - com_distance*t23 - leg_mass*s_minus_q1_plus_q2_plus_slope
+    d4_f2 = r4_2 - M_L21*r4_1
+    d4_2 = d4_f2*t8
+    d4_1 = r4_1*t6 - M_L21*d4_2
+    t24 = 2*com_offset + radius*s_q1_minus_q2 - s_q2
+    t25 = -leg_mass*t24
+    r5_1 = -acc_2*t25 - leg_mass*(c_minus_q1_plus_q2_plus_slope + c_q1_minus_slope) - leg_mass*(c_q2*t13 + t14 + t19) - t22*(radius*s_q1 + t24)
+    r5_2 = c_minus_q1_plus_q2_plus_slope*leg_mass - acc_1*t25 - c_q2*dq1*dq1*leg_mass - com_offset*t23
+    d5_f2 = r5_2 - M_L21*r5_1
+    d5_2 = d5_f2*t8
+    d5_1 = r5_1*t6 - M_L21*d5_2
+    t26 = leg_mass*(c_q1_minus_q2*com_distance - com_offset*s_q1_minus_q2)
+    r6_1 = dq1*dq1*s_q1*(hip_mass - leg_mass*(com_distance - 2)) - acc_1*(2*c_q1*hip_mass + 2*hip_mass*radius + 2*leg_mass*(2*c_q1 - c_q1*com_distance - c_q1_minus_q2*com_distance + com_offset*s_q1 + com_offset*s_q1_minus_q2 + 2*radius)) - acc_2*t26 - hip_mass*s_slope - 2*leg_mass*s_slope - leg_mass*(c_q1*com_offset*dq1*dq1 + c_q1_minus_q2*com_offset*t11 + com_distance*s_q1_minus_q2*t11)
+    r6_2 = -acc_1*t26
+    d6_f2 = r6_2 - M_L21*r6_1
+    d6_2 = d6_f2*t8
+    d6_1 = r6_1*t6 - M_L21*d6_2
+    t27 = c_minus_q1_plus_q2_plus_slope*com_distance + com_offset*s_minus_q1_plus_q2_plus_slope
+    c_slope = xp.cos(slope)
+    r7_1 = -c_q1_minus_slope*hip_mass - c_slope*hip_mass*radius - leg_mass*(2*c_q1_minus_slope - c_q1_minus_slope*com_distance + 2*c_slope*radius + com_offset*s_q1_minus_slope - t27)
+    r7_2 = -leg_mass*t27
+    d7_f2 = r7_2 - M_L21*r7_1
+    d7_2 = d7_f2*t8
+    d7_1 = r7_1*t6 - M_L21*d7_2
+    return {
+        "dv_dp": [[d1_1, d2_1, d3_1, d4_1, d5_1, d6_1, d7_1], [d1_2, d2_2, d3_2, d4_2, d5_2, d6_2, d7_2]],
+    }
+
+
 def touchdown_condition(xp, q, v):
     """Touchdown condition.
 

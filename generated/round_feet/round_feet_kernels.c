@@ -1,5 +1,5 @@
 /* Walker on round feet: kernels of the solver
- * Printed by CasADi 3.8.2 from equations a869f52c72737ddc.
+ * Printed by CasADi 3.8.2 from equations 74589ffce8759031.
  * Do not edit: run `make derive`.
  * SPDX-License-Identifier: BSD-3-Clause
  */
@@ -166,7 +166,6 @@
 #define casadi_s25 CASADI_PREFIX(s25)
 #define casadi_s26 CASADI_PREFIX(s26)
 #define casadi_s27 CASADI_PREFIX(s27)
-#define casadi_s28 CASADI_PREFIX(s28)
 #define casadi_s3 CASADI_PREFIX(s3)
 #define casadi_s4 CASADI_PREFIX(s4)
 #define casadi_s5 CASADI_PREFIX(s5)
@@ -477,27 +476,26 @@ static const casadi_int casadi_s4[3] = {4, 1, 1};
 static const casadi_int casadi_s5[3] = {7, 1, 1};
 static const casadi_int casadi_s6[3] = {4, 4, 1};
 static const casadi_int casadi_s7[3] = {4, 49, 1};
-static const casadi_int casadi_s8[3] = {8, 49, 1};
+static const casadi_int casadi_s8[3] = {7, 49, 1};
 static const casadi_int casadi_s9[3] = {4, 73, 1};
-static const casadi_int casadi_s10[3] = {8, 73, 1};
+static const casadi_int casadi_s10[3] = {7, 73, 1};
 static const casadi_int casadi_s11[3] = {4, 97, 1};
-static const casadi_int casadi_s12[3] = {8, 97, 1};
+static const casadi_int casadi_s12[3] = {7, 97, 1};
 static const casadi_int casadi_s13[3] = {4, 145, 1};
-static const casadi_int casadi_s14[3] = {8, 145, 1};
+static const casadi_int casadi_s14[3] = {7, 145, 1};
 static const casadi_int casadi_s15[3] = {4, 193, 1};
-static const casadi_int casadi_s16[3] = {8, 193, 1};
+static const casadi_int casadi_s16[3] = {7, 193, 1};
 static const casadi_int casadi_s17[3] = {4, 289, 1};
-static const casadi_int casadi_s18[3] = {8, 289, 1};
+static const casadi_int casadi_s18[3] = {7, 289, 1};
 static const casadi_int casadi_s19[3] = {4, 385, 1};
-static const casadi_int casadi_s20[3] = {8, 385, 1};
+static const casadi_int casadi_s20[3] = {7, 385, 1};
 static const casadi_int casadi_s21[3] = {4, 577, 1};
-static const casadi_int casadi_s22[3] = {8, 577, 1};
+static const casadi_int casadi_s22[3] = {7, 577, 1};
 static const casadi_int casadi_s23[3] = {4, 769, 1};
-static const casadi_int casadi_s24[3] = {8, 769, 1};
+static const casadi_int casadi_s24[3] = {7, 769, 1};
 static const casadi_int casadi_s25[3] = {1, 1, 1};
-static const casadi_int casadi_s26[3] = {8, 1, 1};
-static const casadi_int casadi_s27[3] = {4, 12, 1};
-static const casadi_int casadi_s28[3] = {8, 12, 1};
+static const casadi_int casadi_s26[3] = {4, 12, 1};
+static const casadi_int casadi_s27[3] = {7, 12, 1};
 
 static const casadi_real casadi_c0[16] = 
   {1., 1., 1., 5.0000000000000000e-01, 1., 1., 1., 5.0000000000000000e-01,
@@ -18658,7 +18656,7 @@ static int casadi_f88(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* observe:(t,y[4],p[7])->(g[8],dg[8]) */
+/* observe:(t,y[4],p[7])->(g[7],dg[7]) */
 static int casadi_f89(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a000, a001, a002, a003, a004, a005, a006, a007, a008, a009, a010, a011;
   casadi_real a012, a013, a014, a015, a016, a017, a018, a019, a020, a021, a022, a023;
@@ -18898,26 +18896,24 @@ static int casadi_f89(const casadi_real** arg, casadi_real** res, casadi_int* iw
   a009=(a009+a001);
   a009=(-a009);
   if (res[0]!=0) res[0][0]=a009;
-  a009=0.;
-  if (res[0]!=0) res[0][1]=a009;
-  a001=(a008*a014);
-  a096=(a001*a056);
-  a096=(a096-a031);
-  a062=(a096-a062);
+  a009=(a008*a014);
+  a001=(a009*a056);
+  a001=(a001-a031);
+  a062=(a001-a062);
   a062=(a062-a065);
   a062=(a062+a068);
   a062=(a062-a071);
   a031=(a010*a014);
-  a097=(a031*a006);
-  a098=(a097*a056);
-  a062=(a062+a098);
+  a096=(a031*a006);
+  a097=(a096*a056);
+  a062=(a062+a097);
   a062=(a062+a032);
   a062=(a000*a062);
   a062=(a053+a062);
   a062=(a062-a073);
   a062=(a062+a074);
-  a099=(a015*a020);
-  a019=(a019+a099);
+  a098=(a015*a020);
+  a019=(a019+a098);
   a019=(a019+a015);
   a019=(a019+a048);
   a050=(a050-a021);
@@ -18970,7 +18966,7 @@ static int casadi_f89(const casadi_real** arg, casadi_real** res, casadi_int* iw
   a045=(a045+a088);
   a088=(a011*a045);
   a020=(a020-a088);
-  if (res[0]!=0) res[0][2]=a020;
+  if (res[0]!=0) res[0][1]=a020;
   a088=(a007*a027);
   a079=(a006*a084);
   a088=(a088-a079);
@@ -18985,21 +18981,21 @@ static int casadi_f89(const casadi_real** arg, casadi_real** res, casadi_int* iw
   a088=(a088+a081);
   a088=(a088-a072);
   a088=(a088/a020);
-  if (res[0]!=0) res[0][3]=a088;
+  if (res[0]!=0) res[0][2]=a088;
   a072=(a002-a007);
   a072=(a072+a014);
-  if (res[0]!=0) res[0][4]=a072;
+  if (res[0]!=0) res[0][3]=a072;
   a072=(a004*a024);
   a081=(a072*a024);
   a081=(a081*a014);
-  a096=(a096-a081);
-  a096=(a096-a065);
-  a096=(a096+a068);
-  a096=(a096-a071);
-  a096=(a096+a098);
-  a096=(a096+a032);
-  a096=(a000*a096);
-  a053=(a053+a096);
+  a001=(a001-a081);
+  a001=(a001-a065);
+  a001=(a001+a068);
+  a001=(a001-a071);
+  a001=(a001+a097);
+  a001=(a001+a032);
+  a001=(a000*a001);
+  a053=(a053+a001);
   a053=(a053-a073);
   a053=(a053+a074);
   a074=(a053/a019);
@@ -19008,48 +19004,49 @@ static int casadi_f89(const casadi_real** arg, casadi_real** res, casadi_int* iw
   a033=(a033/a046);
   a073=(a042*a033);
   a073=(a074-a073);
-  if (res[0]!=0) res[0][5]=a073;
+  if (res[0]!=0) res[0][4]=a073;
   a005=(a005-a013);
+  if (res[0]!=0) res[0][5]=a005;
+  a005=0.;
   if (res[0]!=0) res[0][6]=a005;
-  if (res[0]!=0) res[0][7]=a009;
-  a005=(a002*a024);
-  a013=(a010*a005);
-  a096=(a011*a024);
-  a032=(a003*a096);
-  a098=(a024-a026);
-  a071=(a006*a098);
-  a068=(a003*a071);
-  a065=(a032+a068);
-  a013=(a013-a065);
-  a098=(a007*a098);
-  a065=(a010*a098);
-  a013=(a013+a065);
-  a081=(a014*a055);
-  a013=(a013-a081);
-  a081=(2.*a005);
-  a013=(a013-a081);
-  a013=(a000*a013);
-  a081=(a015*a024);
-  a081=(a014*a081);
-  a013=(a013-a081);
-  a081=(a015*a005);
-  a013=(a013-a081);
-  a013=(a013/a017);
-  a081=(-a096);
-  a081=(2.*a081);
-  a079=(a010*a096);
-  a023=(a081+a079);
-  a029=(a010*a071);
-  a023=(a023+a029);
-  a051=(a003*a005);
-  a023=(a023+a051);
-  a051=(a003*a098);
-  a023=(a023+a051);
-  a023=(a000*a023);
-  a051=(a015*a096);
-  a023=(a023-a051);
-  a023=(a023/a017);
-  a083=(a083*a023);
+  a013=(a002*a024);
+  a001=(a010*a013);
+  a032=(a011*a024);
+  a097=(a003*a032);
+  a071=(a024-a026);
+  a068=(a006*a071);
+  a065=(a003*a068);
+  a081=(a097+a065);
+  a001=(a001-a081);
+  a071=(a007*a071);
+  a081=(a010*a071);
+  a001=(a001+a081);
+  a079=(a014*a055);
+  a001=(a001-a079);
+  a079=(2.*a013);
+  a001=(a001-a079);
+  a001=(a000*a001);
+  a079=(a015*a024);
+  a079=(a014*a079);
+  a001=(a001-a079);
+  a079=(a015*a013);
+  a001=(a001-a079);
+  a001=(a001/a017);
+  a079=(-a032);
+  a079=(2.*a079);
+  a023=(a010*a032);
+  a029=(a079+a023);
+  a051=(a010*a068);
+  a029=(a029+a051);
+  a043=(a003*a013);
+  a029=(a029+a043);
+  a043=(a003*a071);
+  a029=(a029+a043);
+  a029=(a000*a029);
+  a043=(a015*a032);
+  a029=(a029-a043);
+  a029=(a029/a017);
+  a083=(a083*a029);
   a022=(a022*a073);
   a022=(a026*a022);
   a025=(a025*a033);
@@ -19057,11 +19054,11 @@ static int casadi_f89(const casadi_real** arg, casadi_real** res, casadi_int* iw
   a025=(a055*a073);
   a036=(a036*a025);
   a037=(a037*a026);
-  a023=(a010*a037);
-  a051=(a035*a026);
-  a043=(a003*a051);
-  a023=(a023+a043);
-  a034=(a034*a023);
+  a029=(a010*a037);
+  a043=(a035*a026);
+  a039=(a003*a043);
+  a029=(a029+a039);
+  a034=(a034*a029);
   a036=(a036+a034);
   a034=(a026-a024);
   a028=(a028*a034);
@@ -19072,36 +19069,36 @@ static int casadi_f89(const casadi_real** arg, casadi_real** res, casadi_int* iw
   a036=(a036-a034);
   a036=(a000*a036);
   a034=(a003*a037);
-  a051=(a010*a051);
-  a023=(a034-a051);
-  a039=(a044*a098);
-  a023=(a023-a039);
-  a029=(a014*a029);
-  a023=(a023-a029);
-  a023=(a000*a023);
-  a021=(a023/a047);
-  a048=(a049/a047);
-  a099=(a015*a081);
+  a043=(a010*a043);
+  a029=(a034-a043);
+  a021=(a044*a071);
+  a029=(a029-a021);
+  a051=(a014*a051);
+  a029=(a029-a051);
+  a029=(a000*a029);
+  a048=(a029/a047);
+  a098=(a049/a047);
+  a099=(a015*a079);
   a099=(a014*a099);
-  a081=(a014*a081);
   a079=(a014*a079);
-  a100=(a081+a079);
-  a100=(a100+a051);
-  a044=(a044*a005);
+  a023=(a014*a023);
+  a100=(a079+a023);
+  a100=(a100+a043);
+  a044=(a044*a013);
   a100=(a100+a044);
   a100=(a100-a034);
-  a100=(a100+a039);
-  a100=(a100+a029);
+  a100=(a100+a021);
+  a100=(a100+a051);
   a100=(a016*a100);
   a099=(a099+a100);
-  a048=(a048*a099);
-  a021=(a021-a048);
-  a058=(a058*a021);
-  a048=(a014*a025);
-  a048=(a011*a048);
-  a052=(a052*a005);
-  a048=(a048+a052);
-  a048=(a054*a048);
+  a098=(a098*a099);
+  a048=(a048-a098);
+  a058=(a058*a048);
+  a098=(a014*a025);
+  a098=(a011*a098);
+  a052=(a052*a013);
+  a098=(a098+a052);
+  a098=(a054*a098);
   a052=(2.*a073);
   a100=(a026*a052);
   a101=(a055*a033);
@@ -19112,7 +19109,7 @@ static int casadi_f89(const casadi_real** arg, casadi_real** res, casadi_int* iw
   a100=(a100-a101);
   a101=(a014*a100);
   a008=(a008*a101);
-  a102=(a057*a068);
+  a102=(a057*a065);
   a008=(a008-a102);
   a008=(a008+a028);
   a102=(a003*a073);
@@ -19120,7 +19117,7 @@ static int casadi_f89(const casadi_real** arg, casadi_real** res, casadi_int* iw
   a060=(a060*a073);
   a102=(a102+a060);
   a059=(a059*a102);
-  a060=(a014*a096);
+  a060=(a014*a032);
   a061=(a061*a060);
   a059=(a059-a061);
   a008=(a008-a059);
@@ -19128,11 +19125,11 @@ static int casadi_f89(const casadi_real** arg, casadi_real** res, casadi_int* iw
   a063=(a003*a063);
   a008=(a008+a063);
   a038=(a038*a033);
-  a043=(a026*a043);
-  a038=(a038-a043);
+  a039=(a026*a039);
+  a038=(a038-a039);
   a038=(a067*a038);
-  a043=(a052-a033);
-  a066=(a066*a043);
+  a039=(a052-a033);
+  a066=(a066*a039);
   a038=(a038+a066);
   a008=(a008+a038);
   a066=(a010*a033);
@@ -19140,16 +19137,16 @@ static int casadi_f89(const casadi_real** arg, casadi_real** res, casadi_int* iw
   a037=(a069*a037);
   a035=(a035+a037);
   a067=(a067*a035);
-  a070=(a070*a043);
+  a070=(a070*a039);
   a067=(a067+a070);
   a008=(a008-a067);
   a008=(a008+a030);
-  a057=(a057*a065);
+  a057=(a057*a081);
   a012=(a012*a101);
   a057=(a057+a012);
   a008=(a008+a057);
   a008=(a000*a008);
-  a008=(a048+a008);
+  a008=(a098+a008);
   a064=(a064*a024);
   a054=(a054*a064);
   a008=(a008+a054);
@@ -19158,8 +19155,8 @@ static int casadi_f89(const casadi_real** arg, casadi_real** res, casadi_int* iw
   a058=(a036-a058);
   a058=(a058/a076);
   a076=(a075/a076);
-  a064=(a049*a023);
-  a057=(a041*a021);
+  a064=(a049*a029);
+  a057=(a041*a048);
   a064=(a064+a057);
   a076=(a076*a064);
   a058=(a058+a076);
@@ -19174,7 +19171,7 @@ static int casadi_f89(const casadi_real** arg, casadi_real** res, casadi_int* iw
   a080=(a080/a047);
   a080=(a080*a099);
   a008=(a008-a080);
-  a075=(a075*a021);
+  a075=(a075*a048);
   a049=(a049*a058);
   a075=(a075+a049);
   a008=(a008-a075);
@@ -19182,9 +19179,9 @@ static int casadi_f89(const casadi_real** arg, casadi_real** res, casadi_int* iw
   a075=(a102-a075);
   a076=(a076-a075);
   a049=(a007*a076);
-  a021=(a077*a071);
-  a049=(a049-a021);
-  a021=(a085*a098);
+  a048=(a077*a068);
+  a049=(a049-a048);
+  a048=(a085*a071);
   a066=(a026*a066);
   a069=(a069*a033);
   a066=(a066+a069);
@@ -19203,22 +19200,22 @@ static int casadi_f89(const casadi_real** arg, casadi_real** res, casadi_int* iw
   a087=(a087+a069);
   a058=(a058+a087);
   a090=(a006*a058);
-  a021=(a021+a090);
-  a049=(a049-a021);
+  a048=(a048+a090);
+  a049=(a049-a048);
   a049=(a000*a049);
-  a021=(a015*a008);
+  a048=(a015*a008);
   a090=(2.*a008);
   a090=(a090+a075);
   a090=(a000*a090);
-  a021=(a021+a090);
-  a090=(a002*a021);
-  a075=(a092*a096);
+  a048=(a048+a090);
+  a090=(a002*a048);
+  a075=(a092*a032);
   a090=(a090-a075);
   a008=(a014*a008);
   a008=(a017*a008);
   a090=(a090+a008);
   a049=(a049-a090);
-  a082=(a082*a005);
+  a082=(a082*a013);
   a090=(a015*a025);
   a052=(a024*a052);
   a052=(a052+a025);
@@ -19234,61 +19231,60 @@ static int casadi_f89(const casadi_real** arg, casadi_real** res, casadi_int* iw
   a094=(a094/a095);
   a087=(a087-a090);
   a087=(a002*a087);
-  a089=(a089*a096);
+  a089=(a089*a032);
   a087=(a087-a089);
   a058=(a007*a058);
-  a085=(a085*a071);
+  a085=(a085*a068);
   a058=(a058-a085);
-  a077=(a077*a098);
+  a077=(a077*a071);
   a076=(a006*a076);
   a077=(a077+a076);
   a058=(a058+a077);
   a058=(a000*a058);
   a087=(a087+a058);
-  a092=(a092*a005);
-  a021=(a011*a021);
-  a092=(a092+a021);
+  a092=(a092*a013);
+  a048=(a011*a048);
+  a092=(a092+a048);
   a087=(a087-a092);
   a094=(a094*a087);
   a083=(a083-a094);
-  a013=(a013-a083);
+  a001=(a001-a083);
   a083=(a014*a024);
-  a013=(a013+a083);
-  a013=(-a013);
-  if (res[1]!=0) res[1][0]=a013;
-  if (res[1]!=0) res[1][1]=a009;
-  a001=(a001*a100);
-  a068=(a014*a068);
-  a068=(a056*a068);
-  a001=(a001-a068);
-  a001=(a001+a028);
-  a059=(a001-a059);
+  a001=(a001+a083);
+  a001=(-a001);
+  if (res[1]!=0) res[1][0]=a001;
+  a009=(a009*a100);
+  a065=(a014*a065);
+  a065=(a056*a065);
+  a009=(a009-a065);
+  a009=(a009+a028);
+  a059=(a009-a059);
   a059=(a059+a063);
   a059=(a059+a038);
   a059=(a059-a067);
-  a031=(a031*a098);
+  a031=(a031*a071);
   a056=(a056*a031);
-  a097=(a097*a100);
-  a056=(a056+a097);
+  a096=(a096*a100);
+  a056=(a056+a096);
   a059=(a059+a056);
   a059=(a059+a030);
   a059=(a000*a059);
-  a059=(a048+a059);
+  a059=(a098+a059);
   a059=(a059+a054);
-  a097=(a059/a019);
+  a096=(a059/a019);
   a050=(a050/a019);
-  a100=(a015*a081);
-  a044=(a044+a079);
-  a044=(a044+a051);
+  a100=(a015*a079);
+  a044=(a044+a023);
+  a044=(a044+a043);
   a044=(a044-a034);
-  a044=(a044+a081);
-  a044=(a044+a039);
-  a044=(a044+a029);
+  a044=(a044+a079);
+  a044=(a044+a021);
+  a044=(a044+a051);
   a016=(a016*a044);
   a100=(a100+a016);
   a050=(a050*a100);
-  a097=(a097-a050);
-  a050=(a023/a019);
+  a096=(a096-a050);
+  a050=(a029/a019);
   a016=(a042/a019);
   a016=(a016*a100);
   a050=(a050-a016);
@@ -19299,34 +19295,34 @@ static int casadi_f89(const casadi_real** arg, casadi_real** res, casadi_int* iw
   a062=(a036-a062);
   a062=(a062/a046);
   a040=(a040/a046);
-  a023=(a042*a023);
+  a029=(a042*a029);
   a041=(a041*a050);
-  a023=(a023+a041);
-  a040=(a040*a023);
+  a029=(a029+a041);
+  a040=(a040*a029);
   a062=(a062+a040);
   a040=(a042*a062);
   a016=(a016+a040);
-  a097=(a097-a016);
-  a016=(a003*a097);
+  a096=(a096-a016);
+  a016=(a003*a096);
   a016=(a016+a069);
   a052=(a016-a052);
   a052=(a000*a052);
   a069=(a052-a090);
   a069=(a002*a069);
-  a091=(a091*a096);
+  a091=(a091*a032);
   a069=(a069-a091);
   a003=(a003*a062);
   a066=(a066-a003);
   a066=(a066-a086);
   a066=(a066+a016);
   a016=(a007*a066);
-  a086=(a084*a071);
+  a086=(a084*a068);
   a016=(a016-a086);
-  a086=(a027*a098);
+  a086=(a027*a071);
   a062=(a010*a062);
   a022=(a022-a062);
   a022=(a022-a064);
-  a010=(a010*a097);
+  a010=(a010*a096);
   a102=(a102-a010);
   a022=(a022-a102);
   a010=(a006*a022);
@@ -19334,32 +19330,32 @@ static int casadi_f89(const casadi_real** arg, casadi_real** res, casadi_int* iw
   a016=(a016+a086);
   a016=(a000*a016);
   a069=(a069+a016);
-  a016=(a045*a005);
-  a015=(a015*a097);
-  a086=(2.*a097);
+  a016=(a045*a013);
+  a015=(a015*a096);
+  a086=(2.*a096);
   a086=(a086+a102);
   a086=(a000*a086);
   a015=(a015+a086);
   a086=(a011*a015);
   a016=(a016+a086);
   a069=(a069-a016);
-  if (res[1]!=0) res[1][2]=a069;
+  if (res[1]!=0) res[1][1]=a069;
   a007=(a007*a022);
-  a027=(a027*a071);
+  a027=(a027*a068);
   a007=(a007-a027);
-  a084=(a084*a098);
+  a084=(a084*a071);
   a006=(a006*a066);
   a084=(a084+a006);
   a007=(a007-a084);
   a007=(a000*a007);
   a002=(a002*a015);
-  a045=(a045*a096);
+  a045=(a045*a032);
   a002=(a002-a045);
-  a097=(a014*a097);
-  a017=(a017*a097);
+  a096=(a014*a096);
+  a017=(a017*a096);
   a002=(a002+a017);
   a007=(a007-a002);
-  a093=(a093*a005);
+  a093=(a093*a013);
   a090=(a090-a052);
   a011=(a011*a090);
   a093=(a093+a011);
@@ -19368,53 +19364,53 @@ static int casadi_f89(const casadi_real** arg, casadi_real** res, casadi_int* iw
   a088=(a088/a020);
   a088=(a088*a069);
   a007=(a007-a088);
-  if (res[1]!=0) res[1][3]=a007;
-  a071=(a071-a096);
-  if (res[1]!=0) res[1][4]=a071;
+  if (res[1]!=0) res[1][2]=a007;
+  a068=(a068-a032);
+  if (res[1]!=0) res[1][3]=a068;
   a004=(a004*a073);
-  a032=(a024*a032);
-  a004=(a004-a032);
+  a097=(a024*a097);
+  a004=(a004-a097);
   a024=(a024*a004);
   a072=(a072*a073);
   a024=(a024+a072);
   a014=(a014*a024);
-  a001=(a001-a014);
-  a001=(a001+a063);
-  a001=(a001+a038);
-  a001=(a001-a067);
-  a001=(a001+a056);
-  a001=(a001+a030);
-  a000=(a000*a001);
-  a048=(a048+a000);
-  a048=(a048+a054);
-  a054=(a048/a019);
+  a009=(a009-a014);
+  a009=(a009+a063);
+  a009=(a009+a038);
+  a009=(a009-a067);
+  a009=(a009+a056);
+  a009=(a009+a030);
+  a000=(a000*a009);
+  a098=(a098+a000);
+  a098=(a098+a054);
+  a054=(a098/a019);
   a074=(a074/a019);
   a074=(a074*a100);
   a054=(a054-a074);
   a074=(a033*a050);
   a053=(a053*a050);
-  a048=(a042*a048);
-  a053=(a053+a048);
+  a098=(a042*a098);
+  a053=(a053+a098);
   a036=(a036-a053);
   a036=(a036/a046);
   a033=(a033/a046);
-  a033=(a033*a023);
+  a033=(a033*a029);
   a036=(a036+a033);
   a042=(a042*a036);
   a074=(a074+a042);
   a054=(a054-a074);
-  if (res[1]!=0) res[1][5]=a054;
+  if (res[1]!=0) res[1][4]=a054;
   a026=(a026-a055);
-  if (res[1]!=0) res[1][6]=a026;
-  if (res[1]!=0) res[1][7]=a009;
+  if (res[1]!=0) res[1][5]=a026;
+  if (res[1]!=0) res[1][6]=a005;
   return 0;
 }
 
-/* working_steps:(t,turns[2x12],w[4],h,p[7])->(w_end[4],nodes[4x12],g[8x12],dg[8x12]) */
+/* working_steps:(t,turns[2x12],w[4],h,p[7])->(w_end[4],nodes[4x12],g[7x12],dg[7x12]) */
 static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+4, *w00=w+103, w01, *w02=w+107, *w03=w+114, w05, *w06=w+116, w07, *w08=w+120, *w09=w+124, *w10=w+128, *w11=w+132;
-  casadi_real *w12=w+136, *w13=w+140, *w14=w+144, *w15=w+148, *w16=w+152, *w17=w+156, *w18=w+160, *w19=w+164, *w20=w+172, *w21=w+180, *w22=w+188, *w23=w+196;
-  casadi_real *w24=w+204, *w25=w+212, *w26=w+220, *w27=w+228, *w28=w+236, *w29=w+244, *w30=w+252, *w31=w+260;
+  casadi_real *w12=w+136, *w13=w+140, *w14=w+144, *w15=w+148, *w16=w+152, *w17=w+156, *w18=w+160, *w19=w+164, *w20=w+171, *w21=w+178, *w22=w+185, *w23=w+192;
+  casadi_real *w24=w+199, *w25=w+206, *w26=w+213, *w27=w+220, *w28=w+227, *w29=w+234, *w30=w+241, *w31=w+248;
   const casadi_real **arg1=arg+5, *wr04;
   /* #0: @0 = input[2][0] */
   casadi_copy(arg[2], 4, w00);
@@ -19676,7 +19672,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w20;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #73: output[2][0] = @19 */
-  casadi_copy(w19, 8, res[2]);
+  casadi_copy(w19, 7, res[2]);
   /* #74: @7 = (@1+@5) */
   w07  = (w01+w05);
   /* #75: {@19, @21} = observe(@7, @6, @2) */
@@ -19687,7 +19683,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w21;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #76: output[2][1] = @19 */
-  if (res[2]) casadi_copy(w19, 8, res[2]+8);
+  if (res[2]) casadi_copy(w19, 7, res[2]+7);
   /* #77: @7 = (2.*@5) */
   w07 = (2.* w05 );
   /* #78: @7 = (@1+@7) */
@@ -19700,7 +19696,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w22;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #80: output[2][2] = @19 */
-  if (res[2]) casadi_copy(w19, 8, res[2]+16);
+  if (res[2]) casadi_copy(w19, 7, res[2]+14);
   /* #81: @7 = 3 */
   w07 = 3.;
   /* #82: @7 = (@7*@5) */
@@ -19715,7 +19711,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w23;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #85: output[2][3] = @19 */
-  if (res[2]) casadi_copy(w19, 8, res[2]+24);
+  if (res[2]) casadi_copy(w19, 7, res[2]+21);
   /* #86: @7 = 4 */
   w07 = 4.;
   /* #87: @7 = (@7*@5) */
@@ -19730,7 +19726,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w24;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #90: output[2][4] = @19 */
-  if (res[2]) casadi_copy(w19, 8, res[2]+32);
+  if (res[2]) casadi_copy(w19, 7, res[2]+28);
   /* #91: @7 = 5 */
   w07 = 5.;
   /* #92: @7 = (@7*@5) */
@@ -19745,7 +19741,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w25;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #95: output[2][5] = @19 */
-  if (res[2]) casadi_copy(w19, 8, res[2]+40);
+  if (res[2]) casadi_copy(w19, 7, res[2]+35);
   /* #96: @7 = 6 */
   w07 = 6.;
   /* #97: @7 = (@7*@5) */
@@ -19760,7 +19756,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w26;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #100: output[2][6] = @19 */
-  if (res[2]) casadi_copy(w19, 8, res[2]+48);
+  if (res[2]) casadi_copy(w19, 7, res[2]+42);
   /* #101: @7 = 7 */
   w07 = 7.;
   /* #102: @7 = (@7*@5) */
@@ -19775,7 +19771,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w27;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #105: output[2][7] = @19 */
-  if (res[2]) casadi_copy(w19, 8, res[2]+56);
+  if (res[2]) casadi_copy(w19, 7, res[2]+49);
   /* #106: @7 = 8 */
   w07 = 8.;
   /* #107: @7 = (@7*@5) */
@@ -19790,7 +19786,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w28;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #110: output[2][8] = @19 */
-  if (res[2]) casadi_copy(w19, 8, res[2]+64);
+  if (res[2]) casadi_copy(w19, 7, res[2]+56);
   /* #111: @7 = 9 */
   w07 = 9.;
   /* #112: @7 = (@7*@5) */
@@ -19805,7 +19801,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w29;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #115: output[2][9] = @19 */
-  if (res[2]) casadi_copy(w19, 8, res[2]+72);
+  if (res[2]) casadi_copy(w19, 7, res[2]+63);
   /* #116: @7 = 10 */
   w07 = 10.;
   /* #117: @7 = (@7*@5) */
@@ -19820,7 +19816,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w30;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #120: output[2][10] = @19 */
-  if (res[2]) casadi_copy(w19, 8, res[2]+80);
+  if (res[2]) casadi_copy(w19, 7, res[2]+70);
   /* #121: @7 = 11 */
   w07 = 11.;
   /* #122: @7 = (@7*@5) */
@@ -19835,38 +19831,38 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w31;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #125: output[2][11] = @19 */
-  if (res[2]) casadi_copy(w19, 8, res[2]+88);
+  if (res[2]) casadi_copy(w19, 7, res[2]+77);
   /* #126: output[3][0] = @20 */
-  casadi_copy(w20, 8, res[3]);
+  casadi_copy(w20, 7, res[3]);
   /* #127: output[3][1] = @21 */
-  if (res[3]) casadi_copy(w21, 8, res[3]+8);
+  if (res[3]) casadi_copy(w21, 7, res[3]+7);
   /* #128: output[3][2] = @22 */
-  if (res[3]) casadi_copy(w22, 8, res[3]+16);
+  if (res[3]) casadi_copy(w22, 7, res[3]+14);
   /* #129: output[3][3] = @23 */
-  if (res[3]) casadi_copy(w23, 8, res[3]+24);
+  if (res[3]) casadi_copy(w23, 7, res[3]+21);
   /* #130: output[3][4] = @24 */
-  if (res[3]) casadi_copy(w24, 8, res[3]+32);
+  if (res[3]) casadi_copy(w24, 7, res[3]+28);
   /* #131: output[3][5] = @25 */
-  if (res[3]) casadi_copy(w25, 8, res[3]+40);
+  if (res[3]) casadi_copy(w25, 7, res[3]+35);
   /* #132: output[3][6] = @26 */
-  if (res[3]) casadi_copy(w26, 8, res[3]+48);
+  if (res[3]) casadi_copy(w26, 7, res[3]+42);
   /* #133: output[3][7] = @27 */
-  if (res[3]) casadi_copy(w27, 8, res[3]+56);
+  if (res[3]) casadi_copy(w27, 7, res[3]+49);
   /* #134: output[3][8] = @28 */
-  if (res[3]) casadi_copy(w28, 8, res[3]+64);
+  if (res[3]) casadi_copy(w28, 7, res[3]+56);
   /* #135: output[3][9] = @29 */
-  if (res[3]) casadi_copy(w29, 8, res[3]+72);
+  if (res[3]) casadi_copy(w29, 7, res[3]+63);
   /* #136: output[3][10] = @30 */
-  if (res[3]) casadi_copy(w30, 8, res[3]+80);
+  if (res[3]) casadi_copy(w30, 7, res[3]+70);
   /* #137: output[3][11] = @31 */
-  if (res[3]) casadi_copy(w31, 8, res[3]+88);
+  if (res[3]) casadi_copy(w31, 7, res[3]+77);
   return 0;
 }
 
-/* round_feet_trace_48:(u[4],p[7])->(w[4x49],g[8x49],dg[8x49],R[4]) */
+/* round_feet_trace_48:(u[4],p[7])->(w[4x49],g[7x49],dg[7x49],R[4]) */
 static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+4, *rr, w00, *w01=w+295, w02, w03, *w04=w+299, *w05=w+306, *w06=w+330, *w07=w+333, *w08=w+337, *w09=w+385;
-  casadi_real *w10=w+481, *w11=w+577, *w12=w+673, *w13=w+769, *w14=w+865, *w15=w+961, *w16=w+1057, *w17=w+1153, *w18=w+1161;
+  casadi_real **res1=res+4, *rr, w00, *w01=w+282, w02, w03, *w04=w+286, *w05=w+293, *w06=w+317, *w07=w+320, *w08=w+324, *w09=w+372;
+  casadi_real *w10=w+456, *w11=w+540, *w12=w+624, *w13=w+708, *w14=w+792, *w15=w+876, *w16=w+960, *w17=w+1044, *w18=w+1051;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = 0 */
   w00 = 0.;
@@ -19960,13 +19956,13 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   /* #23: output[0][4] = @1 */
   if (res[0]) casadi_copy(w01, 4, res[0]+192);
   /* #24: output[1][0] = @9 */
-  casadi_copy(w09, 96, res[1]);
+  casadi_copy(w09, 84, res[1]);
   /* #25: output[1][1] = @11 */
-  if (res[1]) casadi_copy(w11, 96, res[1]+96);
+  if (res[1]) casadi_copy(w11, 84, res[1]+84);
   /* #26: output[1][2] = @13 */
-  if (res[1]) casadi_copy(w13, 96, res[1]+192);
+  if (res[1]) casadi_copy(w13, 84, res[1]+168);
   /* #27: output[1][3] = @15 */
-  if (res[1]) casadi_copy(w15, 96, res[1]+288);
+  if (res[1]) casadi_copy(w15, 84, res[1]+252);
   /* #28: {@17, @18} = observe(@2, @1, @4) */
   arg1[0]=(&w02);
   arg1[1]=w01;
@@ -19975,17 +19971,17 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w18;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #29: output[1][4] = @17 */
-  if (res[1]) casadi_copy(w17, 8, res[1]+384);
+  if (res[1]) casadi_copy(w17, 7, res[1]+336);
   /* #30: output[2][0] = @10 */
-  casadi_copy(w10, 96, res[2]);
+  casadi_copy(w10, 84, res[2]);
   /* #31: output[2][1] = @12 */
-  if (res[2]) casadi_copy(w12, 96, res[2]+96);
+  if (res[2]) casadi_copy(w12, 84, res[2]+84);
   /* #32: output[2][2] = @14 */
-  if (res[2]) casadi_copy(w14, 96, res[2]+192);
+  if (res[2]) casadi_copy(w14, 84, res[2]+168);
   /* #33: output[2][3] = @16 */
-  if (res[2]) casadi_copy(w16, 96, res[2]+288);
+  if (res[2]) casadi_copy(w16, 84, res[2]+252);
   /* #34: output[2][4] = @18 */
-  if (res[2]) casadi_copy(w18, 8, res[2]+384);
+  if (res[2]) casadi_copy(w18, 7, res[2]+336);
   /* #35: @7 = landing(@1, @6, @4) */
   arg1[0]=w01;
   arg1[1]=w06;
@@ -20064,7 +20060,7 @@ CASADI_SYMBOL_EXPORT int round_feet_trace_48_work(casadi_int *sz_arg, casadi_int
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 1169;
+  if (sz_w) *sz_w = 1058;
   return 0;
 }
 
@@ -20072,15 +20068,15 @@ CASADI_SYMBOL_EXPORT int round_feet_trace_48_work_bytes(casadi_int *sz_arg, casa
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 1169*sizeof(casadi_real);
+  if (sz_w) *sz_w = 1058*sizeof(casadi_real);
   return 0;
 }
 
-/* round_feet_trace_72:(u[4],p[7])->(w[4x73],g[8x73],dg[8x73],R[4]) */
+/* round_feet_trace_72:(u[4],p[7])->(w[4x73],g[7x73],dg[7x73],R[4]) */
 static int casadi_f90(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+4, *rr, w00, *w01=w+295, w02, w03, *w04=w+299, *w05=w+306, *w06=w+330, *w07=w+333, *w08=w+337, *w09=w+385;
-  casadi_real *w10=w+481, *w11=w+577, *w12=w+673, *w13=w+769, *w14=w+865, *w15=w+961, *w16=w+1057, *w17=w+1153, *w18=w+1249, *w19=w+1345, *w20=w+1441, *w21=w+1537;
-  casadi_real *w22=w+1545;
+  casadi_real **res1=res+4, *rr, w00, *w01=w+282, w02, w03, *w04=w+286, *w05=w+293, *w06=w+317, *w07=w+320, *w08=w+324, *w09=w+372;
+  casadi_real *w10=w+456, *w11=w+540, *w12=w+624, *w13=w+708, *w14=w+792, *w15=w+876, *w16=w+960, *w17=w+1044, *w18=w+1128, *w19=w+1212, *w20=w+1296, *w21=w+1380;
+  casadi_real *w22=w+1387;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = 0 */
   w00 = 0.;
@@ -20208,17 +20204,17 @@ static int casadi_f90(const casadi_real** arg, casadi_real** res, casadi_int* iw
   /* #31: output[0][6] = @1 */
   if (res[0]) casadi_copy(w01, 4, res[0]+288);
   /* #32: output[1][0] = @9 */
-  casadi_copy(w09, 96, res[1]);
+  casadi_copy(w09, 84, res[1]);
   /* #33: output[1][1] = @11 */
-  if (res[1]) casadi_copy(w11, 96, res[1]+96);
+  if (res[1]) casadi_copy(w11, 84, res[1]+84);
   /* #34: output[1][2] = @13 */
-  if (res[1]) casadi_copy(w13, 96, res[1]+192);
+  if (res[1]) casadi_copy(w13, 84, res[1]+168);
   /* #35: output[1][3] = @15 */
-  if (res[1]) casadi_copy(w15, 96, res[1]+288);
+  if (res[1]) casadi_copy(w15, 84, res[1]+252);
   /* #36: output[1][4] = @17 */
-  if (res[1]) casadi_copy(w17, 96, res[1]+384);
+  if (res[1]) casadi_copy(w17, 84, res[1]+336);
   /* #37: output[1][5] = @19 */
-  if (res[1]) casadi_copy(w19, 96, res[1]+480);
+  if (res[1]) casadi_copy(w19, 84, res[1]+420);
   /* #38: {@21, @22} = observe(@2, @1, @4) */
   arg1[0]=(&w02);
   arg1[1]=w01;
@@ -20227,21 +20223,21 @@ static int casadi_f90(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w22;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #39: output[1][6] = @21 */
-  if (res[1]) casadi_copy(w21, 8, res[1]+576);
+  if (res[1]) casadi_copy(w21, 7, res[1]+504);
   /* #40: output[2][0] = @10 */
-  casadi_copy(w10, 96, res[2]);
+  casadi_copy(w10, 84, res[2]);
   /* #41: output[2][1] = @12 */
-  if (res[2]) casadi_copy(w12, 96, res[2]+96);
+  if (res[2]) casadi_copy(w12, 84, res[2]+84);
   /* #42: output[2][2] = @14 */
-  if (res[2]) casadi_copy(w14, 96, res[2]+192);
+  if (res[2]) casadi_copy(w14, 84, res[2]+168);
   /* #43: output[2][3] = @16 */
-  if (res[2]) casadi_copy(w16, 96, res[2]+288);
+  if (res[2]) casadi_copy(w16, 84, res[2]+252);
   /* #44: output[2][4] = @18 */
-  if (res[2]) casadi_copy(w18, 96, res[2]+384);
+  if (res[2]) casadi_copy(w18, 84, res[2]+336);
   /* #45: output[2][5] = @20 */
-  if (res[2]) casadi_copy(w20, 96, res[2]+480);
+  if (res[2]) casadi_copy(w20, 84, res[2]+420);
   /* #46: output[2][6] = @22 */
-  if (res[2]) casadi_copy(w22, 8, res[2]+576);
+  if (res[2]) casadi_copy(w22, 7, res[2]+504);
   /* #47: @7 = landing(@1, @6, @4) */
   arg1[0]=w01;
   arg1[1]=w06;
@@ -20320,7 +20316,7 @@ CASADI_SYMBOL_EXPORT int round_feet_trace_72_work(casadi_int *sz_arg, casadi_int
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 1553;
+  if (sz_w) *sz_w = 1394;
   return 0;
 }
 
@@ -20328,15 +20324,15 @@ CASADI_SYMBOL_EXPORT int round_feet_trace_72_work_bytes(casadi_int *sz_arg, casa
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 1553*sizeof(casadi_real);
+  if (sz_w) *sz_w = 1394*sizeof(casadi_real);
   return 0;
 }
 
-/* round_feet_trace_96:(u[4],p[7])->(w[4x97],g[8x97],dg[8x97],R[4]) */
+/* round_feet_trace_96:(u[4],p[7])->(w[4x97],g[7x97],dg[7x97],R[4]) */
 static int casadi_f91(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+4, *rr, w00, *w01=w+295, w02, w03, *w04=w+299, *w05=w+306, *w06=w+330, *w07=w+333, *w08=w+337, *w09=w+385;
-  casadi_real *w10=w+481, *w11=w+577, *w12=w+673, *w13=w+769, *w14=w+865, *w15=w+961, *w16=w+1057, *w17=w+1153, *w18=w+1249, *w19=w+1345, *w20=w+1441, *w21=w+1537;
-  casadi_real *w22=w+1633, *w23=w+1729, *w24=w+1825, *w25=w+1921, *w26=w+1929;
+  casadi_real **res1=res+4, *rr, w00, *w01=w+282, w02, w03, *w04=w+286, *w05=w+293, *w06=w+317, *w07=w+320, *w08=w+324, *w09=w+372;
+  casadi_real *w10=w+456, *w11=w+540, *w12=w+624, *w13=w+708, *w14=w+792, *w15=w+876, *w16=w+960, *w17=w+1044, *w18=w+1128, *w19=w+1212, *w20=w+1296, *w21=w+1380;
+  casadi_real *w22=w+1464, *w23=w+1548, *w24=w+1632, *w25=w+1716, *w26=w+1723;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = 0 */
   w00 = 0.;
@@ -20498,21 +20494,21 @@ static int casadi_f91(const casadi_real** arg, casadi_real** res, casadi_int* iw
   /* #39: output[0][8] = @1 */
   if (res[0]) casadi_copy(w01, 4, res[0]+384);
   /* #40: output[1][0] = @9 */
-  casadi_copy(w09, 96, res[1]);
+  casadi_copy(w09, 84, res[1]);
   /* #41: output[1][1] = @11 */
-  if (res[1]) casadi_copy(w11, 96, res[1]+96);
+  if (res[1]) casadi_copy(w11, 84, res[1]+84);
   /* #42: output[1][2] = @13 */
-  if (res[1]) casadi_copy(w13, 96, res[1]+192);
+  if (res[1]) casadi_copy(w13, 84, res[1]+168);
   /* #43: output[1][3] = @15 */
-  if (res[1]) casadi_copy(w15, 96, res[1]+288);
+  if (res[1]) casadi_copy(w15, 84, res[1]+252);
   /* #44: output[1][4] = @17 */
-  if (res[1]) casadi_copy(w17, 96, res[1]+384);
+  if (res[1]) casadi_copy(w17, 84, res[1]+336);
   /* #45: output[1][5] = @19 */
-  if (res[1]) casadi_copy(w19, 96, res[1]+480);
+  if (res[1]) casadi_copy(w19, 84, res[1]+420);
   /* #46: output[1][6] = @21 */
-  if (res[1]) casadi_copy(w21, 96, res[1]+576);
+  if (res[1]) casadi_copy(w21, 84, res[1]+504);
   /* #47: output[1][7] = @23 */
-  if (res[1]) casadi_copy(w23, 96, res[1]+672);
+  if (res[1]) casadi_copy(w23, 84, res[1]+588);
   /* #48: {@25, @26} = observe(@2, @1, @4) */
   arg1[0]=(&w02);
   arg1[1]=w01;
@@ -20521,25 +20517,25 @@ static int casadi_f91(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w26;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #49: output[1][8] = @25 */
-  if (res[1]) casadi_copy(w25, 8, res[1]+768);
+  if (res[1]) casadi_copy(w25, 7, res[1]+672);
   /* #50: output[2][0] = @10 */
-  casadi_copy(w10, 96, res[2]);
+  casadi_copy(w10, 84, res[2]);
   /* #51: output[2][1] = @12 */
-  if (res[2]) casadi_copy(w12, 96, res[2]+96);
+  if (res[2]) casadi_copy(w12, 84, res[2]+84);
   /* #52: output[2][2] = @14 */
-  if (res[2]) casadi_copy(w14, 96, res[2]+192);
+  if (res[2]) casadi_copy(w14, 84, res[2]+168);
   /* #53: output[2][3] = @16 */
-  if (res[2]) casadi_copy(w16, 96, res[2]+288);
+  if (res[2]) casadi_copy(w16, 84, res[2]+252);
   /* #54: output[2][4] = @18 */
-  if (res[2]) casadi_copy(w18, 96, res[2]+384);
+  if (res[2]) casadi_copy(w18, 84, res[2]+336);
   /* #55: output[2][5] = @20 */
-  if (res[2]) casadi_copy(w20, 96, res[2]+480);
+  if (res[2]) casadi_copy(w20, 84, res[2]+420);
   /* #56: output[2][6] = @22 */
-  if (res[2]) casadi_copy(w22, 96, res[2]+576);
+  if (res[2]) casadi_copy(w22, 84, res[2]+504);
   /* #57: output[2][7] = @24 */
-  if (res[2]) casadi_copy(w24, 96, res[2]+672);
+  if (res[2]) casadi_copy(w24, 84, res[2]+588);
   /* #58: output[2][8] = @26 */
-  if (res[2]) casadi_copy(w26, 8, res[2]+768);
+  if (res[2]) casadi_copy(w26, 7, res[2]+672);
   /* #59: @7 = landing(@1, @6, @4) */
   arg1[0]=w01;
   arg1[1]=w06;
@@ -20618,7 +20614,7 @@ CASADI_SYMBOL_EXPORT int round_feet_trace_96_work(casadi_int *sz_arg, casadi_int
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 1937;
+  if (sz_w) *sz_w = 1730;
   return 0;
 }
 
@@ -20626,16 +20622,16 @@ CASADI_SYMBOL_EXPORT int round_feet_trace_96_work_bytes(casadi_int *sz_arg, casa
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 1937*sizeof(casadi_real);
+  if (sz_w) *sz_w = 1730*sizeof(casadi_real);
   return 0;
 }
 
-/* round_feet_trace_144:(u[4],p[7])->(w[4x145],g[8x145],dg[8x145],R[4]) */
+/* round_feet_trace_144:(u[4],p[7])->(w[4x145],g[7x145],dg[7x145],R[4]) */
 static int casadi_f92(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+4, *rr, w00, *w01=w+295, w02, w03, *w04=w+299, *w05=w+306, *w06=w+330, *w07=w+333, *w08=w+337, *w09=w+385;
-  casadi_real *w10=w+481, *w11=w+577, *w12=w+673, *w13=w+769, *w14=w+865, *w15=w+961, *w16=w+1057, *w17=w+1153, *w18=w+1249, *w19=w+1345, *w20=w+1441, *w21=w+1537;
-  casadi_real *w22=w+1633, *w23=w+1729, *w24=w+1825, *w25=w+1921, *w26=w+2017, *w27=w+2113, *w28=w+2209, *w29=w+2305, *w30=w+2401, *w31=w+2497, *w32=w+2593, *w33=w+2689;
-  casadi_real *w34=w+2697;
+  casadi_real **res1=res+4, *rr, w00, *w01=w+282, w02, w03, *w04=w+286, *w05=w+293, *w06=w+317, *w07=w+320, *w08=w+324, *w09=w+372;
+  casadi_real *w10=w+456, *w11=w+540, *w12=w+624, *w13=w+708, *w14=w+792, *w15=w+876, *w16=w+960, *w17=w+1044, *w18=w+1128, *w19=w+1212, *w20=w+1296, *w21=w+1380;
+  casadi_real *w22=w+1464, *w23=w+1548, *w24=w+1632, *w25=w+1716, *w26=w+1800, *w27=w+1884, *w28=w+1968, *w29=w+2052, *w30=w+2136, *w31=w+2220, *w32=w+2304, *w33=w+2388;
+  casadi_real *w34=w+2395;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = 0 */
   w00 = 0.;
@@ -20865,29 +20861,29 @@ static int casadi_f92(const casadi_real** arg, casadi_real** res, casadi_int* iw
   /* #55: output[0][12] = @1 */
   if (res[0]) casadi_copy(w01, 4, res[0]+576);
   /* #56: output[1][0] = @9 */
-  casadi_copy(w09, 96, res[1]);
+  casadi_copy(w09, 84, res[1]);
   /* #57: output[1][1] = @11 */
-  if (res[1]) casadi_copy(w11, 96, res[1]+96);
+  if (res[1]) casadi_copy(w11, 84, res[1]+84);
   /* #58: output[1][2] = @13 */
-  if (res[1]) casadi_copy(w13, 96, res[1]+192);
+  if (res[1]) casadi_copy(w13, 84, res[1]+168);
   /* #59: output[1][3] = @15 */
-  if (res[1]) casadi_copy(w15, 96, res[1]+288);
+  if (res[1]) casadi_copy(w15, 84, res[1]+252);
   /* #60: output[1][4] = @17 */
-  if (res[1]) casadi_copy(w17, 96, res[1]+384);
+  if (res[1]) casadi_copy(w17, 84, res[1]+336);
   /* #61: output[1][5] = @19 */
-  if (res[1]) casadi_copy(w19, 96, res[1]+480);
+  if (res[1]) casadi_copy(w19, 84, res[1]+420);
   /* #62: output[1][6] = @21 */
-  if (res[1]) casadi_copy(w21, 96, res[1]+576);
+  if (res[1]) casadi_copy(w21, 84, res[1]+504);
   /* #63: output[1][7] = @23 */
-  if (res[1]) casadi_copy(w23, 96, res[1]+672);
+  if (res[1]) casadi_copy(w23, 84, res[1]+588);
   /* #64: output[1][8] = @25 */
-  if (res[1]) casadi_copy(w25, 96, res[1]+768);
+  if (res[1]) casadi_copy(w25, 84, res[1]+672);
   /* #65: output[1][9] = @27 */
-  if (res[1]) casadi_copy(w27, 96, res[1]+864);
+  if (res[1]) casadi_copy(w27, 84, res[1]+756);
   /* #66: output[1][10] = @29 */
-  if (res[1]) casadi_copy(w29, 96, res[1]+960);
+  if (res[1]) casadi_copy(w29, 84, res[1]+840);
   /* #67: output[1][11] = @31 */
-  if (res[1]) casadi_copy(w31, 96, res[1]+1056);
+  if (res[1]) casadi_copy(w31, 84, res[1]+924);
   /* #68: {@33, @34} = observe(@2, @1, @4) */
   arg1[0]=(&w02);
   arg1[1]=w01;
@@ -20896,33 +20892,33 @@ static int casadi_f92(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w34;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #69: output[1][12] = @33 */
-  if (res[1]) casadi_copy(w33, 8, res[1]+1152);
+  if (res[1]) casadi_copy(w33, 7, res[1]+1008);
   /* #70: output[2][0] = @10 */
-  casadi_copy(w10, 96, res[2]);
+  casadi_copy(w10, 84, res[2]);
   /* #71: output[2][1] = @12 */
-  if (res[2]) casadi_copy(w12, 96, res[2]+96);
+  if (res[2]) casadi_copy(w12, 84, res[2]+84);
   /* #72: output[2][2] = @14 */
-  if (res[2]) casadi_copy(w14, 96, res[2]+192);
+  if (res[2]) casadi_copy(w14, 84, res[2]+168);
   /* #73: output[2][3] = @16 */
-  if (res[2]) casadi_copy(w16, 96, res[2]+288);
+  if (res[2]) casadi_copy(w16, 84, res[2]+252);
   /* #74: output[2][4] = @18 */
-  if (res[2]) casadi_copy(w18, 96, res[2]+384);
+  if (res[2]) casadi_copy(w18, 84, res[2]+336);
   /* #75: output[2][5] = @20 */
-  if (res[2]) casadi_copy(w20, 96, res[2]+480);
+  if (res[2]) casadi_copy(w20, 84, res[2]+420);
   /* #76: output[2][6] = @22 */
-  if (res[2]) casadi_copy(w22, 96, res[2]+576);
+  if (res[2]) casadi_copy(w22, 84, res[2]+504);
   /* #77: output[2][7] = @24 */
-  if (res[2]) casadi_copy(w24, 96, res[2]+672);
+  if (res[2]) casadi_copy(w24, 84, res[2]+588);
   /* #78: output[2][8] = @26 */
-  if (res[2]) casadi_copy(w26, 96, res[2]+768);
+  if (res[2]) casadi_copy(w26, 84, res[2]+672);
   /* #79: output[2][9] = @28 */
-  if (res[2]) casadi_copy(w28, 96, res[2]+864);
+  if (res[2]) casadi_copy(w28, 84, res[2]+756);
   /* #80: output[2][10] = @30 */
-  if (res[2]) casadi_copy(w30, 96, res[2]+960);
+  if (res[2]) casadi_copy(w30, 84, res[2]+840);
   /* #81: output[2][11] = @32 */
-  if (res[2]) casadi_copy(w32, 96, res[2]+1056);
+  if (res[2]) casadi_copy(w32, 84, res[2]+924);
   /* #82: output[2][12] = @34 */
-  if (res[2]) casadi_copy(w34, 8, res[2]+1152);
+  if (res[2]) casadi_copy(w34, 7, res[2]+1008);
   /* #83: @7 = landing(@1, @6, @4) */
   arg1[0]=w01;
   arg1[1]=w06;
@@ -21001,7 +20997,7 @@ CASADI_SYMBOL_EXPORT int round_feet_trace_144_work(casadi_int *sz_arg, casadi_in
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 2705;
+  if (sz_w) *sz_w = 2402;
   return 0;
 }
 
@@ -21009,16 +21005,16 @@ CASADI_SYMBOL_EXPORT int round_feet_trace_144_work_bytes(casadi_int *sz_arg, cas
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 2705*sizeof(casadi_real);
+  if (sz_w) *sz_w = 2402*sizeof(casadi_real);
   return 0;
 }
 
-/* round_feet_trace_192:(u[4],p[7])->(w[4x193],g[8x193],dg[8x193],R[4]) */
+/* round_feet_trace_192:(u[4],p[7])->(w[4x193],g[7x193],dg[7x193],R[4]) */
 static int casadi_f93(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+4, *rr, w00, *w01=w+295, w02, w03, *w04=w+299, *w05=w+306, *w06=w+330, *w07=w+333, *w08=w+337, *w09=w+385;
-  casadi_real *w10=w+481, *w11=w+577, *w12=w+673, *w13=w+769, *w14=w+865, *w15=w+961, *w16=w+1057, *w17=w+1153, *w18=w+1249, *w19=w+1345, *w20=w+1441, *w21=w+1537;
-  casadi_real *w22=w+1633, *w23=w+1729, *w24=w+1825, *w25=w+1921, *w26=w+2017, *w27=w+2113, *w28=w+2209, *w29=w+2305, *w30=w+2401, *w31=w+2497, *w32=w+2593, *w33=w+2689;
-  casadi_real *w34=w+2785, *w35=w+2881, *w36=w+2977, *w37=w+3073, *w38=w+3169, *w39=w+3265, *w40=w+3361, *w41=w+3457, *w42=w+3465;
+  casadi_real **res1=res+4, *rr, w00, *w01=w+282, w02, w03, *w04=w+286, *w05=w+293, *w06=w+317, *w07=w+320, *w08=w+324, *w09=w+372;
+  casadi_real *w10=w+456, *w11=w+540, *w12=w+624, *w13=w+708, *w14=w+792, *w15=w+876, *w16=w+960, *w17=w+1044, *w18=w+1128, *w19=w+1212, *w20=w+1296, *w21=w+1380;
+  casadi_real *w22=w+1464, *w23=w+1548, *w24=w+1632, *w25=w+1716, *w26=w+1800, *w27=w+1884, *w28=w+1968, *w29=w+2052, *w30=w+2136, *w31=w+2220, *w32=w+2304, *w33=w+2388;
+  casadi_real *w34=w+2472, *w35=w+2556, *w36=w+2640, *w37=w+2724, *w38=w+2808, *w39=w+2892, *w40=w+2976, *w41=w+3060, *w42=w+3067;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = 0 */
   w00 = 0.;
@@ -21316,37 +21312,37 @@ static int casadi_f93(const casadi_real** arg, casadi_real** res, casadi_int* iw
   /* #71: output[0][16] = @1 */
   if (res[0]) casadi_copy(w01, 4, res[0]+768);
   /* #72: output[1][0] = @9 */
-  casadi_copy(w09, 96, res[1]);
+  casadi_copy(w09, 84, res[1]);
   /* #73: output[1][1] = @11 */
-  if (res[1]) casadi_copy(w11, 96, res[1]+96);
+  if (res[1]) casadi_copy(w11, 84, res[1]+84);
   /* #74: output[1][2] = @13 */
-  if (res[1]) casadi_copy(w13, 96, res[1]+192);
+  if (res[1]) casadi_copy(w13, 84, res[1]+168);
   /* #75: output[1][3] = @15 */
-  if (res[1]) casadi_copy(w15, 96, res[1]+288);
+  if (res[1]) casadi_copy(w15, 84, res[1]+252);
   /* #76: output[1][4] = @17 */
-  if (res[1]) casadi_copy(w17, 96, res[1]+384);
+  if (res[1]) casadi_copy(w17, 84, res[1]+336);
   /* #77: output[1][5] = @19 */
-  if (res[1]) casadi_copy(w19, 96, res[1]+480);
+  if (res[1]) casadi_copy(w19, 84, res[1]+420);
   /* #78: output[1][6] = @21 */
-  if (res[1]) casadi_copy(w21, 96, res[1]+576);
+  if (res[1]) casadi_copy(w21, 84, res[1]+504);
   /* #79: output[1][7] = @23 */
-  if (res[1]) casadi_copy(w23, 96, res[1]+672);
+  if (res[1]) casadi_copy(w23, 84, res[1]+588);
   /* #80: output[1][8] = @25 */
-  if (res[1]) casadi_copy(w25, 96, res[1]+768);
+  if (res[1]) casadi_copy(w25, 84, res[1]+672);
   /* #81: output[1][9] = @27 */
-  if (res[1]) casadi_copy(w27, 96, res[1]+864);
+  if (res[1]) casadi_copy(w27, 84, res[1]+756);
   /* #82: output[1][10] = @29 */
-  if (res[1]) casadi_copy(w29, 96, res[1]+960);
+  if (res[1]) casadi_copy(w29, 84, res[1]+840);
   /* #83: output[1][11] = @31 */
-  if (res[1]) casadi_copy(w31, 96, res[1]+1056);
+  if (res[1]) casadi_copy(w31, 84, res[1]+924);
   /* #84: output[1][12] = @33 */
-  if (res[1]) casadi_copy(w33, 96, res[1]+1152);
+  if (res[1]) casadi_copy(w33, 84, res[1]+1008);
   /* #85: output[1][13] = @35 */
-  if (res[1]) casadi_copy(w35, 96, res[1]+1248);
+  if (res[1]) casadi_copy(w35, 84, res[1]+1092);
   /* #86: output[1][14] = @37 */
-  if (res[1]) casadi_copy(w37, 96, res[1]+1344);
+  if (res[1]) casadi_copy(w37, 84, res[1]+1176);
   /* #87: output[1][15] = @39 */
-  if (res[1]) casadi_copy(w39, 96, res[1]+1440);
+  if (res[1]) casadi_copy(w39, 84, res[1]+1260);
   /* #88: {@41, @42} = observe(@2, @1, @4) */
   arg1[0]=(&w02);
   arg1[1]=w01;
@@ -21355,41 +21351,41 @@ static int casadi_f93(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w42;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #89: output[1][16] = @41 */
-  if (res[1]) casadi_copy(w41, 8, res[1]+1536);
+  if (res[1]) casadi_copy(w41, 7, res[1]+1344);
   /* #90: output[2][0] = @10 */
-  casadi_copy(w10, 96, res[2]);
+  casadi_copy(w10, 84, res[2]);
   /* #91: output[2][1] = @12 */
-  if (res[2]) casadi_copy(w12, 96, res[2]+96);
+  if (res[2]) casadi_copy(w12, 84, res[2]+84);
   /* #92: output[2][2] = @14 */
-  if (res[2]) casadi_copy(w14, 96, res[2]+192);
+  if (res[2]) casadi_copy(w14, 84, res[2]+168);
   /* #93: output[2][3] = @16 */
-  if (res[2]) casadi_copy(w16, 96, res[2]+288);
+  if (res[2]) casadi_copy(w16, 84, res[2]+252);
   /* #94: output[2][4] = @18 */
-  if (res[2]) casadi_copy(w18, 96, res[2]+384);
+  if (res[2]) casadi_copy(w18, 84, res[2]+336);
   /* #95: output[2][5] = @20 */
-  if (res[2]) casadi_copy(w20, 96, res[2]+480);
+  if (res[2]) casadi_copy(w20, 84, res[2]+420);
   /* #96: output[2][6] = @22 */
-  if (res[2]) casadi_copy(w22, 96, res[2]+576);
+  if (res[2]) casadi_copy(w22, 84, res[2]+504);
   /* #97: output[2][7] = @24 */
-  if (res[2]) casadi_copy(w24, 96, res[2]+672);
+  if (res[2]) casadi_copy(w24, 84, res[2]+588);
   /* #98: output[2][8] = @26 */
-  if (res[2]) casadi_copy(w26, 96, res[2]+768);
+  if (res[2]) casadi_copy(w26, 84, res[2]+672);
   /* #99: output[2][9] = @28 */
-  if (res[2]) casadi_copy(w28, 96, res[2]+864);
+  if (res[2]) casadi_copy(w28, 84, res[2]+756);
   /* #100: output[2][10] = @30 */
-  if (res[2]) casadi_copy(w30, 96, res[2]+960);
+  if (res[2]) casadi_copy(w30, 84, res[2]+840);
   /* #101: output[2][11] = @32 */
-  if (res[2]) casadi_copy(w32, 96, res[2]+1056);
+  if (res[2]) casadi_copy(w32, 84, res[2]+924);
   /* #102: output[2][12] = @34 */
-  if (res[2]) casadi_copy(w34, 96, res[2]+1152);
+  if (res[2]) casadi_copy(w34, 84, res[2]+1008);
   /* #103: output[2][13] = @36 */
-  if (res[2]) casadi_copy(w36, 96, res[2]+1248);
+  if (res[2]) casadi_copy(w36, 84, res[2]+1092);
   /* #104: output[2][14] = @38 */
-  if (res[2]) casadi_copy(w38, 96, res[2]+1344);
+  if (res[2]) casadi_copy(w38, 84, res[2]+1176);
   /* #105: output[2][15] = @40 */
-  if (res[2]) casadi_copy(w40, 96, res[2]+1440);
+  if (res[2]) casadi_copy(w40, 84, res[2]+1260);
   /* #106: output[2][16] = @42 */
-  if (res[2]) casadi_copy(w42, 8, res[2]+1536);
+  if (res[2]) casadi_copy(w42, 7, res[2]+1344);
   /* #107: @7 = landing(@1, @6, @4) */
   arg1[0]=w01;
   arg1[1]=w06;
@@ -21468,7 +21464,7 @@ CASADI_SYMBOL_EXPORT int round_feet_trace_192_work(casadi_int *sz_arg, casadi_in
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 3473;
+  if (sz_w) *sz_w = 3074;
   return 0;
 }
 
@@ -21476,18 +21472,18 @@ CASADI_SYMBOL_EXPORT int round_feet_trace_192_work_bytes(casadi_int *sz_arg, cas
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 3473*sizeof(casadi_real);
+  if (sz_w) *sz_w = 3074*sizeof(casadi_real);
   return 0;
 }
 
-/* round_feet_trace_288:(u[4],p[7])->(w[4x289],g[8x289],dg[8x289],R[4]) */
+/* round_feet_trace_288:(u[4],p[7])->(w[4x289],g[7x289],dg[7x289],R[4]) */
 static int casadi_f94(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+4, *rr, w00, *w01=w+295, w02, w03, *w04=w+299, *w05=w+306, *w06=w+330, *w07=w+333, *w08=w+337, *w09=w+385;
-  casadi_real *w10=w+481, *w11=w+577, *w12=w+673, *w13=w+769, *w14=w+865, *w15=w+961, *w16=w+1057, *w17=w+1153, *w18=w+1249, *w19=w+1345, *w20=w+1441, *w21=w+1537;
-  casadi_real *w22=w+1633, *w23=w+1729, *w24=w+1825, *w25=w+1921, *w26=w+2017, *w27=w+2113, *w28=w+2209, *w29=w+2305, *w30=w+2401, *w31=w+2497, *w32=w+2593, *w33=w+2689;
-  casadi_real *w34=w+2785, *w35=w+2881, *w36=w+2977, *w37=w+3073, *w38=w+3169, *w39=w+3265, *w40=w+3361, *w41=w+3457, *w42=w+3553, *w43=w+3649, *w44=w+3745, *w45=w+3841;
-  casadi_real *w46=w+3937, *w47=w+4033, *w48=w+4129, *w49=w+4225, *w50=w+4321, *w51=w+4417, *w52=w+4513, *w53=w+4609, *w54=w+4705, *w55=w+4801, *w56=w+4897, *w57=w+4993;
-  casadi_real *w58=w+5001;
+  casadi_real **res1=res+4, *rr, w00, *w01=w+282, w02, w03, *w04=w+286, *w05=w+293, *w06=w+317, *w07=w+320, *w08=w+324, *w09=w+372;
+  casadi_real *w10=w+456, *w11=w+540, *w12=w+624, *w13=w+708, *w14=w+792, *w15=w+876, *w16=w+960, *w17=w+1044, *w18=w+1128, *w19=w+1212, *w20=w+1296, *w21=w+1380;
+  casadi_real *w22=w+1464, *w23=w+1548, *w24=w+1632, *w25=w+1716, *w26=w+1800, *w27=w+1884, *w28=w+1968, *w29=w+2052, *w30=w+2136, *w31=w+2220, *w32=w+2304, *w33=w+2388;
+  casadi_real *w34=w+2472, *w35=w+2556, *w36=w+2640, *w37=w+2724, *w38=w+2808, *w39=w+2892, *w40=w+2976, *w41=w+3060, *w42=w+3144, *w43=w+3228, *w44=w+3312, *w45=w+3396;
+  casadi_real *w46=w+3480, *w47=w+3564, *w48=w+3648, *w49=w+3732, *w50=w+3816, *w51=w+3900, *w52=w+3984, *w53=w+4068, *w54=w+4152, *w55=w+4236, *w56=w+4320, *w57=w+4404;
+  casadi_real *w58=w+4411;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = 0 */
   w00 = 0.;
@@ -21921,53 +21917,53 @@ static int casadi_f94(const casadi_real** arg, casadi_real** res, casadi_int* iw
   /* #103: output[0][24] = @1 */
   if (res[0]) casadi_copy(w01, 4, res[0]+1152);
   /* #104: output[1][0] = @9 */
-  casadi_copy(w09, 96, res[1]);
+  casadi_copy(w09, 84, res[1]);
   /* #105: output[1][1] = @11 */
-  if (res[1]) casadi_copy(w11, 96, res[1]+96);
+  if (res[1]) casadi_copy(w11, 84, res[1]+84);
   /* #106: output[1][2] = @13 */
-  if (res[1]) casadi_copy(w13, 96, res[1]+192);
+  if (res[1]) casadi_copy(w13, 84, res[1]+168);
   /* #107: output[1][3] = @15 */
-  if (res[1]) casadi_copy(w15, 96, res[1]+288);
+  if (res[1]) casadi_copy(w15, 84, res[1]+252);
   /* #108: output[1][4] = @17 */
-  if (res[1]) casadi_copy(w17, 96, res[1]+384);
+  if (res[1]) casadi_copy(w17, 84, res[1]+336);
   /* #109: output[1][5] = @19 */
-  if (res[1]) casadi_copy(w19, 96, res[1]+480);
+  if (res[1]) casadi_copy(w19, 84, res[1]+420);
   /* #110: output[1][6] = @21 */
-  if (res[1]) casadi_copy(w21, 96, res[1]+576);
+  if (res[1]) casadi_copy(w21, 84, res[1]+504);
   /* #111: output[1][7] = @23 */
-  if (res[1]) casadi_copy(w23, 96, res[1]+672);
+  if (res[1]) casadi_copy(w23, 84, res[1]+588);
   /* #112: output[1][8] = @25 */
-  if (res[1]) casadi_copy(w25, 96, res[1]+768);
+  if (res[1]) casadi_copy(w25, 84, res[1]+672);
   /* #113: output[1][9] = @27 */
-  if (res[1]) casadi_copy(w27, 96, res[1]+864);
+  if (res[1]) casadi_copy(w27, 84, res[1]+756);
   /* #114: output[1][10] = @29 */
-  if (res[1]) casadi_copy(w29, 96, res[1]+960);
+  if (res[1]) casadi_copy(w29, 84, res[1]+840);
   /* #115: output[1][11] = @31 */
-  if (res[1]) casadi_copy(w31, 96, res[1]+1056);
+  if (res[1]) casadi_copy(w31, 84, res[1]+924);
   /* #116: output[1][12] = @33 */
-  if (res[1]) casadi_copy(w33, 96, res[1]+1152);
+  if (res[1]) casadi_copy(w33, 84, res[1]+1008);
   /* #117: output[1][13] = @35 */
-  if (res[1]) casadi_copy(w35, 96, res[1]+1248);
+  if (res[1]) casadi_copy(w35, 84, res[1]+1092);
   /* #118: output[1][14] = @37 */
-  if (res[1]) casadi_copy(w37, 96, res[1]+1344);
+  if (res[1]) casadi_copy(w37, 84, res[1]+1176);
   /* #119: output[1][15] = @39 */
-  if (res[1]) casadi_copy(w39, 96, res[1]+1440);
+  if (res[1]) casadi_copy(w39, 84, res[1]+1260);
   /* #120: output[1][16] = @41 */
-  if (res[1]) casadi_copy(w41, 96, res[1]+1536);
+  if (res[1]) casadi_copy(w41, 84, res[1]+1344);
   /* #121: output[1][17] = @43 */
-  if (res[1]) casadi_copy(w43, 96, res[1]+1632);
+  if (res[1]) casadi_copy(w43, 84, res[1]+1428);
   /* #122: output[1][18] = @45 */
-  if (res[1]) casadi_copy(w45, 96, res[1]+1728);
+  if (res[1]) casadi_copy(w45, 84, res[1]+1512);
   /* #123: output[1][19] = @47 */
-  if (res[1]) casadi_copy(w47, 96, res[1]+1824);
+  if (res[1]) casadi_copy(w47, 84, res[1]+1596);
   /* #124: output[1][20] = @49 */
-  if (res[1]) casadi_copy(w49, 96, res[1]+1920);
+  if (res[1]) casadi_copy(w49, 84, res[1]+1680);
   /* #125: output[1][21] = @51 */
-  if (res[1]) casadi_copy(w51, 96, res[1]+2016);
+  if (res[1]) casadi_copy(w51, 84, res[1]+1764);
   /* #126: output[1][22] = @53 */
-  if (res[1]) casadi_copy(w53, 96, res[1]+2112);
+  if (res[1]) casadi_copy(w53, 84, res[1]+1848);
   /* #127: output[1][23] = @55 */
-  if (res[1]) casadi_copy(w55, 96, res[1]+2208);
+  if (res[1]) casadi_copy(w55, 84, res[1]+1932);
   /* #128: {@57, @58} = observe(@2, @1, @4) */
   arg1[0]=(&w02);
   arg1[1]=w01;
@@ -21976,57 +21972,57 @@ static int casadi_f94(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w58;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #129: output[1][24] = @57 */
-  if (res[1]) casadi_copy(w57, 8, res[1]+2304);
+  if (res[1]) casadi_copy(w57, 7, res[1]+2016);
   /* #130: output[2][0] = @10 */
-  casadi_copy(w10, 96, res[2]);
+  casadi_copy(w10, 84, res[2]);
   /* #131: output[2][1] = @12 */
-  if (res[2]) casadi_copy(w12, 96, res[2]+96);
+  if (res[2]) casadi_copy(w12, 84, res[2]+84);
   /* #132: output[2][2] = @14 */
-  if (res[2]) casadi_copy(w14, 96, res[2]+192);
+  if (res[2]) casadi_copy(w14, 84, res[2]+168);
   /* #133: output[2][3] = @16 */
-  if (res[2]) casadi_copy(w16, 96, res[2]+288);
+  if (res[2]) casadi_copy(w16, 84, res[2]+252);
   /* #134: output[2][4] = @18 */
-  if (res[2]) casadi_copy(w18, 96, res[2]+384);
+  if (res[2]) casadi_copy(w18, 84, res[2]+336);
   /* #135: output[2][5] = @20 */
-  if (res[2]) casadi_copy(w20, 96, res[2]+480);
+  if (res[2]) casadi_copy(w20, 84, res[2]+420);
   /* #136: output[2][6] = @22 */
-  if (res[2]) casadi_copy(w22, 96, res[2]+576);
+  if (res[2]) casadi_copy(w22, 84, res[2]+504);
   /* #137: output[2][7] = @24 */
-  if (res[2]) casadi_copy(w24, 96, res[2]+672);
+  if (res[2]) casadi_copy(w24, 84, res[2]+588);
   /* #138: output[2][8] = @26 */
-  if (res[2]) casadi_copy(w26, 96, res[2]+768);
+  if (res[2]) casadi_copy(w26, 84, res[2]+672);
   /* #139: output[2][9] = @28 */
-  if (res[2]) casadi_copy(w28, 96, res[2]+864);
+  if (res[2]) casadi_copy(w28, 84, res[2]+756);
   /* #140: output[2][10] = @30 */
-  if (res[2]) casadi_copy(w30, 96, res[2]+960);
+  if (res[2]) casadi_copy(w30, 84, res[2]+840);
   /* #141: output[2][11] = @32 */
-  if (res[2]) casadi_copy(w32, 96, res[2]+1056);
+  if (res[2]) casadi_copy(w32, 84, res[2]+924);
   /* #142: output[2][12] = @34 */
-  if (res[2]) casadi_copy(w34, 96, res[2]+1152);
+  if (res[2]) casadi_copy(w34, 84, res[2]+1008);
   /* #143: output[2][13] = @36 */
-  if (res[2]) casadi_copy(w36, 96, res[2]+1248);
+  if (res[2]) casadi_copy(w36, 84, res[2]+1092);
   /* #144: output[2][14] = @38 */
-  if (res[2]) casadi_copy(w38, 96, res[2]+1344);
+  if (res[2]) casadi_copy(w38, 84, res[2]+1176);
   /* #145: output[2][15] = @40 */
-  if (res[2]) casadi_copy(w40, 96, res[2]+1440);
+  if (res[2]) casadi_copy(w40, 84, res[2]+1260);
   /* #146: output[2][16] = @42 */
-  if (res[2]) casadi_copy(w42, 96, res[2]+1536);
+  if (res[2]) casadi_copy(w42, 84, res[2]+1344);
   /* #147: output[2][17] = @44 */
-  if (res[2]) casadi_copy(w44, 96, res[2]+1632);
+  if (res[2]) casadi_copy(w44, 84, res[2]+1428);
   /* #148: output[2][18] = @46 */
-  if (res[2]) casadi_copy(w46, 96, res[2]+1728);
+  if (res[2]) casadi_copy(w46, 84, res[2]+1512);
   /* #149: output[2][19] = @48 */
-  if (res[2]) casadi_copy(w48, 96, res[2]+1824);
+  if (res[2]) casadi_copy(w48, 84, res[2]+1596);
   /* #150: output[2][20] = @50 */
-  if (res[2]) casadi_copy(w50, 96, res[2]+1920);
+  if (res[2]) casadi_copy(w50, 84, res[2]+1680);
   /* #151: output[2][21] = @52 */
-  if (res[2]) casadi_copy(w52, 96, res[2]+2016);
+  if (res[2]) casadi_copy(w52, 84, res[2]+1764);
   /* #152: output[2][22] = @54 */
-  if (res[2]) casadi_copy(w54, 96, res[2]+2112);
+  if (res[2]) casadi_copy(w54, 84, res[2]+1848);
   /* #153: output[2][23] = @56 */
-  if (res[2]) casadi_copy(w56, 96, res[2]+2208);
+  if (res[2]) casadi_copy(w56, 84, res[2]+1932);
   /* #154: output[2][24] = @58 */
-  if (res[2]) casadi_copy(w58, 8, res[2]+2304);
+  if (res[2]) casadi_copy(w58, 7, res[2]+2016);
   /* #155: @7 = landing(@1, @6, @4) */
   arg1[0]=w01;
   arg1[1]=w06;
@@ -22105,7 +22101,7 @@ CASADI_SYMBOL_EXPORT int round_feet_trace_288_work(casadi_int *sz_arg, casadi_in
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 5009;
+  if (sz_w) *sz_w = 4418;
   return 0;
 }
 
@@ -22113,19 +22109,19 @@ CASADI_SYMBOL_EXPORT int round_feet_trace_288_work_bytes(casadi_int *sz_arg, cas
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 5009*sizeof(casadi_real);
+  if (sz_w) *sz_w = 4418*sizeof(casadi_real);
   return 0;
 }
 
-/* round_feet_trace_384:(u[4],p[7])->(w[4x385],g[8x385],dg[8x385],R[4]) */
+/* round_feet_trace_384:(u[4],p[7])->(w[4x385],g[7x385],dg[7x385],R[4]) */
 static int casadi_f95(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+4, *rr, w00, *w01=w+295, w02, w03, *w04=w+299, *w05=w+306, *w06=w+330, *w07=w+333, *w08=w+337, *w09=w+385;
-  casadi_real *w10=w+481, *w11=w+577, *w12=w+673, *w13=w+769, *w14=w+865, *w15=w+961, *w16=w+1057, *w17=w+1153, *w18=w+1249, *w19=w+1345, *w20=w+1441, *w21=w+1537;
-  casadi_real *w22=w+1633, *w23=w+1729, *w24=w+1825, *w25=w+1921, *w26=w+2017, *w27=w+2113, *w28=w+2209, *w29=w+2305, *w30=w+2401, *w31=w+2497, *w32=w+2593, *w33=w+2689;
-  casadi_real *w34=w+2785, *w35=w+2881, *w36=w+2977, *w37=w+3073, *w38=w+3169, *w39=w+3265, *w40=w+3361, *w41=w+3457, *w42=w+3553, *w43=w+3649, *w44=w+3745, *w45=w+3841;
-  casadi_real *w46=w+3937, *w47=w+4033, *w48=w+4129, *w49=w+4225, *w50=w+4321, *w51=w+4417, *w52=w+4513, *w53=w+4609, *w54=w+4705, *w55=w+4801, *w56=w+4897, *w57=w+4993;
-  casadi_real *w58=w+5089, *w59=w+5185, *w60=w+5281, *w61=w+5377, *w62=w+5473, *w63=w+5569, *w64=w+5665, *w65=w+5761, *w66=w+5857, *w67=w+5953, *w68=w+6049, *w69=w+6145;
-  casadi_real *w70=w+6241, *w71=w+6337, *w72=w+6433, *w73=w+6529, *w74=w+6537;
+  casadi_real **res1=res+4, *rr, w00, *w01=w+282, w02, w03, *w04=w+286, *w05=w+293, *w06=w+317, *w07=w+320, *w08=w+324, *w09=w+372;
+  casadi_real *w10=w+456, *w11=w+540, *w12=w+624, *w13=w+708, *w14=w+792, *w15=w+876, *w16=w+960, *w17=w+1044, *w18=w+1128, *w19=w+1212, *w20=w+1296, *w21=w+1380;
+  casadi_real *w22=w+1464, *w23=w+1548, *w24=w+1632, *w25=w+1716, *w26=w+1800, *w27=w+1884, *w28=w+1968, *w29=w+2052, *w30=w+2136, *w31=w+2220, *w32=w+2304, *w33=w+2388;
+  casadi_real *w34=w+2472, *w35=w+2556, *w36=w+2640, *w37=w+2724, *w38=w+2808, *w39=w+2892, *w40=w+2976, *w41=w+3060, *w42=w+3144, *w43=w+3228, *w44=w+3312, *w45=w+3396;
+  casadi_real *w46=w+3480, *w47=w+3564, *w48=w+3648, *w49=w+3732, *w50=w+3816, *w51=w+3900, *w52=w+3984, *w53=w+4068, *w54=w+4152, *w55=w+4236, *w56=w+4320, *w57=w+4404;
+  casadi_real *w58=w+4488, *w59=w+4572, *w60=w+4656, *w61=w+4740, *w62=w+4824, *w63=w+4908, *w64=w+4992, *w65=w+5076, *w66=w+5160, *w67=w+5244, *w68=w+5328, *w69=w+5412;
+  casadi_real *w70=w+5496, *w71=w+5580, *w72=w+5664, *w73=w+5748, *w74=w+5755;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = 0 */
   w00 = 0.;
@@ -22695,69 +22691,69 @@ static int casadi_f95(const casadi_real** arg, casadi_real** res, casadi_int* iw
   /* #135: output[0][32] = @1 */
   if (res[0]) casadi_copy(w01, 4, res[0]+1536);
   /* #136: output[1][0] = @9 */
-  casadi_copy(w09, 96, res[1]);
+  casadi_copy(w09, 84, res[1]);
   /* #137: output[1][1] = @11 */
-  if (res[1]) casadi_copy(w11, 96, res[1]+96);
+  if (res[1]) casadi_copy(w11, 84, res[1]+84);
   /* #138: output[1][2] = @13 */
-  if (res[1]) casadi_copy(w13, 96, res[1]+192);
+  if (res[1]) casadi_copy(w13, 84, res[1]+168);
   /* #139: output[1][3] = @15 */
-  if (res[1]) casadi_copy(w15, 96, res[1]+288);
+  if (res[1]) casadi_copy(w15, 84, res[1]+252);
   /* #140: output[1][4] = @17 */
-  if (res[1]) casadi_copy(w17, 96, res[1]+384);
+  if (res[1]) casadi_copy(w17, 84, res[1]+336);
   /* #141: output[1][5] = @19 */
-  if (res[1]) casadi_copy(w19, 96, res[1]+480);
+  if (res[1]) casadi_copy(w19, 84, res[1]+420);
   /* #142: output[1][6] = @21 */
-  if (res[1]) casadi_copy(w21, 96, res[1]+576);
+  if (res[1]) casadi_copy(w21, 84, res[1]+504);
   /* #143: output[1][7] = @23 */
-  if (res[1]) casadi_copy(w23, 96, res[1]+672);
+  if (res[1]) casadi_copy(w23, 84, res[1]+588);
   /* #144: output[1][8] = @25 */
-  if (res[1]) casadi_copy(w25, 96, res[1]+768);
+  if (res[1]) casadi_copy(w25, 84, res[1]+672);
   /* #145: output[1][9] = @27 */
-  if (res[1]) casadi_copy(w27, 96, res[1]+864);
+  if (res[1]) casadi_copy(w27, 84, res[1]+756);
   /* #146: output[1][10] = @29 */
-  if (res[1]) casadi_copy(w29, 96, res[1]+960);
+  if (res[1]) casadi_copy(w29, 84, res[1]+840);
   /* #147: output[1][11] = @31 */
-  if (res[1]) casadi_copy(w31, 96, res[1]+1056);
+  if (res[1]) casadi_copy(w31, 84, res[1]+924);
   /* #148: output[1][12] = @33 */
-  if (res[1]) casadi_copy(w33, 96, res[1]+1152);
+  if (res[1]) casadi_copy(w33, 84, res[1]+1008);
   /* #149: output[1][13] = @35 */
-  if (res[1]) casadi_copy(w35, 96, res[1]+1248);
+  if (res[1]) casadi_copy(w35, 84, res[1]+1092);
   /* #150: output[1][14] = @37 */
-  if (res[1]) casadi_copy(w37, 96, res[1]+1344);
+  if (res[1]) casadi_copy(w37, 84, res[1]+1176);
   /* #151: output[1][15] = @39 */
-  if (res[1]) casadi_copy(w39, 96, res[1]+1440);
+  if (res[1]) casadi_copy(w39, 84, res[1]+1260);
   /* #152: output[1][16] = @41 */
-  if (res[1]) casadi_copy(w41, 96, res[1]+1536);
+  if (res[1]) casadi_copy(w41, 84, res[1]+1344);
   /* #153: output[1][17] = @43 */
-  if (res[1]) casadi_copy(w43, 96, res[1]+1632);
+  if (res[1]) casadi_copy(w43, 84, res[1]+1428);
   /* #154: output[1][18] = @45 */
-  if (res[1]) casadi_copy(w45, 96, res[1]+1728);
+  if (res[1]) casadi_copy(w45, 84, res[1]+1512);
   /* #155: output[1][19] = @47 */
-  if (res[1]) casadi_copy(w47, 96, res[1]+1824);
+  if (res[1]) casadi_copy(w47, 84, res[1]+1596);
   /* #156: output[1][20] = @49 */
-  if (res[1]) casadi_copy(w49, 96, res[1]+1920);
+  if (res[1]) casadi_copy(w49, 84, res[1]+1680);
   /* #157: output[1][21] = @51 */
-  if (res[1]) casadi_copy(w51, 96, res[1]+2016);
+  if (res[1]) casadi_copy(w51, 84, res[1]+1764);
   /* #158: output[1][22] = @53 */
-  if (res[1]) casadi_copy(w53, 96, res[1]+2112);
+  if (res[1]) casadi_copy(w53, 84, res[1]+1848);
   /* #159: output[1][23] = @55 */
-  if (res[1]) casadi_copy(w55, 96, res[1]+2208);
+  if (res[1]) casadi_copy(w55, 84, res[1]+1932);
   /* #160: output[1][24] = @57 */
-  if (res[1]) casadi_copy(w57, 96, res[1]+2304);
+  if (res[1]) casadi_copy(w57, 84, res[1]+2016);
   /* #161: output[1][25] = @59 */
-  if (res[1]) casadi_copy(w59, 96, res[1]+2400);
+  if (res[1]) casadi_copy(w59, 84, res[1]+2100);
   /* #162: output[1][26] = @61 */
-  if (res[1]) casadi_copy(w61, 96, res[1]+2496);
+  if (res[1]) casadi_copy(w61, 84, res[1]+2184);
   /* #163: output[1][27] = @63 */
-  if (res[1]) casadi_copy(w63, 96, res[1]+2592);
+  if (res[1]) casadi_copy(w63, 84, res[1]+2268);
   /* #164: output[1][28] = @65 */
-  if (res[1]) casadi_copy(w65, 96, res[1]+2688);
+  if (res[1]) casadi_copy(w65, 84, res[1]+2352);
   /* #165: output[1][29] = @67 */
-  if (res[1]) casadi_copy(w67, 96, res[1]+2784);
+  if (res[1]) casadi_copy(w67, 84, res[1]+2436);
   /* #166: output[1][30] = @69 */
-  if (res[1]) casadi_copy(w69, 96, res[1]+2880);
+  if (res[1]) casadi_copy(w69, 84, res[1]+2520);
   /* #167: output[1][31] = @71 */
-  if (res[1]) casadi_copy(w71, 96, res[1]+2976);
+  if (res[1]) casadi_copy(w71, 84, res[1]+2604);
   /* #168: {@73, @74} = observe(@2, @1, @4) */
   arg1[0]=(&w02);
   arg1[1]=w01;
@@ -22766,73 +22762,73 @@ static int casadi_f95(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w74;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #169: output[1][32] = @73 */
-  if (res[1]) casadi_copy(w73, 8, res[1]+3072);
+  if (res[1]) casadi_copy(w73, 7, res[1]+2688);
   /* #170: output[2][0] = @10 */
-  casadi_copy(w10, 96, res[2]);
+  casadi_copy(w10, 84, res[2]);
   /* #171: output[2][1] = @12 */
-  if (res[2]) casadi_copy(w12, 96, res[2]+96);
+  if (res[2]) casadi_copy(w12, 84, res[2]+84);
   /* #172: output[2][2] = @14 */
-  if (res[2]) casadi_copy(w14, 96, res[2]+192);
+  if (res[2]) casadi_copy(w14, 84, res[2]+168);
   /* #173: output[2][3] = @16 */
-  if (res[2]) casadi_copy(w16, 96, res[2]+288);
+  if (res[2]) casadi_copy(w16, 84, res[2]+252);
   /* #174: output[2][4] = @18 */
-  if (res[2]) casadi_copy(w18, 96, res[2]+384);
+  if (res[2]) casadi_copy(w18, 84, res[2]+336);
   /* #175: output[2][5] = @20 */
-  if (res[2]) casadi_copy(w20, 96, res[2]+480);
+  if (res[2]) casadi_copy(w20, 84, res[2]+420);
   /* #176: output[2][6] = @22 */
-  if (res[2]) casadi_copy(w22, 96, res[2]+576);
+  if (res[2]) casadi_copy(w22, 84, res[2]+504);
   /* #177: output[2][7] = @24 */
-  if (res[2]) casadi_copy(w24, 96, res[2]+672);
+  if (res[2]) casadi_copy(w24, 84, res[2]+588);
   /* #178: output[2][8] = @26 */
-  if (res[2]) casadi_copy(w26, 96, res[2]+768);
+  if (res[2]) casadi_copy(w26, 84, res[2]+672);
   /* #179: output[2][9] = @28 */
-  if (res[2]) casadi_copy(w28, 96, res[2]+864);
+  if (res[2]) casadi_copy(w28, 84, res[2]+756);
   /* #180: output[2][10] = @30 */
-  if (res[2]) casadi_copy(w30, 96, res[2]+960);
+  if (res[2]) casadi_copy(w30, 84, res[2]+840);
   /* #181: output[2][11] = @32 */
-  if (res[2]) casadi_copy(w32, 96, res[2]+1056);
+  if (res[2]) casadi_copy(w32, 84, res[2]+924);
   /* #182: output[2][12] = @34 */
-  if (res[2]) casadi_copy(w34, 96, res[2]+1152);
+  if (res[2]) casadi_copy(w34, 84, res[2]+1008);
   /* #183: output[2][13] = @36 */
-  if (res[2]) casadi_copy(w36, 96, res[2]+1248);
+  if (res[2]) casadi_copy(w36, 84, res[2]+1092);
   /* #184: output[2][14] = @38 */
-  if (res[2]) casadi_copy(w38, 96, res[2]+1344);
+  if (res[2]) casadi_copy(w38, 84, res[2]+1176);
   /* #185: output[2][15] = @40 */
-  if (res[2]) casadi_copy(w40, 96, res[2]+1440);
+  if (res[2]) casadi_copy(w40, 84, res[2]+1260);
   /* #186: output[2][16] = @42 */
-  if (res[2]) casadi_copy(w42, 96, res[2]+1536);
+  if (res[2]) casadi_copy(w42, 84, res[2]+1344);
   /* #187: output[2][17] = @44 */
-  if (res[2]) casadi_copy(w44, 96, res[2]+1632);
+  if (res[2]) casadi_copy(w44, 84, res[2]+1428);
   /* #188: output[2][18] = @46 */
-  if (res[2]) casadi_copy(w46, 96, res[2]+1728);
+  if (res[2]) casadi_copy(w46, 84, res[2]+1512);
   /* #189: output[2][19] = @48 */
-  if (res[2]) casadi_copy(w48, 96, res[2]+1824);
+  if (res[2]) casadi_copy(w48, 84, res[2]+1596);
   /* #190: output[2][20] = @50 */
-  if (res[2]) casadi_copy(w50, 96, res[2]+1920);
+  if (res[2]) casadi_copy(w50, 84, res[2]+1680);
   /* #191: output[2][21] = @52 */
-  if (res[2]) casadi_copy(w52, 96, res[2]+2016);
+  if (res[2]) casadi_copy(w52, 84, res[2]+1764);
   /* #192: output[2][22] = @54 */
-  if (res[2]) casadi_copy(w54, 96, res[2]+2112);
+  if (res[2]) casadi_copy(w54, 84, res[2]+1848);
   /* #193: output[2][23] = @56 */
-  if (res[2]) casadi_copy(w56, 96, res[2]+2208);
+  if (res[2]) casadi_copy(w56, 84, res[2]+1932);
   /* #194: output[2][24] = @58 */
-  if (res[2]) casadi_copy(w58, 96, res[2]+2304);
+  if (res[2]) casadi_copy(w58, 84, res[2]+2016);
   /* #195: output[2][25] = @60 */
-  if (res[2]) casadi_copy(w60, 96, res[2]+2400);
+  if (res[2]) casadi_copy(w60, 84, res[2]+2100);
   /* #196: output[2][26] = @62 */
-  if (res[2]) casadi_copy(w62, 96, res[2]+2496);
+  if (res[2]) casadi_copy(w62, 84, res[2]+2184);
   /* #197: output[2][27] = @64 */
-  if (res[2]) casadi_copy(w64, 96, res[2]+2592);
+  if (res[2]) casadi_copy(w64, 84, res[2]+2268);
   /* #198: output[2][28] = @66 */
-  if (res[2]) casadi_copy(w66, 96, res[2]+2688);
+  if (res[2]) casadi_copy(w66, 84, res[2]+2352);
   /* #199: output[2][29] = @68 */
-  if (res[2]) casadi_copy(w68, 96, res[2]+2784);
+  if (res[2]) casadi_copy(w68, 84, res[2]+2436);
   /* #200: output[2][30] = @70 */
-  if (res[2]) casadi_copy(w70, 96, res[2]+2880);
+  if (res[2]) casadi_copy(w70, 84, res[2]+2520);
   /* #201: output[2][31] = @72 */
-  if (res[2]) casadi_copy(w72, 96, res[2]+2976);
+  if (res[2]) casadi_copy(w72, 84, res[2]+2604);
   /* #202: output[2][32] = @74 */
-  if (res[2]) casadi_copy(w74, 8, res[2]+3072);
+  if (res[2]) casadi_copy(w74, 7, res[2]+2688);
   /* #203: @7 = landing(@1, @6, @4) */
   arg1[0]=w01;
   arg1[1]=w06;
@@ -22911,7 +22907,7 @@ CASADI_SYMBOL_EXPORT int round_feet_trace_384_work(casadi_int *sz_arg, casadi_in
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 6545;
+  if (sz_w) *sz_w = 5762;
   return 0;
 }
 
@@ -22919,22 +22915,22 @@ CASADI_SYMBOL_EXPORT int round_feet_trace_384_work_bytes(casadi_int *sz_arg, cas
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 6545*sizeof(casadi_real);
+  if (sz_w) *sz_w = 5762*sizeof(casadi_real);
   return 0;
 }
 
-/* round_feet_trace_576:(u[4],p[7])->(w[4x577],g[8x577],dg[8x577],R[4]) */
+/* round_feet_trace_576:(u[4],p[7])->(w[4x577],g[7x577],dg[7x577],R[4]) */
 static int casadi_f96(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+4, *rr, w000, *w001=w+295, w002, w003, *w004=w+299, *w005=w+306, *w006=w+330, *w007=w+333, *w008=w+337, *w009=w+385;
-  casadi_real *w010=w+481, *w011=w+577, *w012=w+673, *w013=w+769, *w014=w+865, *w015=w+961, *w016=w+1057, *w017=w+1153, *w018=w+1249, *w019=w+1345, *w020=w+1441, *w021=w+1537;
-  casadi_real *w022=w+1633, *w023=w+1729, *w024=w+1825, *w025=w+1921, *w026=w+2017, *w027=w+2113, *w028=w+2209, *w029=w+2305, *w030=w+2401, *w031=w+2497, *w032=w+2593, *w033=w+2689;
-  casadi_real *w034=w+2785, *w035=w+2881, *w036=w+2977, *w037=w+3073, *w038=w+3169, *w039=w+3265, *w040=w+3361, *w041=w+3457, *w042=w+3553, *w043=w+3649, *w044=w+3745, *w045=w+3841;
-  casadi_real *w046=w+3937, *w047=w+4033, *w048=w+4129, *w049=w+4225, *w050=w+4321, *w051=w+4417, *w052=w+4513, *w053=w+4609, *w054=w+4705, *w055=w+4801, *w056=w+4897, *w057=w+4993;
-  casadi_real *w058=w+5089, *w059=w+5185, *w060=w+5281, *w061=w+5377, *w062=w+5473, *w063=w+5569, *w064=w+5665, *w065=w+5761, *w066=w+5857, *w067=w+5953, *w068=w+6049, *w069=w+6145;
-  casadi_real *w070=w+6241, *w071=w+6337, *w072=w+6433, *w073=w+6529, *w074=w+6625, *w075=w+6721, *w076=w+6817, *w077=w+6913, *w078=w+7009, *w079=w+7105, *w080=w+7201, *w081=w+7297;
-  casadi_real *w082=w+7393, *w083=w+7489, *w084=w+7585, *w085=w+7681, *w086=w+7777, *w087=w+7873, *w088=w+7969, *w089=w+8065, *w090=w+8161, *w091=w+8257, *w092=w+8353, *w093=w+8449;
-  casadi_real *w094=w+8545, *w095=w+8641, *w096=w+8737, *w097=w+8833, *w098=w+8929, *w099=w+9025, *w100=w+9121, *w101=w+9217, *w102=w+9313, *w103=w+9409, *w104=w+9505, *w105=w+9601;
-  casadi_real *w106=w+9609;
+  casadi_real **res1=res+4, *rr, w000, *w001=w+282, w002, w003, *w004=w+286, *w005=w+293, *w006=w+317, *w007=w+320, *w008=w+324, *w009=w+372;
+  casadi_real *w010=w+456, *w011=w+540, *w012=w+624, *w013=w+708, *w014=w+792, *w015=w+876, *w016=w+960, *w017=w+1044, *w018=w+1128, *w019=w+1212, *w020=w+1296, *w021=w+1380;
+  casadi_real *w022=w+1464, *w023=w+1548, *w024=w+1632, *w025=w+1716, *w026=w+1800, *w027=w+1884, *w028=w+1968, *w029=w+2052, *w030=w+2136, *w031=w+2220, *w032=w+2304, *w033=w+2388;
+  casadi_real *w034=w+2472, *w035=w+2556, *w036=w+2640, *w037=w+2724, *w038=w+2808, *w039=w+2892, *w040=w+2976, *w041=w+3060, *w042=w+3144, *w043=w+3228, *w044=w+3312, *w045=w+3396;
+  casadi_real *w046=w+3480, *w047=w+3564, *w048=w+3648, *w049=w+3732, *w050=w+3816, *w051=w+3900, *w052=w+3984, *w053=w+4068, *w054=w+4152, *w055=w+4236, *w056=w+4320, *w057=w+4404;
+  casadi_real *w058=w+4488, *w059=w+4572, *w060=w+4656, *w061=w+4740, *w062=w+4824, *w063=w+4908, *w064=w+4992, *w065=w+5076, *w066=w+5160, *w067=w+5244, *w068=w+5328, *w069=w+5412;
+  casadi_real *w070=w+5496, *w071=w+5580, *w072=w+5664, *w073=w+5748, *w074=w+5832, *w075=w+5916, *w076=w+6000, *w077=w+6084, *w078=w+6168, *w079=w+6252, *w080=w+6336, *w081=w+6420;
+  casadi_real *w082=w+6504, *w083=w+6588, *w084=w+6672, *w085=w+6756, *w086=w+6840, *w087=w+6924, *w088=w+7008, *w089=w+7092, *w090=w+7176, *w091=w+7260, *w092=w+7344, *w093=w+7428;
+  casadi_real *w094=w+7512, *w095=w+7596, *w096=w+7680, *w097=w+7764, *w098=w+7848, *w099=w+7932, *w100=w+8016, *w101=w+8100, *w102=w+8184, *w103=w+8268, *w104=w+8352, *w105=w+8436;
+  casadi_real *w106=w+8443;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = 0 */
   w000 = 0.;
@@ -23776,101 +23772,101 @@ static int casadi_f96(const casadi_real** arg, casadi_real** res, casadi_int* iw
   /* #199: output[0][48] = @1 */
   if (res[0]) casadi_copy(w001, 4, res[0]+2304);
   /* #200: output[1][0] = @9 */
-  casadi_copy(w009, 96, res[1]);
+  casadi_copy(w009, 84, res[1]);
   /* #201: output[1][1] = @11 */
-  if (res[1]) casadi_copy(w011, 96, res[1]+96);
+  if (res[1]) casadi_copy(w011, 84, res[1]+84);
   /* #202: output[1][2] = @13 */
-  if (res[1]) casadi_copy(w013, 96, res[1]+192);
+  if (res[1]) casadi_copy(w013, 84, res[1]+168);
   /* #203: output[1][3] = @15 */
-  if (res[1]) casadi_copy(w015, 96, res[1]+288);
+  if (res[1]) casadi_copy(w015, 84, res[1]+252);
   /* #204: output[1][4] = @17 */
-  if (res[1]) casadi_copy(w017, 96, res[1]+384);
+  if (res[1]) casadi_copy(w017, 84, res[1]+336);
   /* #205: output[1][5] = @19 */
-  if (res[1]) casadi_copy(w019, 96, res[1]+480);
+  if (res[1]) casadi_copy(w019, 84, res[1]+420);
   /* #206: output[1][6] = @21 */
-  if (res[1]) casadi_copy(w021, 96, res[1]+576);
+  if (res[1]) casadi_copy(w021, 84, res[1]+504);
   /* #207: output[1][7] = @23 */
-  if (res[1]) casadi_copy(w023, 96, res[1]+672);
+  if (res[1]) casadi_copy(w023, 84, res[1]+588);
   /* #208: output[1][8] = @25 */
-  if (res[1]) casadi_copy(w025, 96, res[1]+768);
+  if (res[1]) casadi_copy(w025, 84, res[1]+672);
   /* #209: output[1][9] = @27 */
-  if (res[1]) casadi_copy(w027, 96, res[1]+864);
+  if (res[1]) casadi_copy(w027, 84, res[1]+756);
   /* #210: output[1][10] = @29 */
-  if (res[1]) casadi_copy(w029, 96, res[1]+960);
+  if (res[1]) casadi_copy(w029, 84, res[1]+840);
   /* #211: output[1][11] = @31 */
-  if (res[1]) casadi_copy(w031, 96, res[1]+1056);
+  if (res[1]) casadi_copy(w031, 84, res[1]+924);
   /* #212: output[1][12] = @33 */
-  if (res[1]) casadi_copy(w033, 96, res[1]+1152);
+  if (res[1]) casadi_copy(w033, 84, res[1]+1008);
   /* #213: output[1][13] = @35 */
-  if (res[1]) casadi_copy(w035, 96, res[1]+1248);
+  if (res[1]) casadi_copy(w035, 84, res[1]+1092);
   /* #214: output[1][14] = @37 */
-  if (res[1]) casadi_copy(w037, 96, res[1]+1344);
+  if (res[1]) casadi_copy(w037, 84, res[1]+1176);
   /* #215: output[1][15] = @39 */
-  if (res[1]) casadi_copy(w039, 96, res[1]+1440);
+  if (res[1]) casadi_copy(w039, 84, res[1]+1260);
   /* #216: output[1][16] = @41 */
-  if (res[1]) casadi_copy(w041, 96, res[1]+1536);
+  if (res[1]) casadi_copy(w041, 84, res[1]+1344);
   /* #217: output[1][17] = @43 */
-  if (res[1]) casadi_copy(w043, 96, res[1]+1632);
+  if (res[1]) casadi_copy(w043, 84, res[1]+1428);
   /* #218: output[1][18] = @45 */
-  if (res[1]) casadi_copy(w045, 96, res[1]+1728);
+  if (res[1]) casadi_copy(w045, 84, res[1]+1512);
   /* #219: output[1][19] = @47 */
-  if (res[1]) casadi_copy(w047, 96, res[1]+1824);
+  if (res[1]) casadi_copy(w047, 84, res[1]+1596);
   /* #220: output[1][20] = @49 */
-  if (res[1]) casadi_copy(w049, 96, res[1]+1920);
+  if (res[1]) casadi_copy(w049, 84, res[1]+1680);
   /* #221: output[1][21] = @51 */
-  if (res[1]) casadi_copy(w051, 96, res[1]+2016);
+  if (res[1]) casadi_copy(w051, 84, res[1]+1764);
   /* #222: output[1][22] = @53 */
-  if (res[1]) casadi_copy(w053, 96, res[1]+2112);
+  if (res[1]) casadi_copy(w053, 84, res[1]+1848);
   /* #223: output[1][23] = @55 */
-  if (res[1]) casadi_copy(w055, 96, res[1]+2208);
+  if (res[1]) casadi_copy(w055, 84, res[1]+1932);
   /* #224: output[1][24] = @57 */
-  if (res[1]) casadi_copy(w057, 96, res[1]+2304);
+  if (res[1]) casadi_copy(w057, 84, res[1]+2016);
   /* #225: output[1][25] = @59 */
-  if (res[1]) casadi_copy(w059, 96, res[1]+2400);
+  if (res[1]) casadi_copy(w059, 84, res[1]+2100);
   /* #226: output[1][26] = @61 */
-  if (res[1]) casadi_copy(w061, 96, res[1]+2496);
+  if (res[1]) casadi_copy(w061, 84, res[1]+2184);
   /* #227: output[1][27] = @63 */
-  if (res[1]) casadi_copy(w063, 96, res[1]+2592);
+  if (res[1]) casadi_copy(w063, 84, res[1]+2268);
   /* #228: output[1][28] = @65 */
-  if (res[1]) casadi_copy(w065, 96, res[1]+2688);
+  if (res[1]) casadi_copy(w065, 84, res[1]+2352);
   /* #229: output[1][29] = @67 */
-  if (res[1]) casadi_copy(w067, 96, res[1]+2784);
+  if (res[1]) casadi_copy(w067, 84, res[1]+2436);
   /* #230: output[1][30] = @69 */
-  if (res[1]) casadi_copy(w069, 96, res[1]+2880);
+  if (res[1]) casadi_copy(w069, 84, res[1]+2520);
   /* #231: output[1][31] = @71 */
-  if (res[1]) casadi_copy(w071, 96, res[1]+2976);
+  if (res[1]) casadi_copy(w071, 84, res[1]+2604);
   /* #232: output[1][32] = @73 */
-  if (res[1]) casadi_copy(w073, 96, res[1]+3072);
+  if (res[1]) casadi_copy(w073, 84, res[1]+2688);
   /* #233: output[1][33] = @75 */
-  if (res[1]) casadi_copy(w075, 96, res[1]+3168);
+  if (res[1]) casadi_copy(w075, 84, res[1]+2772);
   /* #234: output[1][34] = @77 */
-  if (res[1]) casadi_copy(w077, 96, res[1]+3264);
+  if (res[1]) casadi_copy(w077, 84, res[1]+2856);
   /* #235: output[1][35] = @79 */
-  if (res[1]) casadi_copy(w079, 96, res[1]+3360);
+  if (res[1]) casadi_copy(w079, 84, res[1]+2940);
   /* #236: output[1][36] = @81 */
-  if (res[1]) casadi_copy(w081, 96, res[1]+3456);
+  if (res[1]) casadi_copy(w081, 84, res[1]+3024);
   /* #237: output[1][37] = @83 */
-  if (res[1]) casadi_copy(w083, 96, res[1]+3552);
+  if (res[1]) casadi_copy(w083, 84, res[1]+3108);
   /* #238: output[1][38] = @85 */
-  if (res[1]) casadi_copy(w085, 96, res[1]+3648);
+  if (res[1]) casadi_copy(w085, 84, res[1]+3192);
   /* #239: output[1][39] = @87 */
-  if (res[1]) casadi_copy(w087, 96, res[1]+3744);
+  if (res[1]) casadi_copy(w087, 84, res[1]+3276);
   /* #240: output[1][40] = @89 */
-  if (res[1]) casadi_copy(w089, 96, res[1]+3840);
+  if (res[1]) casadi_copy(w089, 84, res[1]+3360);
   /* #241: output[1][41] = @91 */
-  if (res[1]) casadi_copy(w091, 96, res[1]+3936);
+  if (res[1]) casadi_copy(w091, 84, res[1]+3444);
   /* #242: output[1][42] = @93 */
-  if (res[1]) casadi_copy(w093, 96, res[1]+4032);
+  if (res[1]) casadi_copy(w093, 84, res[1]+3528);
   /* #243: output[1][43] = @95 */
-  if (res[1]) casadi_copy(w095, 96, res[1]+4128);
+  if (res[1]) casadi_copy(w095, 84, res[1]+3612);
   /* #244: output[1][44] = @97 */
-  if (res[1]) casadi_copy(w097, 96, res[1]+4224);
+  if (res[1]) casadi_copy(w097, 84, res[1]+3696);
   /* #245: output[1][45] = @99 */
-  if (res[1]) casadi_copy(w099, 96, res[1]+4320);
+  if (res[1]) casadi_copy(w099, 84, res[1]+3780);
   /* #246: output[1][46] = @101 */
-  if (res[1]) casadi_copy(w101, 96, res[1]+4416);
+  if (res[1]) casadi_copy(w101, 84, res[1]+3864);
   /* #247: output[1][47] = @103 */
-  if (res[1]) casadi_copy(w103, 96, res[1]+4512);
+  if (res[1]) casadi_copy(w103, 84, res[1]+3948);
   /* #248: {@105, @106} = observe(@2, @1, @4) */
   arg1[0]=(&w002);
   arg1[1]=w001;
@@ -23879,105 +23875,105 @@ static int casadi_f96(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w106;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #249: output[1][48] = @105 */
-  if (res[1]) casadi_copy(w105, 8, res[1]+4608);
+  if (res[1]) casadi_copy(w105, 7, res[1]+4032);
   /* #250: output[2][0] = @10 */
-  casadi_copy(w010, 96, res[2]);
+  casadi_copy(w010, 84, res[2]);
   /* #251: output[2][1] = @12 */
-  if (res[2]) casadi_copy(w012, 96, res[2]+96);
+  if (res[2]) casadi_copy(w012, 84, res[2]+84);
   /* #252: output[2][2] = @14 */
-  if (res[2]) casadi_copy(w014, 96, res[2]+192);
+  if (res[2]) casadi_copy(w014, 84, res[2]+168);
   /* #253: output[2][3] = @16 */
-  if (res[2]) casadi_copy(w016, 96, res[2]+288);
+  if (res[2]) casadi_copy(w016, 84, res[2]+252);
   /* #254: output[2][4] = @18 */
-  if (res[2]) casadi_copy(w018, 96, res[2]+384);
+  if (res[2]) casadi_copy(w018, 84, res[2]+336);
   /* #255: output[2][5] = @20 */
-  if (res[2]) casadi_copy(w020, 96, res[2]+480);
+  if (res[2]) casadi_copy(w020, 84, res[2]+420);
   /* #256: output[2][6] = @22 */
-  if (res[2]) casadi_copy(w022, 96, res[2]+576);
+  if (res[2]) casadi_copy(w022, 84, res[2]+504);
   /* #257: output[2][7] = @24 */
-  if (res[2]) casadi_copy(w024, 96, res[2]+672);
+  if (res[2]) casadi_copy(w024, 84, res[2]+588);
   /* #258: output[2][8] = @26 */
-  if (res[2]) casadi_copy(w026, 96, res[2]+768);
+  if (res[2]) casadi_copy(w026, 84, res[2]+672);
   /* #259: output[2][9] = @28 */
-  if (res[2]) casadi_copy(w028, 96, res[2]+864);
+  if (res[2]) casadi_copy(w028, 84, res[2]+756);
   /* #260: output[2][10] = @30 */
-  if (res[2]) casadi_copy(w030, 96, res[2]+960);
+  if (res[2]) casadi_copy(w030, 84, res[2]+840);
   /* #261: output[2][11] = @32 */
-  if (res[2]) casadi_copy(w032, 96, res[2]+1056);
+  if (res[2]) casadi_copy(w032, 84, res[2]+924);
   /* #262: output[2][12] = @34 */
-  if (res[2]) casadi_copy(w034, 96, res[2]+1152);
+  if (res[2]) casadi_copy(w034, 84, res[2]+1008);
   /* #263: output[2][13] = @36 */
-  if (res[2]) casadi_copy(w036, 96, res[2]+1248);
+  if (res[2]) casadi_copy(w036, 84, res[2]+1092);
   /* #264: output[2][14] = @38 */
-  if (res[2]) casadi_copy(w038, 96, res[2]+1344);
+  if (res[2]) casadi_copy(w038, 84, res[2]+1176);
   /* #265: output[2][15] = @40 */
-  if (res[2]) casadi_copy(w040, 96, res[2]+1440);
+  if (res[2]) casadi_copy(w040, 84, res[2]+1260);
   /* #266: output[2][16] = @42 */
-  if (res[2]) casadi_copy(w042, 96, res[2]+1536);
+  if (res[2]) casadi_copy(w042, 84, res[2]+1344);
   /* #267: output[2][17] = @44 */
-  if (res[2]) casadi_copy(w044, 96, res[2]+1632);
+  if (res[2]) casadi_copy(w044, 84, res[2]+1428);
   /* #268: output[2][18] = @46 */
-  if (res[2]) casadi_copy(w046, 96, res[2]+1728);
+  if (res[2]) casadi_copy(w046, 84, res[2]+1512);
   /* #269: output[2][19] = @48 */
-  if (res[2]) casadi_copy(w048, 96, res[2]+1824);
+  if (res[2]) casadi_copy(w048, 84, res[2]+1596);
   /* #270: output[2][20] = @50 */
-  if (res[2]) casadi_copy(w050, 96, res[2]+1920);
+  if (res[2]) casadi_copy(w050, 84, res[2]+1680);
   /* #271: output[2][21] = @52 */
-  if (res[2]) casadi_copy(w052, 96, res[2]+2016);
+  if (res[2]) casadi_copy(w052, 84, res[2]+1764);
   /* #272: output[2][22] = @54 */
-  if (res[2]) casadi_copy(w054, 96, res[2]+2112);
+  if (res[2]) casadi_copy(w054, 84, res[2]+1848);
   /* #273: output[2][23] = @56 */
-  if (res[2]) casadi_copy(w056, 96, res[2]+2208);
+  if (res[2]) casadi_copy(w056, 84, res[2]+1932);
   /* #274: output[2][24] = @58 */
-  if (res[2]) casadi_copy(w058, 96, res[2]+2304);
+  if (res[2]) casadi_copy(w058, 84, res[2]+2016);
   /* #275: output[2][25] = @60 */
-  if (res[2]) casadi_copy(w060, 96, res[2]+2400);
+  if (res[2]) casadi_copy(w060, 84, res[2]+2100);
   /* #276: output[2][26] = @62 */
-  if (res[2]) casadi_copy(w062, 96, res[2]+2496);
+  if (res[2]) casadi_copy(w062, 84, res[2]+2184);
   /* #277: output[2][27] = @64 */
-  if (res[2]) casadi_copy(w064, 96, res[2]+2592);
+  if (res[2]) casadi_copy(w064, 84, res[2]+2268);
   /* #278: output[2][28] = @66 */
-  if (res[2]) casadi_copy(w066, 96, res[2]+2688);
+  if (res[2]) casadi_copy(w066, 84, res[2]+2352);
   /* #279: output[2][29] = @68 */
-  if (res[2]) casadi_copy(w068, 96, res[2]+2784);
+  if (res[2]) casadi_copy(w068, 84, res[2]+2436);
   /* #280: output[2][30] = @70 */
-  if (res[2]) casadi_copy(w070, 96, res[2]+2880);
+  if (res[2]) casadi_copy(w070, 84, res[2]+2520);
   /* #281: output[2][31] = @72 */
-  if (res[2]) casadi_copy(w072, 96, res[2]+2976);
+  if (res[2]) casadi_copy(w072, 84, res[2]+2604);
   /* #282: output[2][32] = @74 */
-  if (res[2]) casadi_copy(w074, 96, res[2]+3072);
+  if (res[2]) casadi_copy(w074, 84, res[2]+2688);
   /* #283: output[2][33] = @76 */
-  if (res[2]) casadi_copy(w076, 96, res[2]+3168);
+  if (res[2]) casadi_copy(w076, 84, res[2]+2772);
   /* #284: output[2][34] = @78 */
-  if (res[2]) casadi_copy(w078, 96, res[2]+3264);
+  if (res[2]) casadi_copy(w078, 84, res[2]+2856);
   /* #285: output[2][35] = @80 */
-  if (res[2]) casadi_copy(w080, 96, res[2]+3360);
+  if (res[2]) casadi_copy(w080, 84, res[2]+2940);
   /* #286: output[2][36] = @82 */
-  if (res[2]) casadi_copy(w082, 96, res[2]+3456);
+  if (res[2]) casadi_copy(w082, 84, res[2]+3024);
   /* #287: output[2][37] = @84 */
-  if (res[2]) casadi_copy(w084, 96, res[2]+3552);
+  if (res[2]) casadi_copy(w084, 84, res[2]+3108);
   /* #288: output[2][38] = @86 */
-  if (res[2]) casadi_copy(w086, 96, res[2]+3648);
+  if (res[2]) casadi_copy(w086, 84, res[2]+3192);
   /* #289: output[2][39] = @88 */
-  if (res[2]) casadi_copy(w088, 96, res[2]+3744);
+  if (res[2]) casadi_copy(w088, 84, res[2]+3276);
   /* #290: output[2][40] = @90 */
-  if (res[2]) casadi_copy(w090, 96, res[2]+3840);
+  if (res[2]) casadi_copy(w090, 84, res[2]+3360);
   /* #291: output[2][41] = @92 */
-  if (res[2]) casadi_copy(w092, 96, res[2]+3936);
+  if (res[2]) casadi_copy(w092, 84, res[2]+3444);
   /* #292: output[2][42] = @94 */
-  if (res[2]) casadi_copy(w094, 96, res[2]+4032);
+  if (res[2]) casadi_copy(w094, 84, res[2]+3528);
   /* #293: output[2][43] = @96 */
-  if (res[2]) casadi_copy(w096, 96, res[2]+4128);
+  if (res[2]) casadi_copy(w096, 84, res[2]+3612);
   /* #294: output[2][44] = @98 */
-  if (res[2]) casadi_copy(w098, 96, res[2]+4224);
+  if (res[2]) casadi_copy(w098, 84, res[2]+3696);
   /* #295: output[2][45] = @100 */
-  if (res[2]) casadi_copy(w100, 96, res[2]+4320);
+  if (res[2]) casadi_copy(w100, 84, res[2]+3780);
   /* #296: output[2][46] = @102 */
-  if (res[2]) casadi_copy(w102, 96, res[2]+4416);
+  if (res[2]) casadi_copy(w102, 84, res[2]+3864);
   /* #297: output[2][47] = @104 */
-  if (res[2]) casadi_copy(w104, 96, res[2]+4512);
+  if (res[2]) casadi_copy(w104, 84, res[2]+3948);
   /* #298: output[2][48] = @106 */
-  if (res[2]) casadi_copy(w106, 8, res[2]+4608);
+  if (res[2]) casadi_copy(w106, 7, res[2]+4032);
   /* #299: @7 = landing(@1, @6, @4) */
   arg1[0]=w001;
   arg1[1]=w006;
@@ -24056,7 +24052,7 @@ CASADI_SYMBOL_EXPORT int round_feet_trace_576_work(casadi_int *sz_arg, casadi_in
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 9617;
+  if (sz_w) *sz_w = 8450;
   return 0;
 }
 
@@ -24064,24 +24060,24 @@ CASADI_SYMBOL_EXPORT int round_feet_trace_576_work_bytes(casadi_int *sz_arg, cas
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 9617*sizeof(casadi_real);
+  if (sz_w) *sz_w = 8450*sizeof(casadi_real);
   return 0;
 }
 
-/* round_feet_trace_768:(u[4],p[7])->(w[4x769],g[8x769],dg[8x769],R[4]) */
+/* round_feet_trace_768:(u[4],p[7])->(w[4x769],g[7x769],dg[7x769],R[4]) */
 static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+4, *rr, w000, *w001=w+295, w002, w003, *w004=w+299, *w005=w+306, *w006=w+330, *w007=w+333, *w008=w+337, *w009=w+385;
-  casadi_real *w010=w+481, *w011=w+577, *w012=w+673, *w013=w+769, *w014=w+865, *w015=w+961, *w016=w+1057, *w017=w+1153, *w018=w+1249, *w019=w+1345, *w020=w+1441, *w021=w+1537;
-  casadi_real *w022=w+1633, *w023=w+1729, *w024=w+1825, *w025=w+1921, *w026=w+2017, *w027=w+2113, *w028=w+2209, *w029=w+2305, *w030=w+2401, *w031=w+2497, *w032=w+2593, *w033=w+2689;
-  casadi_real *w034=w+2785, *w035=w+2881, *w036=w+2977, *w037=w+3073, *w038=w+3169, *w039=w+3265, *w040=w+3361, *w041=w+3457, *w042=w+3553, *w043=w+3649, *w044=w+3745, *w045=w+3841;
-  casadi_real *w046=w+3937, *w047=w+4033, *w048=w+4129, *w049=w+4225, *w050=w+4321, *w051=w+4417, *w052=w+4513, *w053=w+4609, *w054=w+4705, *w055=w+4801, *w056=w+4897, *w057=w+4993;
-  casadi_real *w058=w+5089, *w059=w+5185, *w060=w+5281, *w061=w+5377, *w062=w+5473, *w063=w+5569, *w064=w+5665, *w065=w+5761, *w066=w+5857, *w067=w+5953, *w068=w+6049, *w069=w+6145;
-  casadi_real *w070=w+6241, *w071=w+6337, *w072=w+6433, *w073=w+6529, *w074=w+6625, *w075=w+6721, *w076=w+6817, *w077=w+6913, *w078=w+7009, *w079=w+7105, *w080=w+7201, *w081=w+7297;
-  casadi_real *w082=w+7393, *w083=w+7489, *w084=w+7585, *w085=w+7681, *w086=w+7777, *w087=w+7873, *w088=w+7969, *w089=w+8065, *w090=w+8161, *w091=w+8257, *w092=w+8353, *w093=w+8449;
-  casadi_real *w094=w+8545, *w095=w+8641, *w096=w+8737, *w097=w+8833, *w098=w+8929, *w099=w+9025, *w100=w+9121, *w101=w+9217, *w102=w+9313, *w103=w+9409, *w104=w+9505, *w105=w+9601;
-  casadi_real *w106=w+9697, *w107=w+9793, *w108=w+9889, *w109=w+9985, *w110=w+10081, *w111=w+10177, *w112=w+10273, *w113=w+10369, *w114=w+10465, *w115=w+10561, *w116=w+10657, *w117=w+10753;
-  casadi_real *w118=w+10849, *w119=w+10945, *w120=w+11041, *w121=w+11137, *w122=w+11233, *w123=w+11329, *w124=w+11425, *w125=w+11521, *w126=w+11617, *w127=w+11713, *w128=w+11809, *w129=w+11905;
-  casadi_real *w130=w+12001, *w131=w+12097, *w132=w+12193, *w133=w+12289, *w134=w+12385, *w135=w+12481, *w136=w+12577, *w137=w+12673, *w138=w+12681;
+  casadi_real **res1=res+4, *rr, w000, *w001=w+282, w002, w003, *w004=w+286, *w005=w+293, *w006=w+317, *w007=w+320, *w008=w+324, *w009=w+372;
+  casadi_real *w010=w+456, *w011=w+540, *w012=w+624, *w013=w+708, *w014=w+792, *w015=w+876, *w016=w+960, *w017=w+1044, *w018=w+1128, *w019=w+1212, *w020=w+1296, *w021=w+1380;
+  casadi_real *w022=w+1464, *w023=w+1548, *w024=w+1632, *w025=w+1716, *w026=w+1800, *w027=w+1884, *w028=w+1968, *w029=w+2052, *w030=w+2136, *w031=w+2220, *w032=w+2304, *w033=w+2388;
+  casadi_real *w034=w+2472, *w035=w+2556, *w036=w+2640, *w037=w+2724, *w038=w+2808, *w039=w+2892, *w040=w+2976, *w041=w+3060, *w042=w+3144, *w043=w+3228, *w044=w+3312, *w045=w+3396;
+  casadi_real *w046=w+3480, *w047=w+3564, *w048=w+3648, *w049=w+3732, *w050=w+3816, *w051=w+3900, *w052=w+3984, *w053=w+4068, *w054=w+4152, *w055=w+4236, *w056=w+4320, *w057=w+4404;
+  casadi_real *w058=w+4488, *w059=w+4572, *w060=w+4656, *w061=w+4740, *w062=w+4824, *w063=w+4908, *w064=w+4992, *w065=w+5076, *w066=w+5160, *w067=w+5244, *w068=w+5328, *w069=w+5412;
+  casadi_real *w070=w+5496, *w071=w+5580, *w072=w+5664, *w073=w+5748, *w074=w+5832, *w075=w+5916, *w076=w+6000, *w077=w+6084, *w078=w+6168, *w079=w+6252, *w080=w+6336, *w081=w+6420;
+  casadi_real *w082=w+6504, *w083=w+6588, *w084=w+6672, *w085=w+6756, *w086=w+6840, *w087=w+6924, *w088=w+7008, *w089=w+7092, *w090=w+7176, *w091=w+7260, *w092=w+7344, *w093=w+7428;
+  casadi_real *w094=w+7512, *w095=w+7596, *w096=w+7680, *w097=w+7764, *w098=w+7848, *w099=w+7932, *w100=w+8016, *w101=w+8100, *w102=w+8184, *w103=w+8268, *w104=w+8352, *w105=w+8436;
+  casadi_real *w106=w+8520, *w107=w+8604, *w108=w+8688, *w109=w+8772, *w110=w+8856, *w111=w+8940, *w112=w+9024, *w113=w+9108, *w114=w+9192, *w115=w+9276, *w116=w+9360, *w117=w+9444;
+  casadi_real *w118=w+9528, *w119=w+9612, *w120=w+9696, *w121=w+9780, *w122=w+9864, *w123=w+9948, *w124=w+10032, *w125=w+10116, *w126=w+10200, *w127=w+10284, *w128=w+10368, *w129=w+10452;
+  casadi_real *w130=w+10536, *w131=w+10620, *w132=w+10704, *w133=w+10788, *w134=w+10872, *w135=w+10956, *w136=w+11040, *w137=w+11124, *w138=w+11131;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = 0 */
   w000 = 0.;
@@ -25195,133 +25191,133 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   /* #263: output[0][64] = @1 */
   if (res[0]) casadi_copy(w001, 4, res[0]+3072);
   /* #264: output[1][0] = @9 */
-  casadi_copy(w009, 96, res[1]);
+  casadi_copy(w009, 84, res[1]);
   /* #265: output[1][1] = @11 */
-  if (res[1]) casadi_copy(w011, 96, res[1]+96);
+  if (res[1]) casadi_copy(w011, 84, res[1]+84);
   /* #266: output[1][2] = @13 */
-  if (res[1]) casadi_copy(w013, 96, res[1]+192);
+  if (res[1]) casadi_copy(w013, 84, res[1]+168);
   /* #267: output[1][3] = @15 */
-  if (res[1]) casadi_copy(w015, 96, res[1]+288);
+  if (res[1]) casadi_copy(w015, 84, res[1]+252);
   /* #268: output[1][4] = @17 */
-  if (res[1]) casadi_copy(w017, 96, res[1]+384);
+  if (res[1]) casadi_copy(w017, 84, res[1]+336);
   /* #269: output[1][5] = @19 */
-  if (res[1]) casadi_copy(w019, 96, res[1]+480);
+  if (res[1]) casadi_copy(w019, 84, res[1]+420);
   /* #270: output[1][6] = @21 */
-  if (res[1]) casadi_copy(w021, 96, res[1]+576);
+  if (res[1]) casadi_copy(w021, 84, res[1]+504);
   /* #271: output[1][7] = @23 */
-  if (res[1]) casadi_copy(w023, 96, res[1]+672);
+  if (res[1]) casadi_copy(w023, 84, res[1]+588);
   /* #272: output[1][8] = @25 */
-  if (res[1]) casadi_copy(w025, 96, res[1]+768);
+  if (res[1]) casadi_copy(w025, 84, res[1]+672);
   /* #273: output[1][9] = @27 */
-  if (res[1]) casadi_copy(w027, 96, res[1]+864);
+  if (res[1]) casadi_copy(w027, 84, res[1]+756);
   /* #274: output[1][10] = @29 */
-  if (res[1]) casadi_copy(w029, 96, res[1]+960);
+  if (res[1]) casadi_copy(w029, 84, res[1]+840);
   /* #275: output[1][11] = @31 */
-  if (res[1]) casadi_copy(w031, 96, res[1]+1056);
+  if (res[1]) casadi_copy(w031, 84, res[1]+924);
   /* #276: output[1][12] = @33 */
-  if (res[1]) casadi_copy(w033, 96, res[1]+1152);
+  if (res[1]) casadi_copy(w033, 84, res[1]+1008);
   /* #277: output[1][13] = @35 */
-  if (res[1]) casadi_copy(w035, 96, res[1]+1248);
+  if (res[1]) casadi_copy(w035, 84, res[1]+1092);
   /* #278: output[1][14] = @37 */
-  if (res[1]) casadi_copy(w037, 96, res[1]+1344);
+  if (res[1]) casadi_copy(w037, 84, res[1]+1176);
   /* #279: output[1][15] = @39 */
-  if (res[1]) casadi_copy(w039, 96, res[1]+1440);
+  if (res[1]) casadi_copy(w039, 84, res[1]+1260);
   /* #280: output[1][16] = @41 */
-  if (res[1]) casadi_copy(w041, 96, res[1]+1536);
+  if (res[1]) casadi_copy(w041, 84, res[1]+1344);
   /* #281: output[1][17] = @43 */
-  if (res[1]) casadi_copy(w043, 96, res[1]+1632);
+  if (res[1]) casadi_copy(w043, 84, res[1]+1428);
   /* #282: output[1][18] = @45 */
-  if (res[1]) casadi_copy(w045, 96, res[1]+1728);
+  if (res[1]) casadi_copy(w045, 84, res[1]+1512);
   /* #283: output[1][19] = @47 */
-  if (res[1]) casadi_copy(w047, 96, res[1]+1824);
+  if (res[1]) casadi_copy(w047, 84, res[1]+1596);
   /* #284: output[1][20] = @49 */
-  if (res[1]) casadi_copy(w049, 96, res[1]+1920);
+  if (res[1]) casadi_copy(w049, 84, res[1]+1680);
   /* #285: output[1][21] = @51 */
-  if (res[1]) casadi_copy(w051, 96, res[1]+2016);
+  if (res[1]) casadi_copy(w051, 84, res[1]+1764);
   /* #286: output[1][22] = @53 */
-  if (res[1]) casadi_copy(w053, 96, res[1]+2112);
+  if (res[1]) casadi_copy(w053, 84, res[1]+1848);
   /* #287: output[1][23] = @55 */
-  if (res[1]) casadi_copy(w055, 96, res[1]+2208);
+  if (res[1]) casadi_copy(w055, 84, res[1]+1932);
   /* #288: output[1][24] = @57 */
-  if (res[1]) casadi_copy(w057, 96, res[1]+2304);
+  if (res[1]) casadi_copy(w057, 84, res[1]+2016);
   /* #289: output[1][25] = @59 */
-  if (res[1]) casadi_copy(w059, 96, res[1]+2400);
+  if (res[1]) casadi_copy(w059, 84, res[1]+2100);
   /* #290: output[1][26] = @61 */
-  if (res[1]) casadi_copy(w061, 96, res[1]+2496);
+  if (res[1]) casadi_copy(w061, 84, res[1]+2184);
   /* #291: output[1][27] = @63 */
-  if (res[1]) casadi_copy(w063, 96, res[1]+2592);
+  if (res[1]) casadi_copy(w063, 84, res[1]+2268);
   /* #292: output[1][28] = @65 */
-  if (res[1]) casadi_copy(w065, 96, res[1]+2688);
+  if (res[1]) casadi_copy(w065, 84, res[1]+2352);
   /* #293: output[1][29] = @67 */
-  if (res[1]) casadi_copy(w067, 96, res[1]+2784);
+  if (res[1]) casadi_copy(w067, 84, res[1]+2436);
   /* #294: output[1][30] = @69 */
-  if (res[1]) casadi_copy(w069, 96, res[1]+2880);
+  if (res[1]) casadi_copy(w069, 84, res[1]+2520);
   /* #295: output[1][31] = @71 */
-  if (res[1]) casadi_copy(w071, 96, res[1]+2976);
+  if (res[1]) casadi_copy(w071, 84, res[1]+2604);
   /* #296: output[1][32] = @73 */
-  if (res[1]) casadi_copy(w073, 96, res[1]+3072);
+  if (res[1]) casadi_copy(w073, 84, res[1]+2688);
   /* #297: output[1][33] = @75 */
-  if (res[1]) casadi_copy(w075, 96, res[1]+3168);
+  if (res[1]) casadi_copy(w075, 84, res[1]+2772);
   /* #298: output[1][34] = @77 */
-  if (res[1]) casadi_copy(w077, 96, res[1]+3264);
+  if (res[1]) casadi_copy(w077, 84, res[1]+2856);
   /* #299: output[1][35] = @79 */
-  if (res[1]) casadi_copy(w079, 96, res[1]+3360);
+  if (res[1]) casadi_copy(w079, 84, res[1]+2940);
   /* #300: output[1][36] = @81 */
-  if (res[1]) casadi_copy(w081, 96, res[1]+3456);
+  if (res[1]) casadi_copy(w081, 84, res[1]+3024);
   /* #301: output[1][37] = @83 */
-  if (res[1]) casadi_copy(w083, 96, res[1]+3552);
+  if (res[1]) casadi_copy(w083, 84, res[1]+3108);
   /* #302: output[1][38] = @85 */
-  if (res[1]) casadi_copy(w085, 96, res[1]+3648);
+  if (res[1]) casadi_copy(w085, 84, res[1]+3192);
   /* #303: output[1][39] = @87 */
-  if (res[1]) casadi_copy(w087, 96, res[1]+3744);
+  if (res[1]) casadi_copy(w087, 84, res[1]+3276);
   /* #304: output[1][40] = @89 */
-  if (res[1]) casadi_copy(w089, 96, res[1]+3840);
+  if (res[1]) casadi_copy(w089, 84, res[1]+3360);
   /* #305: output[1][41] = @91 */
-  if (res[1]) casadi_copy(w091, 96, res[1]+3936);
+  if (res[1]) casadi_copy(w091, 84, res[1]+3444);
   /* #306: output[1][42] = @93 */
-  if (res[1]) casadi_copy(w093, 96, res[1]+4032);
+  if (res[1]) casadi_copy(w093, 84, res[1]+3528);
   /* #307: output[1][43] = @95 */
-  if (res[1]) casadi_copy(w095, 96, res[1]+4128);
+  if (res[1]) casadi_copy(w095, 84, res[1]+3612);
   /* #308: output[1][44] = @97 */
-  if (res[1]) casadi_copy(w097, 96, res[1]+4224);
+  if (res[1]) casadi_copy(w097, 84, res[1]+3696);
   /* #309: output[1][45] = @99 */
-  if (res[1]) casadi_copy(w099, 96, res[1]+4320);
+  if (res[1]) casadi_copy(w099, 84, res[1]+3780);
   /* #310: output[1][46] = @101 */
-  if (res[1]) casadi_copy(w101, 96, res[1]+4416);
+  if (res[1]) casadi_copy(w101, 84, res[1]+3864);
   /* #311: output[1][47] = @103 */
-  if (res[1]) casadi_copy(w103, 96, res[1]+4512);
+  if (res[1]) casadi_copy(w103, 84, res[1]+3948);
   /* #312: output[1][48] = @105 */
-  if (res[1]) casadi_copy(w105, 96, res[1]+4608);
+  if (res[1]) casadi_copy(w105, 84, res[1]+4032);
   /* #313: output[1][49] = @107 */
-  if (res[1]) casadi_copy(w107, 96, res[1]+4704);
+  if (res[1]) casadi_copy(w107, 84, res[1]+4116);
   /* #314: output[1][50] = @109 */
-  if (res[1]) casadi_copy(w109, 96, res[1]+4800);
+  if (res[1]) casadi_copy(w109, 84, res[1]+4200);
   /* #315: output[1][51] = @111 */
-  if (res[1]) casadi_copy(w111, 96, res[1]+4896);
+  if (res[1]) casadi_copy(w111, 84, res[1]+4284);
   /* #316: output[1][52] = @113 */
-  if (res[1]) casadi_copy(w113, 96, res[1]+4992);
+  if (res[1]) casadi_copy(w113, 84, res[1]+4368);
   /* #317: output[1][53] = @115 */
-  if (res[1]) casadi_copy(w115, 96, res[1]+5088);
+  if (res[1]) casadi_copy(w115, 84, res[1]+4452);
   /* #318: output[1][54] = @117 */
-  if (res[1]) casadi_copy(w117, 96, res[1]+5184);
+  if (res[1]) casadi_copy(w117, 84, res[1]+4536);
   /* #319: output[1][55] = @119 */
-  if (res[1]) casadi_copy(w119, 96, res[1]+5280);
+  if (res[1]) casadi_copy(w119, 84, res[1]+4620);
   /* #320: output[1][56] = @121 */
-  if (res[1]) casadi_copy(w121, 96, res[1]+5376);
+  if (res[1]) casadi_copy(w121, 84, res[1]+4704);
   /* #321: output[1][57] = @123 */
-  if (res[1]) casadi_copy(w123, 96, res[1]+5472);
+  if (res[1]) casadi_copy(w123, 84, res[1]+4788);
   /* #322: output[1][58] = @125 */
-  if (res[1]) casadi_copy(w125, 96, res[1]+5568);
+  if (res[1]) casadi_copy(w125, 84, res[1]+4872);
   /* #323: output[1][59] = @127 */
-  if (res[1]) casadi_copy(w127, 96, res[1]+5664);
+  if (res[1]) casadi_copy(w127, 84, res[1]+4956);
   /* #324: output[1][60] = @129 */
-  if (res[1]) casadi_copy(w129, 96, res[1]+5760);
+  if (res[1]) casadi_copy(w129, 84, res[1]+5040);
   /* #325: output[1][61] = @131 */
-  if (res[1]) casadi_copy(w131, 96, res[1]+5856);
+  if (res[1]) casadi_copy(w131, 84, res[1]+5124);
   /* #326: output[1][62] = @133 */
-  if (res[1]) casadi_copy(w133, 96, res[1]+5952);
+  if (res[1]) casadi_copy(w133, 84, res[1]+5208);
   /* #327: output[1][63] = @135 */
-  if (res[1]) casadi_copy(w135, 96, res[1]+6048);
+  if (res[1]) casadi_copy(w135, 84, res[1]+5292);
   /* #328: {@137, @138} = observe(@2, @1, @4) */
   arg1[0]=(&w002);
   arg1[1]=w001;
@@ -25330,137 +25326,137 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w138;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #329: output[1][64] = @137 */
-  if (res[1]) casadi_copy(w137, 8, res[1]+6144);
+  if (res[1]) casadi_copy(w137, 7, res[1]+5376);
   /* #330: output[2][0] = @10 */
-  casadi_copy(w010, 96, res[2]);
+  casadi_copy(w010, 84, res[2]);
   /* #331: output[2][1] = @12 */
-  if (res[2]) casadi_copy(w012, 96, res[2]+96);
+  if (res[2]) casadi_copy(w012, 84, res[2]+84);
   /* #332: output[2][2] = @14 */
-  if (res[2]) casadi_copy(w014, 96, res[2]+192);
+  if (res[2]) casadi_copy(w014, 84, res[2]+168);
   /* #333: output[2][3] = @16 */
-  if (res[2]) casadi_copy(w016, 96, res[2]+288);
+  if (res[2]) casadi_copy(w016, 84, res[2]+252);
   /* #334: output[2][4] = @18 */
-  if (res[2]) casadi_copy(w018, 96, res[2]+384);
+  if (res[2]) casadi_copy(w018, 84, res[2]+336);
   /* #335: output[2][5] = @20 */
-  if (res[2]) casadi_copy(w020, 96, res[2]+480);
+  if (res[2]) casadi_copy(w020, 84, res[2]+420);
   /* #336: output[2][6] = @22 */
-  if (res[2]) casadi_copy(w022, 96, res[2]+576);
+  if (res[2]) casadi_copy(w022, 84, res[2]+504);
   /* #337: output[2][7] = @24 */
-  if (res[2]) casadi_copy(w024, 96, res[2]+672);
+  if (res[2]) casadi_copy(w024, 84, res[2]+588);
   /* #338: output[2][8] = @26 */
-  if (res[2]) casadi_copy(w026, 96, res[2]+768);
+  if (res[2]) casadi_copy(w026, 84, res[2]+672);
   /* #339: output[2][9] = @28 */
-  if (res[2]) casadi_copy(w028, 96, res[2]+864);
+  if (res[2]) casadi_copy(w028, 84, res[2]+756);
   /* #340: output[2][10] = @30 */
-  if (res[2]) casadi_copy(w030, 96, res[2]+960);
+  if (res[2]) casadi_copy(w030, 84, res[2]+840);
   /* #341: output[2][11] = @32 */
-  if (res[2]) casadi_copy(w032, 96, res[2]+1056);
+  if (res[2]) casadi_copy(w032, 84, res[2]+924);
   /* #342: output[2][12] = @34 */
-  if (res[2]) casadi_copy(w034, 96, res[2]+1152);
+  if (res[2]) casadi_copy(w034, 84, res[2]+1008);
   /* #343: output[2][13] = @36 */
-  if (res[2]) casadi_copy(w036, 96, res[2]+1248);
+  if (res[2]) casadi_copy(w036, 84, res[2]+1092);
   /* #344: output[2][14] = @38 */
-  if (res[2]) casadi_copy(w038, 96, res[2]+1344);
+  if (res[2]) casadi_copy(w038, 84, res[2]+1176);
   /* #345: output[2][15] = @40 */
-  if (res[2]) casadi_copy(w040, 96, res[2]+1440);
+  if (res[2]) casadi_copy(w040, 84, res[2]+1260);
   /* #346: output[2][16] = @42 */
-  if (res[2]) casadi_copy(w042, 96, res[2]+1536);
+  if (res[2]) casadi_copy(w042, 84, res[2]+1344);
   /* #347: output[2][17] = @44 */
-  if (res[2]) casadi_copy(w044, 96, res[2]+1632);
+  if (res[2]) casadi_copy(w044, 84, res[2]+1428);
   /* #348: output[2][18] = @46 */
-  if (res[2]) casadi_copy(w046, 96, res[2]+1728);
+  if (res[2]) casadi_copy(w046, 84, res[2]+1512);
   /* #349: output[2][19] = @48 */
-  if (res[2]) casadi_copy(w048, 96, res[2]+1824);
+  if (res[2]) casadi_copy(w048, 84, res[2]+1596);
   /* #350: output[2][20] = @50 */
-  if (res[2]) casadi_copy(w050, 96, res[2]+1920);
+  if (res[2]) casadi_copy(w050, 84, res[2]+1680);
   /* #351: output[2][21] = @52 */
-  if (res[2]) casadi_copy(w052, 96, res[2]+2016);
+  if (res[2]) casadi_copy(w052, 84, res[2]+1764);
   /* #352: output[2][22] = @54 */
-  if (res[2]) casadi_copy(w054, 96, res[2]+2112);
+  if (res[2]) casadi_copy(w054, 84, res[2]+1848);
   /* #353: output[2][23] = @56 */
-  if (res[2]) casadi_copy(w056, 96, res[2]+2208);
+  if (res[2]) casadi_copy(w056, 84, res[2]+1932);
   /* #354: output[2][24] = @58 */
-  if (res[2]) casadi_copy(w058, 96, res[2]+2304);
+  if (res[2]) casadi_copy(w058, 84, res[2]+2016);
   /* #355: output[2][25] = @60 */
-  if (res[2]) casadi_copy(w060, 96, res[2]+2400);
+  if (res[2]) casadi_copy(w060, 84, res[2]+2100);
   /* #356: output[2][26] = @62 */
-  if (res[2]) casadi_copy(w062, 96, res[2]+2496);
+  if (res[2]) casadi_copy(w062, 84, res[2]+2184);
   /* #357: output[2][27] = @64 */
-  if (res[2]) casadi_copy(w064, 96, res[2]+2592);
+  if (res[2]) casadi_copy(w064, 84, res[2]+2268);
   /* #358: output[2][28] = @66 */
-  if (res[2]) casadi_copy(w066, 96, res[2]+2688);
+  if (res[2]) casadi_copy(w066, 84, res[2]+2352);
   /* #359: output[2][29] = @68 */
-  if (res[2]) casadi_copy(w068, 96, res[2]+2784);
+  if (res[2]) casadi_copy(w068, 84, res[2]+2436);
   /* #360: output[2][30] = @70 */
-  if (res[2]) casadi_copy(w070, 96, res[2]+2880);
+  if (res[2]) casadi_copy(w070, 84, res[2]+2520);
   /* #361: output[2][31] = @72 */
-  if (res[2]) casadi_copy(w072, 96, res[2]+2976);
+  if (res[2]) casadi_copy(w072, 84, res[2]+2604);
   /* #362: output[2][32] = @74 */
-  if (res[2]) casadi_copy(w074, 96, res[2]+3072);
+  if (res[2]) casadi_copy(w074, 84, res[2]+2688);
   /* #363: output[2][33] = @76 */
-  if (res[2]) casadi_copy(w076, 96, res[2]+3168);
+  if (res[2]) casadi_copy(w076, 84, res[2]+2772);
   /* #364: output[2][34] = @78 */
-  if (res[2]) casadi_copy(w078, 96, res[2]+3264);
+  if (res[2]) casadi_copy(w078, 84, res[2]+2856);
   /* #365: output[2][35] = @80 */
-  if (res[2]) casadi_copy(w080, 96, res[2]+3360);
+  if (res[2]) casadi_copy(w080, 84, res[2]+2940);
   /* #366: output[2][36] = @82 */
-  if (res[2]) casadi_copy(w082, 96, res[2]+3456);
+  if (res[2]) casadi_copy(w082, 84, res[2]+3024);
   /* #367: output[2][37] = @84 */
-  if (res[2]) casadi_copy(w084, 96, res[2]+3552);
+  if (res[2]) casadi_copy(w084, 84, res[2]+3108);
   /* #368: output[2][38] = @86 */
-  if (res[2]) casadi_copy(w086, 96, res[2]+3648);
+  if (res[2]) casadi_copy(w086, 84, res[2]+3192);
   /* #369: output[2][39] = @88 */
-  if (res[2]) casadi_copy(w088, 96, res[2]+3744);
+  if (res[2]) casadi_copy(w088, 84, res[2]+3276);
   /* #370: output[2][40] = @90 */
-  if (res[2]) casadi_copy(w090, 96, res[2]+3840);
+  if (res[2]) casadi_copy(w090, 84, res[2]+3360);
   /* #371: output[2][41] = @92 */
-  if (res[2]) casadi_copy(w092, 96, res[2]+3936);
+  if (res[2]) casadi_copy(w092, 84, res[2]+3444);
   /* #372: output[2][42] = @94 */
-  if (res[2]) casadi_copy(w094, 96, res[2]+4032);
+  if (res[2]) casadi_copy(w094, 84, res[2]+3528);
   /* #373: output[2][43] = @96 */
-  if (res[2]) casadi_copy(w096, 96, res[2]+4128);
+  if (res[2]) casadi_copy(w096, 84, res[2]+3612);
   /* #374: output[2][44] = @98 */
-  if (res[2]) casadi_copy(w098, 96, res[2]+4224);
+  if (res[2]) casadi_copy(w098, 84, res[2]+3696);
   /* #375: output[2][45] = @100 */
-  if (res[2]) casadi_copy(w100, 96, res[2]+4320);
+  if (res[2]) casadi_copy(w100, 84, res[2]+3780);
   /* #376: output[2][46] = @102 */
-  if (res[2]) casadi_copy(w102, 96, res[2]+4416);
+  if (res[2]) casadi_copy(w102, 84, res[2]+3864);
   /* #377: output[2][47] = @104 */
-  if (res[2]) casadi_copy(w104, 96, res[2]+4512);
+  if (res[2]) casadi_copy(w104, 84, res[2]+3948);
   /* #378: output[2][48] = @106 */
-  if (res[2]) casadi_copy(w106, 96, res[2]+4608);
+  if (res[2]) casadi_copy(w106, 84, res[2]+4032);
   /* #379: output[2][49] = @108 */
-  if (res[2]) casadi_copy(w108, 96, res[2]+4704);
+  if (res[2]) casadi_copy(w108, 84, res[2]+4116);
   /* #380: output[2][50] = @110 */
-  if (res[2]) casadi_copy(w110, 96, res[2]+4800);
+  if (res[2]) casadi_copy(w110, 84, res[2]+4200);
   /* #381: output[2][51] = @112 */
-  if (res[2]) casadi_copy(w112, 96, res[2]+4896);
+  if (res[2]) casadi_copy(w112, 84, res[2]+4284);
   /* #382: output[2][52] = @114 */
-  if (res[2]) casadi_copy(w114, 96, res[2]+4992);
+  if (res[2]) casadi_copy(w114, 84, res[2]+4368);
   /* #383: output[2][53] = @116 */
-  if (res[2]) casadi_copy(w116, 96, res[2]+5088);
+  if (res[2]) casadi_copy(w116, 84, res[2]+4452);
   /* #384: output[2][54] = @118 */
-  if (res[2]) casadi_copy(w118, 96, res[2]+5184);
+  if (res[2]) casadi_copy(w118, 84, res[2]+4536);
   /* #385: output[2][55] = @120 */
-  if (res[2]) casadi_copy(w120, 96, res[2]+5280);
+  if (res[2]) casadi_copy(w120, 84, res[2]+4620);
   /* #386: output[2][56] = @122 */
-  if (res[2]) casadi_copy(w122, 96, res[2]+5376);
+  if (res[2]) casadi_copy(w122, 84, res[2]+4704);
   /* #387: output[2][57] = @124 */
-  if (res[2]) casadi_copy(w124, 96, res[2]+5472);
+  if (res[2]) casadi_copy(w124, 84, res[2]+4788);
   /* #388: output[2][58] = @126 */
-  if (res[2]) casadi_copy(w126, 96, res[2]+5568);
+  if (res[2]) casadi_copy(w126, 84, res[2]+4872);
   /* #389: output[2][59] = @128 */
-  if (res[2]) casadi_copy(w128, 96, res[2]+5664);
+  if (res[2]) casadi_copy(w128, 84, res[2]+4956);
   /* #390: output[2][60] = @130 */
-  if (res[2]) casadi_copy(w130, 96, res[2]+5760);
+  if (res[2]) casadi_copy(w130, 84, res[2]+5040);
   /* #391: output[2][61] = @132 */
-  if (res[2]) casadi_copy(w132, 96, res[2]+5856);
+  if (res[2]) casadi_copy(w132, 84, res[2]+5124);
   /* #392: output[2][62] = @134 */
-  if (res[2]) casadi_copy(w134, 96, res[2]+5952);
+  if (res[2]) casadi_copy(w134, 84, res[2]+5208);
   /* #393: output[2][63] = @136 */
-  if (res[2]) casadi_copy(w136, 96, res[2]+6048);
+  if (res[2]) casadi_copy(w136, 84, res[2]+5292);
   /* #394: output[2][64] = @138 */
-  if (res[2]) casadi_copy(w138, 8, res[2]+6144);
+  if (res[2]) casadi_copy(w138, 7, res[2]+5376);
   /* #395: @7 = landing(@1, @6, @4) */
   arg1[0]=w001;
   arg1[1]=w006;
@@ -25539,7 +25535,7 @@ CASADI_SYMBOL_EXPORT int round_feet_trace_768_work(casadi_int *sz_arg, casadi_in
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 12689;
+  if (sz_w) *sz_w = 11138;
   return 0;
 }
 
@@ -25547,13 +25543,13 @@ CASADI_SYMBOL_EXPORT int round_feet_trace_768_work_bytes(casadi_int *sz_arg, cas
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 12689*sizeof(casadi_real);
+  if (sz_w) *sz_w = 11138*sizeof(casadi_real);
   return 0;
 }
 
-/* round_feet_advance:(t,w[4],h,p[7])->(w_end[4],g[8],dg[8]) */
+/* round_feet_advance:(t,w[4],h,p[7])->(w_end[4],g[7],dg[7]) */
 static int casadi_f98(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+3, *w0=w+103, w1, *w2=w+107, *w3=w+114, w4, *w5=w+116, *w6=w+140, *w7=w+144, *w8=w+152;
+  casadi_real **res1=res+3, *w0=w+103, w1, *w2=w+107, *w3=w+114, w4, *w5=w+116, *w6=w+140, *w7=w+144, *w8=w+151;
   const casadi_real **arg1=arg+4;
   /* #0: @0 = input[1][0] */
   casadi_copy(arg[1], 4, w0);
@@ -25593,9 +25589,9 @@ static int casadi_f98(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w8;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #10: output[1][0] = @7 */
-  casadi_copy(w7, 8, res[1]);
+  casadi_copy(w7, 7, res[1]);
   /* #11: output[2][0] = @8 */
-  casadi_copy(w8, 8, res[2]);
+  casadi_copy(w8, 7, res[2]);
   return 0;
 }
 
@@ -25658,8 +25654,8 @@ CASADI_SYMBOL_EXPORT const casadi_int* round_feet_advance_sparsity_in(casadi_int
 CASADI_SYMBOL_EXPORT const casadi_int* round_feet_advance_sparsity_out(casadi_int i) {
   switch (i) {
     case 0: return casadi_s4;
-    case 1: return casadi_s26;
-    case 2: return casadi_s26;
+    case 1: return casadi_s5;
+    case 2: return casadi_s5;
     default: return 0;
   }
 }
@@ -25668,7 +25664,7 @@ CASADI_SYMBOL_EXPORT int round_feet_advance_work(casadi_int *sz_arg, casadi_int*
   if (sz_arg) *sz_arg = 9;
   if (sz_res) *sz_res = 5;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 160;
+  if (sz_w) *sz_w = 158;
   return 0;
 }
 
@@ -25676,7 +25672,7 @@ CASADI_SYMBOL_EXPORT int round_feet_advance_work_bytes(casadi_int *sz_arg, casad
   if (sz_arg) *sz_arg = 9*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 5*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 160*sizeof(casadi_real);
+  if (sz_w) *sz_w = 158*sizeof(casadi_real);
   return 0;
 }
 
@@ -25989,9 +25985,9 @@ CASADI_SYMBOL_EXPORT int round_feet_end_work_bytes(casadi_int *sz_arg, casadi_in
   return 0;
 }
 
-/* round_feet_observed_swing:(t,h,w[4],p[7])->(w_end[4],nodes[4x12],g[8x12],dg[8x12]) */
+/* round_feet_observed_swing:(t,h,w[4],p[7])->(w_end[4],nodes[4x12],g[7x12],dg[7x12]) */
 static int casadi_f102(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+4, w0, w1, *w2=w+295, *w3=w+302, *w4=w+326, *w5=w+330, *w6=w+334, *w7=w+382, *w8=w+478;
+  casadi_real **res1=res+4, w0, w1, *w2=w+282, *w3=w+289, *w4=w+313, *w5=w+317, *w6=w+321, *w7=w+369, *w8=w+453;
   const casadi_real **arg1=arg+4;
   /* #0: @0 = input[0][0] */
   w0 = arg[0] ? arg[0][0] : 0;
@@ -26022,9 +26018,9 @@ static int casadi_f102(const casadi_real** arg, casadi_real** res, casadi_int* i
   /* #7: output[1][0] = @6 */
   casadi_copy(w6, 48, res[1]);
   /* #8: output[2][0] = @7 */
-  casadi_copy(w7, 96, res[2]);
+  casadi_copy(w7, 84, res[2]);
   /* #9: output[3][0] = @8 */
-  casadi_copy(w8, 96, res[3]);
+  casadi_copy(w8, 84, res[3]);
   return 0;
 }
 
@@ -26088,9 +26084,9 @@ CASADI_SYMBOL_EXPORT const casadi_int* round_feet_observed_swing_sparsity_in(cas
 CASADI_SYMBOL_EXPORT const casadi_int* round_feet_observed_swing_sparsity_out(casadi_int i) {
   switch (i) {
     case 0: return casadi_s4;
-    case 1: return casadi_s27;
-    case 2: return casadi_s28;
-    case 3: return casadi_s28;
+    case 1: return casadi_s26;
+    case 2: return casadi_s27;
+    case 3: return casadi_s27;
     default: return 0;
   }
 }
@@ -26099,7 +26095,7 @@ CASADI_SYMBOL_EXPORT int round_feet_observed_swing_work(casadi_int *sz_arg, casa
   if (sz_arg) *sz_arg = 14;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 574;
+  if (sz_w) *sz_w = 537;
   return 0;
 }
 
@@ -26107,7 +26103,7 @@ CASADI_SYMBOL_EXPORT int round_feet_observed_swing_work_bytes(casadi_int *sz_arg
   if (sz_arg) *sz_arg = 14*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 574*sizeof(casadi_real);
+  if (sz_w) *sz_w = 537*sizeof(casadi_real);
   return 0;
 }
 

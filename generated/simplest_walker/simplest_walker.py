@@ -106,6 +106,91 @@ def state_derivative_dv(xp, q, v):
     }
 
 
+def forward_dynamics(xp, q, v, p):
+    """Accelerations for given torques of the motors.
+
+    Source: M ddq + h + v = Q with the torques u in Q.
+    14 operations.
+    """
+    theta = q[0]
+    phi = q[1]
+    dtheta = v[0]
+    slope = p[0]
+    s_slope_minus_theta = xp.sin(slope - theta)
+    force_1 = -s_slope_minus_theta
+    c_phi = xp.cos(phi)
+    M_21 = c_phi - 1
+    s_phi = xp.sin(phi)
+    s_phi_plus_slope_minus_theta = xp.sin(phi + slope - theta)
+    force_2 = dtheta*dtheta*s_phi - s_phi_plus_slope_minus_theta
+    acc_f2 = force_2 - M_21*force_1
+    return {
+        "dv": [force_1, acc_f2],
+    }
+
+
+def forward_dynamics_dq(xp, q, v, p):
+    """Derivative with respect to q of the accelerations for given torques.
+
+    Source: M ddq + h + v = Q with the torques u in Q, differentiated.
+    18 operations.
+    """
+    theta = q[0]
+    phi = q[1]
+    dtheta = v[0]
+    slope = p[0]
+    c_slope_minus_theta = xp.cos(slope - theta)
+    r1_1 = c_slope_minus_theta
+    c_phi = xp.cos(phi)
+    M_21 = c_phi - 1
+    c_phi_plus_slope_minus_theta = xp.cos(phi + slope - theta)
+    r1_2 = c_phi_plus_slope_minus_theta
+    d1_f2 = r1_2 - M_21*r1_1
+    s_phi = xp.sin(phi)
+    s_slope_minus_theta = xp.sin(slope - theta)
+    force_1 = -s_slope_minus_theta
+    r2_2 = c_phi*dtheta*dtheta - c_phi_plus_slope_minus_theta + force_1*s_phi
+    return {
+        "dv_dq": [[r1_1, 0], [d1_f2, r2_2]],
+    }
+
+
+def forward_dynamics_dv(xp, q, v):
+    """Derivative with respect to v of the accelerations for given torques.
+
+    Source: M ddq + h + v = Q with the torques u in Q, differentiated.
+    3 operations.
+    """
+    phi = q[1]
+    dtheta = v[0]
+    s_phi = xp.sin(phi)
+    r1_2 = 2*dtheta*s_phi
+    return {
+        "dv_dv": [[0, 0], [r1_2, 0]],
+    }
+
+
+def forward_dynamics_dp(xp, q, p):
+    """Derivative with respect to p of the accelerations for given torques.
+
+    Source: M ddq + h + v = Q with the torques u in Q, differentiated.
+    11 operations.
+    """
+    theta = q[0]
+    phi = q[1]
+    slope = p[0]
+    c_slope_minus_theta = xp.cos(slope - theta)
+    r1_1 = -c_slope_minus_theta
+    c_phi = xp.cos(phi)
+    M_21 = c_phi - 1
+    c_phi_plus_slope_minus_theta = xp.cos(phi + slope - theta)
+    r1_2 = -c_phi_plus_slope_minus_theta
+    d1_f2 = r1_2 - M_21*r1_1
+    return {
+        "dv_dp": [[r1_1], [d1_f2]],
+    }
+
+
 def touchdown_condition(xp, q, v):
     """Touchdown condition.
 

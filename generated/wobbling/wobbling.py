@@ -123,8 +123,8 @@ def state_derivative(xp, t, q, v, p):
     force_1 = beta*dtheta2*s_theta2*(dtheta2 - 2*dtheta1) + beta*(s_theta1 - s_theta1_minus_theta2) + s_theta1
     c_omega_t = xp.cos(omega*t)
     s_omega_t = xp.sin(omega*t)
-    u = -Kd*(dtheta2 + gamma*omega*s_omega_t) - Kp*(S - gamma*(c_omega_t + 1) + theta2)
-    force_2 = beta*(dtheta1*dtheta1*s_theta2 + s_theta1_minus_theta2) + u
+    torque = -Kd*(dtheta2 + gamma*omega*s_omega_t) - Kp*(S - gamma*(c_omega_t + 1) + theta2)
+    force_2 = beta*(dtheta1*dtheta1*s_theta2 + s_theta1_minus_theta2) + torque
     acc_f2 = force_2 - M_L21*force_1
     force_3 = -alpha*dtheta1*dtheta1*s_theta1 - k*x
     acc_f3 = force_3 - M_L31*force_1 - M_L32*acc_f2
@@ -176,8 +176,8 @@ def state_derivative_dq(xp, t, q, v, p):
     force_1 = beta*(s_theta1 - s_theta1_minus_theta2) - beta*s_theta2*t4 + s_theta1
     c_omega_t = xp.cos(omega*t)
     s_omega_t = xp.sin(omega*t)
-    u = -Kd*(dtheta2 + gamma*omega*s_omega_t) - Kp*(S - gamma*(c_omega_t + 1) + theta2)
-    force_2 = beta*(dtheta1*dtheta1*s_theta2 + s_theta1_minus_theta2) + u
+    torque = -Kd*(dtheta2 + gamma*omega*s_omega_t) - Kp*(S - gamma*(c_omega_t + 1) + theta2)
+    force_2 = beta*(dtheta1*dtheta1*s_theta2 + s_theta1_minus_theta2) + torque
     acc_f2 = force_2 - M_L21*force_1
     force_3 = -alpha*dtheta1*dtheta1*s_theta1 - k*x
     acc_f3 = force_3 - M_L31*force_1 - M_L32*acc_f2
@@ -254,6 +254,256 @@ def state_derivative_dv(xp, q, v, p):
     d2_1 = r2_1*t1 - M_L21*d2_2 - M_L31*d2_3
     return {
         "dv_dv": [[d1_1, d2_1, 0], [d1_2, d2_2, 0], [d1_3, d2_3, 0]],
+    }
+
+
+def forward_dynamics(xp, q, v, u, p):
+    """Accelerations for given torques of the motors.
+
+    Source: Kamimura & Sano 2023, eq. (1) with the torques u in Q.
+    66 operations.
+    """
+    theta1 = q[0]
+    theta2 = q[1]
+    x = q[2]
+    dtheta1 = v[0]
+    dtheta2 = v[1]
+    u_theta2 = u[0]
+    k = p[0]
+    alpha = p[1]
+    beta = p[3]
+    c_theta2 = xp.cos(theta2)
+    M_11 = 2*beta*(1 - c_theta2) + 1
+    t1 = 1/M_11
+    M_12 = beta*(c_theta2 - 1)
+    M_L21 = M_12*t1
+    c_theta1 = xp.cos(theta1)
+    M_13 = -alpha*c_theta1
+    M_L31 = M_13*t1
+    M_D2 = beta - M_11*M_L21*M_L21
+    t2 = 1/M_D2
+    M_L32 = -M_11*M_L21*M_L31*t2
+    M_D3 = alpha - M_11*M_L31*M_L31 - M_D2*M_L32*M_L32
+    s_theta1 = xp.sin(theta1)
+    s_theta2 = xp.sin(theta2)
+    s_theta1_minus_theta2 = xp.sin(theta1 - theta2)
+    force_1 = beta*dtheta2*s_theta2*(dtheta2 - 2*dtheta1) + beta*(s_theta1 - s_theta1_minus_theta2) + s_theta1
+    force_2 = beta*(dtheta1*dtheta1*s_theta2 + s_theta1_minus_theta2) + u_theta2
+    acc_f2 = force_2 - M_L21*force_1
+    force_3 = -alpha*dtheta1*dtheta1*s_theta1 - k*x
+    acc_f3 = force_3 - M_L31*force_1 - M_L32*acc_f2
+    acc_3 = acc_f3/M_D3
+    acc_2 = acc_f2*t2 - M_L32*acc_3
+    acc_1 = force_1*t1 - M_L21*acc_2 - M_L31*acc_3
+    return {
+        "dv": [acc_1, acc_2, acc_3],
+    }
+
+
+def forward_dynamics_dq(xp, q, v, u, p):
+    """Derivative with respect to q of the accelerations for given torques.
+
+    Source: Kamimura & Sano 2023, eq. (1) with the torques u in Q, differentiated.
+    134 operations.
+    """
+    theta1 = q[0]
+    theta2 = q[1]
+    x = q[2]
+    dtheta1 = v[0]
+    dtheta2 = v[1]
+    u_theta2 = u[0]
+    k = p[0]
+    alpha = p[1]
+    beta = p[3]
+    c_theta2 = xp.cos(theta2)
+    M_11 = 2*beta*(1 - c_theta2) + 1
+    t1 = 1/M_11
+    M_12 = beta*(c_theta2 - 1)
+    M_L21 = M_12*t1
+    M_D2 = beta - M_11*M_L21*M_L21
+    t2 = 1/M_D2
+    c_theta1 = xp.cos(theta1)
+    M_13 = -alpha*c_theta1
+    M_L31 = M_13*t1
+    M_L32 = -M_11*M_L21*M_L31*t2
+    M_D3 = alpha - M_11*M_L31*M_L31 - M_D2*M_L32*M_L32
+    t3 = 1/M_D3
+    t4 = dtheta2*(2*dtheta1 - dtheta2)
+    s_theta1 = xp.sin(theta1)
+    s_theta2 = xp.sin(theta2)
+    s_theta1_minus_theta2 = xp.sin(theta1 - theta2)
+    force_1 = beta*(s_theta1 - s_theta1_minus_theta2) - beta*s_theta2*t4 + s_theta1
+    force_2 = beta*(dtheta1*dtheta1*s_theta2 + s_theta1_minus_theta2) + u_theta2
+    acc_f2 = force_2 - M_L21*force_1
+    force_3 = -alpha*dtheta1*dtheta1*s_theta1 - k*x
+    acc_f3 = force_3 - M_L31*force_1 - M_L32*acc_f2
+    acc_3 = acc_f3*t3
+    c_theta1_minus_theta2 = xp.cos(theta1 - theta2)
+    r1_1 = beta*(c_theta1 - c_theta1_minus_theta2) - acc_3*alpha*s_theta1 + c_theta1
+    acc_2 = acc_f2*t2 - M_L32*acc_3
+    acc_1 = force_1*t1 - M_L21*acc_2 - M_L31*acc_3
+    r1_3 = -alpha*(acc_1*s_theta1 + c_theta1*dtheta1*dtheta1)
+    r1_2 = beta*c_theta1_minus_theta2
+    d1_f2 = r1_2 - M_L21*r1_1
+    d1_f3 = r1_3 - M_L31*r1_1 - M_L32*d1_f2
+    d1_3 = d1_f3*t3
+    d1_2 = d1_f2*t2 - M_L32*d1_3
+    d1_1 = r1_1*t1 - M_L21*d1_2 - M_L31*d1_3
+    r2_1 = beta*(acc_2*s_theta2 - 2*acc_1*s_theta2 + c_theta1_minus_theta2 - c_theta2*t4)
+    r2_2 = beta*(acc_1*s_theta2 - c_theta1_minus_theta2 + c_theta2*dtheta1*dtheta1)
+    d2_f2 = r2_2 - M_L21*r2_1
+    d2_f3 = -M_L31*r2_1 - M_L32*d2_f2
+    d2_3 = d2_f3*t3
+    d2_2 = d2_f2*t2 - M_L32*d2_3
+    d2_1 = r2_1*t1 - M_L21*d2_2 - M_L31*d2_3
+    r3_3 = -k
+    d3_3 = r3_3*t3
+    d3_2 = -M_L32*d3_3
+    d3_1 = -M_L21*d3_2 - M_L31*d3_3
+    return {
+        "dv_dq": [[d1_1, d2_1, d3_1], [d1_2, d2_2, d3_2], [d1_3, d2_3, d3_3]],
+    }
+
+
+def forward_dynamics_dv(xp, q, v, p):
+    """Derivative with respect to v of the accelerations for given torques.
+
+    Source: Kamimura & Sano 2023, eq. (1) with the torques u in Q, differentiated.
+    75 operations.
+    """
+    theta1 = q[0]
+    theta2 = q[1]
+    dtheta1 = v[0]
+    dtheta2 = v[1]
+    alpha = p[1]
+    beta = p[3]
+    c_theta2 = xp.cos(theta2)
+    M_11 = 2*beta*(1 - c_theta2) + 1
+    t1 = 1/M_11
+    M_12 = beta*(c_theta2 - 1)
+    M_L21 = M_12*t1
+    M_D2 = beta - M_11*M_L21*M_L21
+    t2 = 1/M_D2
+    c_theta1 = xp.cos(theta1)
+    M_13 = -alpha*c_theta1
+    M_L31 = M_13*t1
+    M_L32 = -M_11*M_L21*M_L31*t2
+    M_D3 = alpha - M_11*M_L31*M_L31 - M_D2*M_L32*M_L32
+    t3 = 1/M_D3
+    s_theta2 = xp.sin(theta2)
+    r1_1 = -2*beta*dtheta2*s_theta2
+    s_theta1 = xp.sin(theta1)
+    r1_3 = -2*alpha*dtheta1*s_theta1
+    r1_2 = 2*beta*dtheta1*s_theta2
+    d1_f2 = r1_2 - M_L21*r1_1
+    d1_f3 = r1_3 - M_L31*r1_1 - M_L32*d1_f2
+    d1_3 = d1_f3*t3
+    d1_2 = d1_f2*t2 - M_L32*d1_3
+    d1_1 = r1_1*t1 - M_L21*d1_2 - M_L31*d1_3
+    r2_1 = 2*beta*s_theta2*(dtheta2 - dtheta1)
+    d2_f2 = -M_L21*r2_1
+    d2_f3 = -M_L31*r2_1 - M_L32*d2_f2
+    d2_3 = d2_f3*t3
+    d2_2 = d2_f2*t2 - M_L32*d2_3
+    d2_1 = r2_1*t1 - M_L21*d2_2 - M_L31*d2_3
+    return {
+        "dv_dv": [[d1_1, d2_1, 0], [d1_2, d2_2, 0], [d1_3, d2_3, 0]],
+    }
+
+
+def forward_dynamics_du(xp, q, p):
+    """Derivative with respect to u of the accelerations for given torques.
+
+    Source: Kamimura & Sano 2023, eq. (1) with the torques u in Q, differentiated.
+    36 operations.
+    """
+    theta1 = q[0]
+    theta2 = q[1]
+    alpha = p[1]
+    beta = p[3]
+    c_theta2 = xp.cos(theta2)
+    M_11 = 2*beta*(1 - c_theta2) + 1
+    t1 = 1/M_11
+    M_12 = beta*(c_theta2 - 1)
+    M_L21 = M_12*t1
+    M_D2 = beta - M_11*M_L21*M_L21
+    t2 = 1/M_D2
+    c_theta1 = xp.cos(theta1)
+    M_13 = -alpha*c_theta1
+    M_L31 = M_13*t1
+    M_L32 = -M_11*M_L21*M_L31*t2
+    M_D3 = alpha - M_11*M_L31*M_L31 - M_D2*M_L32*M_L32
+    t3 = 1/M_D3
+    d1_f3 = -M_L32
+    d1_3 = d1_f3*t3
+    d1_2 = t2 - M_L32*d1_3
+    d1_1 = -M_L21*d1_2 - M_L31*d1_3
+    return {
+        "dv_du": [[d1_1], [d1_2], [d1_3]],
+    }
+
+
+def forward_dynamics_dp(xp, q, v, u, p):
+    """Derivative with respect to p of the accelerations for given torques.
+
+    Source: Kamimura & Sano 2023, eq. (1) with the torques u in Q, differentiated.
+    125 operations.
+    """
+    theta1 = q[0]
+    theta2 = q[1]
+    x = q[2]
+    dtheta1 = v[0]
+    dtheta2 = v[1]
+    u_theta2 = u[0]
+    k = p[0]
+    alpha = p[1]
+    beta = p[3]
+    c_theta2 = xp.cos(theta2)
+    M_11 = 2*beta*(1 - c_theta2) + 1
+    t1 = 1/M_11
+    M_12 = beta*(c_theta2 - 1)
+    M_L21 = M_12*t1
+    M_D2 = beta - M_11*M_L21*M_L21
+    c_theta1 = xp.cos(theta1)
+    M_13 = -alpha*c_theta1
+    M_L31 = M_13*t1
+    t2 = 1/M_D2
+    M_L32 = -M_11*M_L21*M_L31*t2
+    M_D3 = alpha - M_11*M_L31*M_L31 - M_D2*M_L32*M_L32
+    t3 = 1/M_D3
+    r1_3 = -x
+    d1_3 = r1_3*t3
+    d1_2 = -M_L32*d1_3
+    d1_1 = -M_L21*d1_2 - M_L31*d1_3
+    s_theta2 = xp.sin(theta2)
+    t4 = dtheta2*s_theta2*(2*dtheta1 - dtheta2)
+    s_theta1 = xp.sin(theta1)
+    s_theta1_minus_theta2 = xp.sin(theta1 - theta2)
+    force_1 = beta*(s_theta1 - s_theta1_minus_theta2) - beta*t4 + s_theta1
+    force_2 = beta*(dtheta1*dtheta1*s_theta2 + s_theta1_minus_theta2) + u_theta2
+    acc_f2 = force_2 - M_L21*force_1
+    t5 = dtheta1*dtheta1*s_theta1
+    force_3 = -alpha*t5 - k*x
+    acc_f3 = force_3 - M_L31*force_1 - M_L32*acc_f2
+    acc_3 = acc_f3*t3
+    r2_1 = acc_3*c_theta1
+    acc_2 = acc_f2*t2 - M_L32*acc_3
+    acc_1 = force_1*t1 - M_L21*acc_2 - M_L31*acc_3
+    r2_3 = acc_1*c_theta1 - acc_3 - t5
+    d2_f2 = -M_L21*r2_1
+    d2_f3 = r2_3 - M_L31*r2_1 - M_L32*d2_f2
+    d2_3 = d2_f3*t3
+    d2_2 = d2_f2*t2 - M_L32*d2_3
+    d2_1 = r2_1*t1 - M_L21*d2_2 - M_L31*d2_3
+    r4_1 = acc_1*(2*c_theta2 - 2) + acc_2*(1 - c_theta2) + s_theta1 - s_theta1_minus_theta2 - t4
+    r4_2 = acc_1*(1 - c_theta2) - acc_2 + dtheta1*dtheta1*s_theta2 + s_theta1_minus_theta2
+    d4_f2 = r4_2 - M_L21*r4_1
+    d4_f3 = -M_L31*r4_1 - M_L32*d4_f2
+    d4_3 = d4_f3*t3
+    d4_2 = d4_f2*t2 - M_L32*d4_3
+    d4_1 = r4_1*t1 - M_L21*d4_2 - M_L31*d4_3
+    return {
+        "dv_dp": [[d1_1, d2_1, 0, d4_1, 0, 0, 0, 0], [d1_2, d2_2, 0, d4_2, 0, 0, 0, 0], [d1_3, d2_3, 0, d4_3, 0, 0, 0, 0]],
     }
 
 
@@ -583,8 +833,8 @@ def ground_force(xp, t, q, v, p):
     force_1 = beta*dtheta2*s_theta2*(dtheta2 - 2*dtheta1) + beta*(s_theta1 - s_theta1_minus_theta2) + s_theta1
     c_omega_t = xp.cos(omega*t)
     s_omega_t = xp.sin(omega*t)
-    u = -Kd*(dtheta2 + gamma*omega*s_omega_t) - Kp*(S - gamma*(c_omega_t + 1) + theta2)
-    force_2 = beta*(dtheta1*dtheta1*s_theta2 + s_theta1_minus_theta2) + u
+    torque = -Kd*(dtheta2 + gamma*omega*s_omega_t) - Kp*(S - gamma*(c_omega_t + 1) + theta2)
+    force_2 = beta*(dtheta1*dtheta1*s_theta2 + s_theta1_minus_theta2) + torque
     acc_f2 = force_2 - M_L21*force_1
     force_3 = -alpha*dtheta1*dtheta1*s_theta1 - k*x
     acc_f3 = force_3 - M_L31*force_1 - M_L32*acc_f2
@@ -641,8 +891,8 @@ def zmp(xp, t, q, v, p):
     force_1 = beta*dtheta2*s_theta2*(dtheta2 - 2*dtheta1) - t1
     c_omega_t = xp.cos(omega*t)
     s_omega_t = xp.sin(omega*t)
-    u = -Kd*(dtheta2 + gamma*omega*s_omega_t) - Kp*(S - gamma*(c_omega_t + 1) + theta2)
-    force_2 = beta*(dtheta1*dtheta1*s_theta2 + s_theta1_minus_theta2) + u
+    torque = -Kd*(dtheta2 + gamma*omega*s_omega_t) - Kp*(S - gamma*(c_omega_t + 1) + theta2)
+    force_2 = beta*(dtheta1*dtheta1*s_theta2 + s_theta1_minus_theta2) + torque
     acc_f2 = force_2 - M_L21*force_1
     force_3 = -alpha*dtheta1*dtheta1*s_theta1 - k*x
     acc_f3 = force_3 - M_L31*force_1 - M_L32*acc_f2

@@ -46,9 +46,8 @@ class StepMap:
     # -- pieces ------------------------------------------------------------------------------------------
 
     def call(self, name: str, **values: ca.SX) -> dict[str, ca.SX]:
-        """Call a generated function with those of `values` that it takes."""
-        function = getattr(self.model, name)
-        return function(**{key: values[key] for key in function.name_in()})
+        """Call a generated function; it uses those of `values` that it reads."""
+        return getattr(self.model, name)(**values)
 
     def _symbols(self) -> tuple[ca.SX, ca.SX, ca.SX]:
         return ca.SX.sym("t"), ca.SX.sym("y", 2 * self.n), ca.SX.sym("p", self.n_params)

@@ -15,14 +15,16 @@ from numpy.typing import NDArray
 from stridemap.errors import InputError
 from stridemap.quantities import measured_on
 from stridemap.solver.model.files import MANIFEST, Files, equations_file, kernels_file, packed, unpacked
-from stridemap.spec import Function, ModelSpec, Parameter, Quantity
+from stridemap.solver.model.function import ModelFunction, check_arguments, wrong_size
+from stridemap.spec import SIGNATURE, Function, ModelSpec, Parameter, Quantity
 
 
 class Model:
     """A generated walker.
 
     Every generated function is an attribute, a `casadi.Function` with named inputs and outputs:
-    ``load("wobbling").mass_matrix(q=[0.1, 0.2, 0.0], p=model.point({}))["M"]``.
+    ``load("wobbling").mass_matrix(q=[0.1, 0.2, 0.0], p=model.point({}))["M"]``. Each takes all of ``t``,
+    ``q``, ``v``, ``u`` and ``p`` (``section_state``: ``z``, ``p``), uses what it needs and ignores the rest.
 
     A model is a value: it can be sent to another process or machine, and takes its generated files along.
 
@@ -112,7 +114,7 @@ class Model:
         angle = self.spec.stance_angle
         return None if angle is None else self.coordinates.index(angle)
 
-    def __getattr__(self, name: str) -> ca.Function:
+    def __getattr__(self, name: str) -> ModelFunction:
         """The generated function `name` as a CasADi function."""
         spec = self.__dict__.get("spec")
         functions = {} if spec is None else spec.functions
@@ -197,13 +199,16 @@ class Model:
 
     # -- what it computes --------------------------------------------------------------------------------
 
-    def _casadi(self, name: str, function: Function) -> ca.Function:
-        symbols = {a: ca.SX.sym(a, self.spec.size(a)) for a in function.arguments}
-        scalars = [s[0] if a == "t" else ca.vertsplit(s) for a, s in symbols.items()]
+    def _casadi(self, name: str, function: Function) -> ModelFunction:
+        symbols = {a: ca.SX.sym(a, self.spec.size(a)) for a in function.signature}
+        scalars = [symbols[a][0] if a == "t" else ca.vertsplit(symbols[a]) for a in function.arguments]
         result = getattr(self.equations, name)(ca, *scalars)
         names = [one.name for one in function.outputs]
         outputs = [self.matrix(result[one]) for one in names]
-        return ca.Function(name, list(symbols.values()), outputs, list(symbols), names)
+        # The torques are an argument of every function, and the result of one.
+        options = {"allow_duplicate_io_names": True}
+        made = ca.Function(name, list(symbols.values()), outputs, list(symbols), names, options)
+        return ModelFunction(made, self.spec, function)
 
     @staticmethod
     def matrix(value: Any) -> ca.SX:
@@ -219,16 +224,28 @@ class Model:
         ----------
         name : str
         **values : ndarray
-            Shape (..., size), or (...) for ``t``. The function uses those that it takes; all together give
-            the leading axes of the results.
+            Any of t, q, v, u, p and z: shape (..., size), or (...) for ``t``. The function uses those that it
+            reads; all together give the leading axes of the results.
 
         Returns
         -------
         dict of str to ndarray
             Shape (...) for a scalar, (..., n) for a vector, (..., n, m) for a matrix.
+
+        Raises
+        ------
+        InputError
+            When something that the function reads is missing or has another size, or for an unknown name.
         """
-        arguments = self.spec.functions[name].arguments
+        function = self.spec.functions.get(name)
+        if function is None:
+            raise InputError(f"{self.name} has no function {name!r}; it has {', '.join(self.spec.functions)}")
+        arguments = function.arguments
+        check_arguments(self.spec, name, (*SIGNATURE, "z"), arguments, values)
         inputs = [np.asarray(values[a], dtype=float) for a in arguments]
+        for a, x in zip(arguments, inputs, strict=True):
+            if a != "t" and np.shape(x)[-1:] != (self.spec.size(a),):
+                raise wrong_size(self.spec, name, a, np.shape(x)[-1] if np.ndim(x) else "a single number")
         shape = np.broadcast_shapes(
             *(np.shape(x) if key == "t" else np.shape(x)[:-1] for key, x in values.items())
         )

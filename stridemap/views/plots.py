@@ -26,7 +26,8 @@ def plot(orbit: Orbit, kind: str = "profiles", *, samples: int = 201) -> "Figure
     kind : {"profiles", "phase"}
         ``profiles``: coordinates, rates, ground force, the paper's distance `d` and how far the centre of
         pressure is ahead of the contact, against time over one step. ``phase``: the rate of each coordinate
-        against the coordinate; a dot marks the state just after touchdown, and a dotted line the jump at the impact.
+        against the coordinate; a dot marks the state just after touchdown, and a dotted line the jump at the
+        impact.
     samples : int
         Number of times, both ends of the step included.
 

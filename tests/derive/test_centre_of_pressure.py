@@ -1,8 +1,8 @@
 """The centre of pressure is where the whole walker's angular momentum says that the ground pushes.
 
 Positions and angles are taken from the declaration, and the rest from Newton and Euler: accelerations are
-second differences along the motion at 50 digits. The moment about the contact is what the bodies' accelerations
-need beyond gravity's; of its own the test only knows in which sense each body counts its angle.
+second differences along the motion at 50 digits. The moment about the contact is what the bodies'
+accelerations need beyond gravity's; of its own the test only knows in which sense each body counts its angle.
 """
 
 import inspect

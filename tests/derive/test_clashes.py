@@ -113,17 +113,18 @@ def test_the_numbers_are_those_of_the_same_walker_with_plain_names(names, plain,
 def main(spec):
     """A C program that prints all results at the point."""
     lines = ['#include "clashing.h"', "#include <stdio.h>", "int main(void) {", "    int i;"]
+    lines += ["    const double *u = 0; /* there are no motors */"]
     for name, values in point().items():
         given = ", ".join(map(repr, map(float, np.ravel(values))))
         lines.append(f"    const double {name}[] = {{{given}}};")
     for name, function in spec.functions.items():
-        given = ["t[0]" if a == "t" else a for a in function.arguments]
+        given = ["t[0]" if a == "t" else a for a in function.signature]
         sizes = {f"{name}_{o.name}": math.prod(o.shape) for o in function.outputs}
         lines += [f"    double {o}[{size}];" for o, size in sizes.items()]
         lines.append(f"    clashing_{name}({', '.join([*given, *sizes])});")
         lines += [
             f'    for (i = 0; i < {size}; i++) printf("%.17g\\n", {o}[i]);' for o, size in sizes.items()
         ]
-    used = {a for f in spec.functions.values() for a in f.arguments}
+    used = {a for f in spec.functions.values() for a in f.signature}
     lines += [f"    (void) {name};" for name in point() if name not in used]
     return "\n".join([*lines, "    return 0;", "}", ""])

@@ -26,7 +26,8 @@ def at():
     angles, rates = rng.uniform(-1, 1, (COUNT, 4)), rng.uniform(-2, 2, (COUNT, 4))
     p = np.array(list(NAMES.values())) * rng.uniform(0.5, 2, (COUNT, len(NAMES)))
     rates[:, 3] = p[:, list(NAMES).index("omega")]
-    return {"t": rng.uniform(0, 1, COUNT), "q": angles, "v": rates, "p": p}
+    torques = rng.uniform(-2, 2, (COUNT, 2))
+    return {"t": rng.uniform(0, 1, COUNT), "q": angles, "v": rates, "p": p, "u": torques}
 
 
 def assert_close(result, expected, tolerance=1e-11):
@@ -131,6 +132,7 @@ def test_motors_give_and_dampers_take_all_the_power(model, at):
         ("impact_map_dq", "v_plus_dq", "impact_map", "v_plus", "q"),
         ("impact_map_dv", "v_plus_dv", "impact_map", "v_plus", "v"),
         ("touchdown_condition_dq", "h_dq", "touchdown_condition", "h", "q"),
+        *((f"forward_dynamics_d{x}", f"dv_d{x}", "forward_dynamics", "dv", x) for x in "qvup"),
     ],
 )
 def test_derivatives(model, at, function, output, parent, of, which):
@@ -138,6 +140,12 @@ def test_derivatives(model, at, function, output, parent, of, which):
     expected = differences(getattr(model.equations, parent), few, of, which)
     result = call(getattr(model.equations, function), MP, few)[output]
     assert np.abs(result - expected).max() < 1e-26
+
+
+def test_the_motion_is_that_of_the_controllers_torques(model, at):
+    torques = model.evaluate("controller_torque", **at)["u"]
+    moved = model.evaluate("forward_dynamics", **{**at, "u": torques})["dv"]
+    assert_close(moved, model.evaluate("state_derivative", **at)["dv"])
 
 
 def test_the_section(model):

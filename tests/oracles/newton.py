@@ -151,6 +151,14 @@ class Newton:
             force[:, 1] = force[:, 1] + self.controller_torque()["u"][:, 0]
         return {"dq": self.v, "dv": solve(self.mass_matrix()["M"], force)}
 
+    def forward_dynamics(self):
+        """As the motion, with given torques of the motor between the legs in place of the controller's."""
+        if not self.values["u"].size:
+            return {"dv": self.state_derivative()["dv"]}
+        force = -sum(self.bias_forces().values())
+        force[:, 1] = force[:, 1] + self.values["u"][:, 0]
+        return {"dv": solve(self.mass_matrix()["M"], force)}
+
     # -- touchdown and impact --------------------------------------------------------------------------------
 
     def touchdown_condition(self):

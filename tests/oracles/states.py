@@ -50,7 +50,7 @@ def lacking(reason):
 
 @cache
 def states(name, count=COUNT, seed=7):
-    """Random inputs of a model's functions: t (count,), and q, v, p, z with an axis more."""
+    """Random inputs of a model's functions: t (count,), and q, v, u, p, z with an axis more."""
     rng = np.random.default_rng(seed)
     model = load(name)
 
@@ -63,6 +63,7 @@ def states(name, count=COUNT, seed=7):
         "v": draw(["d" + c for c in model.coordinates]),
         "p": draw([a.name for a in model.parameters]),
         "z": draw(model.section),
+        "u": rng.uniform(-2, 2, (count, len(model.actuated))),
     }
 
 

@@ -46,7 +46,7 @@ def test_it_computes_what_the_python_module_does(printers, written, tmp_path):
     done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
     values = states("compass", COUNT)
-    rows = np.column_stack([values["t"], *(values[a] for a in "qvpz")])
+    rows = np.column_stack([values["t"], *(values[a] for a in "qvupz")])
     given = "\n".join(" ".join(map(repr, row)) for row in rows.tolist())
     printed = subprocess.run([tmp_path / "main"], input=given, capture_output=True, text=True, check=True)
     found = iter(np.array([line.split() for line in printed.stdout.splitlines()], dtype=float).T)
@@ -61,7 +61,7 @@ def test_it_computes_what_the_python_module_does(printers, written, tmp_path):
 
 def main(spec):
     """A program that reads states and prints, for each, all results of all functions on one line."""
-    sizes = {a: spec.size(a) for a in "tqvpz"}
+    sizes = {a: spec.size(a) for a in "tqvupz"}
     lines = ['#include "compass.hpp"', "#include <cstdio>", "int main() {"]
     lines += [f"    double {a}[{size}];" for a, size in sizes.items()]
     lines += ["    const auto read = [](double *x, int n) { int all = 1;"]

@@ -63,8 +63,8 @@ def test_cpp_links_with_the_c(compiler, tmp_path):
     source = tmp_path / "main.cpp"
     source.write_text(
         "".join(f'#include "{name}.h"\n' for name in MODELS)
-        + "int main() { double z[5] = {0}, q[3], v[3]; "
-        + "".join(f"{name}_section_state(z, q, v); " for name in MODELS)
+        + "int main() { double z[5] = {0}, p[8] = {0}, q[3], v[3]; "
+        + "".join(f"{name}_section_state(z, p, q, v); " for name in MODELS)
         + "}\n"
     )
     for name in MODELS:
@@ -80,6 +80,121 @@ def test_cpp_links_with_the_c(compiler, tmp_path):
 def test_kernels_compile_without_a_warning(name, compiler, tmp_path):
     source = folder(name) / f"{name}_kernels.c"
     run(need(compiler), *STRICT, "-Wno-unused-parameter", "-c", source, "-o", tmp_path / "out.o")
+
+
+# -- single precision and former prototypes ------------------------------------------------------------------
+
+EVERY_WARNING = [
+    *STRICT,
+    "-Wconversion",
+    "-Wpedantic",
+    "-Wshadow",
+    "-Wdouble-promotion",
+    "-Wfloat-conversion",
+]
+
+
+@all_models
+@both_compilers
+@pytest.mark.parametrize("options", [["-DSTRIDEMAP_FLOAT"], ["-DSTRIDEMAP_OLD_SIGNATURES"]])
+def test_no_warning_in_single_precision_and_with_former_prototypes(name, compiler, options, tmp_path):
+    """The header on its own, too: a caller includes nothing else."""
+    caller = tmp_path / "caller.c"
+    caller.write_text(f'#include "{name}.h"\nint main(void) {{ return (int) sizeof(stridemap_real); }}\n')
+    for source in (folder(name) / f"{name}.c", caller):
+        flags = [*EVERY_WARNING, *options, f"-I{folder(name)}", "-O2"]
+        run(need(compiler), *flags, "-c", source, "-o", tmp_path / "out.o")
+
+
+def printing_main(name, calls):
+    """A C program that prints all results of functions: name of the function and its arguments in C."""
+    model = load(name)
+    state = {"t": [0.7], "q": [0.2, -0.3, 0.1], "v": [-0.4, 0.5, 0.6], "u": [0.3], "p": model.point({})}
+    state["z"] = ORBITS[name][:-1]
+    lines = [f'#include "{name}.h"', "#include <stdio.h>", "int main(void) {", "    int i;"]
+    lines += [
+        f"    const stridemap_real {k}[] = {{{', '.join(f'(stridemap_real) {float(x)!r}' for x in v)}}};"
+        for k, v in state.items()
+    ]
+    lines += [f"    (void) {k};" for k in state]
+    for function, arguments in calls.items():
+        outputs = {f"{o.name}_": np.prod(o.shape, dtype=int) for o in model.spec.functions[function].outputs}
+        given = ", ".join(["t[0]" if a == "t" else a for a in arguments] + list(outputs))
+        lines += ["    {", *(f"        stridemap_real {o}[{size}];" for o, size in outputs.items())]
+        lines.append(f"        {name}_{function}({given});")
+        shown = 'printf("%.17g\\n", (double) {}[i]);'
+        lines += [f"        for (i = 0; i < {n}; i++) {shown.format(o)}" for o, n in outputs.items()] + [
+            "    }"
+        ]
+    return "\n".join([*lines, "    return 0;", "}", ""])
+
+
+def printed_by(name, calls, options, tmp_path):
+    """What all functions give, in one list for each."""
+    (tmp_path / "main.c").write_text(printing_main(name, calls))
+    flags = [*EVERY_WARNING, "-O2", "-ffp-contract=off", *options, f"-I{folder(name)}"]
+    sources = [tmp_path / "main.c", folder(name) / f"{name}.c"]
+    run(need(*COMPILERS), *flags, *sources, "-lm", "-o", tmp_path / "main")
+    values = iter(run(tmp_path / "main").split())
+    spec = load(name).spec
+    sizes = {f: sum(np.prod(o.shape, dtype=int) for o in spec.functions[f].outputs) for f in calls}
+    found = {f: np.array([float(next(values)) for _ in range(size)]) for f, size in sizes.items()}
+    assert next(values, None) is None
+    return found
+
+
+@all_models
+def test_single_precision_gives_the_same_numbers(name, tmp_path):
+    calls = {f: entry.signature for f, entry in load(name).spec.functions.items()}
+    double, single = (printed_by(name, calls, o, tmp_path) for o in ([], ["-DSTRIDEMAP_FLOAT"]))
+    for function in calls:
+        size = np.abs(double[function]).max()
+        off = np.abs(double[function] - single[function]).max()
+        assert off <= 1e-4 * size, function
+    # It is another precision indeed.
+    assert any((double[f] != single[f]).any() for f in calls)
+    assert all((np.float32(x) == x).all() for x in single.values())
+
+
+def test_code_of_different_precision_does_not_link(tmp_path):
+    here = folder("compass")
+    (tmp_path / "main.c").write_text(printing_main("compass", {"mass_matrix": ("t", "q", "v", "u", "p")}))
+    compiler, flags = need(*COMPILERS), [f"-I{here}", "-std=c99"]
+    run(compiler, *flags, "-DSTRIDEMAP_FLOAT", "-c", tmp_path / "main.c", "-o", tmp_path / "main.o")
+    linked = subprocess.run(
+        [compiler, *flags, tmp_path / "main.o", here / "compass.c", "-lm", "-o", tmp_path / "main"],
+        capture_output=True, text=True, check=False,
+    )  # fmt: skip
+    assert linked.returncode and "compass_mass_matrix_float" in linked.stderr
+
+
+@all_models
+def test_former_prototypes_take_what_a_function_reads(name, tmp_path):
+    functions = load(name).spec.functions
+    now = {f: entry.signature for f, entry in functions.items()}
+    former = {f: now[f] if f.startswith("forward") else entry.arguments for f, entry in functions.items()}
+    assert former != now
+    expected = printed_by(name, now, [], tmp_path)
+    found = printed_by(name, former, ["-DSTRIDEMAP_OLD_SIGNATURES"], tmp_path)
+    for function in functions:
+        np.testing.assert_array_equal(found[function], expected[function], err_msg=function)
+
+
+def test_prototypes_depend_on_sizes_only():
+    """Those of two models differ in their names and in the numbers of entries, and in nothing else."""
+
+    def shapes(name):
+        text = re.sub(r"#ifdef STRIDEMAP_OLD.*", "", load(name).text(f"{name}.h"), flags=re.DOTALL)
+        found = dict(re.findall(rf"^void {name}_(\w+)\(([^)]*)\);", text, flags=re.M))
+        return {f: re.sub(r"\[\d+\]|\*", "", re.sub(r"\s+", " ", a)) for f, a in found.items()}
+
+    one, *others = (shapes(name) for name in MODELS)
+    for other in others:
+        for function in one.keys() & other.keys() - {"drawing", "bias_forces", "quantities"}:
+            assert one[function] == other[function], function
+    start = "stridemap_real t, const stridemap_real q, const stridemap_real v, const stridemap_real u, "
+    assert all(a.startswith(start) for f, a in one.items() if f != "section_state")
+    assert one["section_state"].startswith("const stridemap_real z, const stridemap_real p, ")
 
 
 # -- symbols -------------------------------------------------------------------------------------------------
@@ -163,7 +278,7 @@ def test_header_and_readme_list_what_each_function_reads(name):
         )
         # What the code reads, it reads by index; the comment names the same entries.
         body = re.search(rf"^def {function}\(.*?(?=^def |\Z)", load(name).text(f"{name}.py"), re.M | re.S)[0]
-        unpacked = re.findall(r"^    (\w+) = [qvpz]\[\d+\]$", body, flags=re.M)
+        unpacked = re.findall(r"^    (\w+) = [qvupz]\[\d+\]$", body, flags=re.M)
         assert [read for read in reads if read != "t"] == unpacked
 
 
@@ -186,6 +301,7 @@ def readable_main(name):
     """A C program that calls every readable function on heap arrays of exactly the declared sizes."""
     model = load(name)
     state = {"q": [0.2, -0.3, 0.1], "v": [-0.4, 0.5, 0.6], "p": model.point({}), "z": ORBITS[name][:-1]}
+    state["u"] = [0.3]
     lines = [f'#include "{name}.h"', "#include <math.h>", "#include <stdio.h>", "#include <stdlib.h>"]
     lines += ["static double *copy(const double *from, int n) {"]
     lines += ["    double *x = malloc((size_t) n * sizeof(double));", "    int i;"]
@@ -195,11 +311,11 @@ def readable_main(name):
     lines += ["int main(void) {"]
     lines += [f"    const double {k}0[] = {c_list(v)};" for k, v in state.items()]
     for function, entry in model.spec.functions.items():
-        inputs = [a for a in entry.arguments if a != "t"]
+        inputs = [a for a in entry.signature if a != "t"]
         outputs = [(o.name, np.prod(o.shape, dtype=int)) for o in entry.outputs]
         arrays = [(a, f"copy({a}0, {model.spec.size(a)})") for a in inputs]
         arrays += [(f"{o}_", f"copy(0, {size})") for o, size in outputs]
-        given = ["0.7" if a == "t" else a for a in entry.arguments] + [f"{o}_" for o, _ in outputs]
+        given = ["0.7" if a == "t" else a for a in entry.signature] + [f"{o}_" for o, _ in outputs]
         lines += ["    {"] + [f"        double *{a} = {made};" for a, made in arrays]
         lines += [f"        {name}_{function}({', '.join(given)});"]
         lines += [f'        check("{function}", {o}_, {size});' for o, size in outputs]

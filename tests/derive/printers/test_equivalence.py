@@ -34,7 +34,7 @@ FUNCTIONS = (
     "touchdown_condition",
     "impact_map", "impact_impulse", "kinetic_energy", "potential_energy", "total_mass", "centre_of_mass",
     "ground_force", "zmp", "centre_of_pressure", "swing_foot", "stance_foot", "drawing", "spring_mode",
-    "section_state", "before_touchdown", "step_length",
+    "section_state", "before_touchdown", "step_length", "forward_dynamics",
 )  # fmt: skip
 JACOBIANS = {
     "state_derivative_dq": ("dv_dq", "state_derivative", "dv", "q"),
@@ -42,8 +42,9 @@ JACOBIANS = {
     "touchdown_condition_dq": ("h_dq", "touchdown_condition", "h", "q"),
     "impact_map_dq": ("v_plus_dq", "impact_map", "v_plus", "q"),
     "impact_map_dv": ("v_plus_dv", "impact_map", "v_plus", "v"),
+    **{f"forward_dynamics_d{x}": (f"dv_d{x}", "forward_dynamics", "dv", x) for x in "qvup"},
 }
-PASSIVE = {"spring_mode", "controller_torque", "motor_rates"}
+PASSIVE = {"spring_mode", "controller_torque", "motor_rates", "forward_dynamics_du"}
 LACKING = {"wobbling": set(), "compass": {"spring_mode"}}
 PAIRS = [(m, f) for m in MODELS for f in (*FUNCTIONS, *JACOBIANS) if f not in LACKING.get(m, PASSIVE)]
 
@@ -109,7 +110,7 @@ def by_c(library, name, function):
     """The C function at all states; everything goes through pointers into the arrays."""
     ffi, compiled = library
     spec = load(name).spec.functions[function]
-    inputs = [np.ascontiguousarray(states(name)[a]) for a in spec.arguments]
+    inputs = [np.ascontiguousarray(states(name)[a]) for a in spec.signature]
     outputs = [np.full((COUNT, *o.shape), np.nan) for o in spec.outputs]
     in_c = getattr(compiled, f"{name}_{function}")
     for i in range(COUNT):
@@ -145,6 +146,7 @@ def libraries(tmp_path_factory):
 def prototypes(name):
     """The header's declarations, without comments and preprocessor."""
     text = re.sub(r"/\*.*?\*/", "", load(name).text(f"{name}.h"), flags=re.DOTALL)
+    text = re.sub(r"#ifdef STRIDEMAP_(FLOAT|OLD_SIGNATURES)$.*?^#(else|endif)$", "", text, flags=re.M | re.S)
     return re.sub(r'^#.*$|extern "C" \{|^\}$', "", text, flags=re.MULTILINE)
 
 
@@ -186,8 +188,11 @@ def assert_sharp(bounds, value):
 def test_the_header_declares_what_the_manifest_says(name):
     expected, spec = [], load(name).spec
     for function, entry in spec.functions.items():
-        arguments = ["double t" if a == "t" else f"const double {a}[{spec.size(a)}]" for a in entry.arguments]
-        arguments += [f"double {o.name}[{np.prod(o.shape, dtype=int)}]" for o in entry.outputs]
-        expected.append((f"{name}_{function}", ", ".join(arguments)))
-    declared = re.findall(r"void (\w+)\(([^)]*)\);", prototypes(name))
+        sizes = {a: f"[{size}]" if (size := spec.size(a)) else "" for a in entry.signature}
+        arguments = ["double t" if a == "t" else f"const double {a}{size}" for a, size in sizes.items()]
+        named = {o: f"{o.name}_" if o.name in entry.signature else o.name for o in entry.outputs}
+        arguments += [f"double {n}[{np.prod(o.shape, dtype=int)}]" for o, n in named.items()]
+        expected.append((f"{name}_{function}", ", ".join(arguments).replace("double u,", "double *u,")))
+    text = prototypes(name).replace("stridemap_real", "double")
+    declared = re.findall(r"^void (\w+)\(([^)]*)\);", text, flags=re.M)
     assert [(f, re.sub(r"\s+", " ", a)) for f, a in declared] == expected
