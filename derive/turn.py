@@ -45,7 +45,7 @@ class Turn:
 
 @dataclass(frozen=True)
 class _Condition:
-    """Rows that the turn fulfils: the change of a point or an angle, and what it is to be; also in numbers."""
+    """Rows that the turn fulfils: a point's or an angle's change, and what it is to be; also in numbers."""
 
     rows: sp.Matrix
     wanted: sp.Matrix

@@ -1,5 +1,5 @@
 /* Compass walker: kernels of the solver
- * Printed by CasADi 3.8.2 from equations fe118e3e9761098f.
+ * Printed by CasADi 3.8.2 from equations 7b267325499c63c6.
  * Do not edit: run `make derive`.
  * SPDX-License-Identifier: BSD-3-Clause
  */
@@ -478,28 +478,28 @@ static const casadi_int casadi_s4[3] = {4, 1, 1};
 static const casadi_int casadi_s5[3] = {6, 1, 1};
 static const casadi_int casadi_s6[3] = {4, 4, 1};
 static const casadi_int casadi_s7[3] = {5, 49, 1};
-static const casadi_int casadi_s8[3] = {9, 49, 1};
+static const casadi_int casadi_s8[3] = {10, 49, 1};
 static const casadi_int casadi_s9[3] = {5, 73, 1};
-static const casadi_int casadi_s10[3] = {9, 73, 1};
+static const casadi_int casadi_s10[3] = {10, 73, 1};
 static const casadi_int casadi_s11[3] = {5, 97, 1};
-static const casadi_int casadi_s12[3] = {9, 97, 1};
+static const casadi_int casadi_s12[3] = {10, 97, 1};
 static const casadi_int casadi_s13[3] = {5, 145, 1};
-static const casadi_int casadi_s14[3] = {9, 145, 1};
+static const casadi_int casadi_s14[3] = {10, 145, 1};
 static const casadi_int casadi_s15[3] = {5, 193, 1};
-static const casadi_int casadi_s16[3] = {9, 193, 1};
+static const casadi_int casadi_s16[3] = {10, 193, 1};
 static const casadi_int casadi_s17[3] = {5, 289, 1};
-static const casadi_int casadi_s18[3] = {9, 289, 1};
+static const casadi_int casadi_s18[3] = {10, 289, 1};
 static const casadi_int casadi_s19[3] = {5, 385, 1};
-static const casadi_int casadi_s20[3] = {9, 385, 1};
+static const casadi_int casadi_s20[3] = {10, 385, 1};
 static const casadi_int casadi_s21[3] = {5, 577, 1};
-static const casadi_int casadi_s22[3] = {9, 577, 1};
+static const casadi_int casadi_s22[3] = {10, 577, 1};
 static const casadi_int casadi_s23[3] = {5, 769, 1};
-static const casadi_int casadi_s24[3] = {9, 769, 1};
+static const casadi_int casadi_s24[3] = {10, 769, 1};
 static const casadi_int casadi_s25[3] = {1, 1, 1};
 static const casadi_int casadi_s26[3] = {5, 1, 1};
-static const casadi_int casadi_s27[3] = {9, 1, 1};
+static const casadi_int casadi_s27[3] = {10, 1, 1};
 static const casadi_int casadi_s28[3] = {5, 12, 1};
-static const casadi_int casadi_s29[3] = {9, 12, 1};
+static const casadi_int casadi_s29[3] = {10, 12, 1};
 
 static const casadi_real casadi_c0[16] = 
   {1., 1., 1., 5.0000000000000000e-01, 1., 1., 1., 5.0000000000000000e-01,
@@ -15168,7 +15168,7 @@ static int casadi_f88(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* observe:(t,y[4],p[6])->(g[9],dg[9]) */
+/* observe:(t,y[4],p[6])->(g[10],dg[10]) */
 static int casadi_f89(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
@@ -15285,13 +15285,15 @@ static int casadi_f89(const casadi_real** arg, casadi_real** res, casadi_int* iw
   a10=(a10-a49);
   a10=(-a10);
   if (res[0]!=0) res[0][0]=a10;
+  a10=0.;
+  if (res[0]!=0) res[0][1]=a10;
   a50=(a50+a07);
   a50=(a50+a56);
   a50=(a50+a08);
-  if (res[0]!=0) res[0][1]=a50;
+  if (res[0]!=0) res[0][2]=a50;
   a08=(a43/a50);
-  if (res[0]!=0) res[0][2]=a08;
-  if (res[0]!=0) res[0][3]=a12;
+  if (res[0]!=0) res[0][3]=a08;
+  if (res[0]!=0) res[0][4]=a12;
   a12=(a00*a47);
   a21=(a21+a12);
   a21=(a21+a05);
@@ -15301,22 +15303,21 @@ static int casadi_f89(const casadi_real** arg, casadi_real** res, casadi_int* iw
   a29=(a29/a39);
   a56=(a27*a29);
   a56=(a12-a56);
-  if (res[0]!=0) res[0][4]=a56;
+  if (res[0]!=0) res[0][5]=a56;
   a01=(2.*a01);
   a02=(a02-a01);
-  if (res[0]!=0) res[0][5]=a02;
-  a02=0.;
   if (res[0]!=0) res[0][6]=a02;
-  a01=(a36*a14);
-  a01=(-a01);
-  if (res[0]!=0) res[0][7]=a01;
-  a01=(-a36);
-  if (res[0]!=0) res[0][8]=a01;
-  a01=(a03*a46);
-  a10=(a01-a55);
-  a10=(a00*a10);
-  a10=(a10-a55);
-  a58=(a10/a09);
+  if (res[0]!=0) res[0][7]=a10;
+  a02=(a36*a14);
+  a02=(-a02);
+  if (res[0]!=0) res[0][8]=a02;
+  a02=(-a36);
+  if (res[0]!=0) res[0][9]=a02;
+  a02=(a03*a46);
+  a01=(a02-a55);
+  a01=(a00*a01);
+  a01=(a01-a55);
+  a58=(a01/a09);
   a59=(a04*a46);
   a60=(a05*a18);
   a61=(a59-a60);
@@ -15334,7 +15335,7 @@ static int casadi_f89(const casadi_real** arg, casadi_real** res, casadi_int* iw
   a63=(a29-a63);
   a17=(a17*a63);
   a09=(a09+a17);
-  a17=(a09-a10);
+  a17=(a09-a01);
   a63=(a17/a24);
   a25=(a25/a24);
   a64=(a16*a14);
@@ -15345,7 +15346,7 @@ static int casadi_f89(const casadi_real** arg, casadi_real** res, casadi_int* iw
   a16=(a16*a19);
   a28=(a28*a23);
   a16=(a16+a28);
-  a16=(a16+a01);
+  a16=(a16+a02);
   a16=(a00*a16);
   a34=(a34*a32);
   a33=(a33*a34);
@@ -15389,7 +15390,7 @@ static int casadi_f89(const casadi_real** arg, casadi_real** res, casadi_int* iw
   a38=(a38-a26);
   a42=(a42-a38);
   a62=(a04*a62);
-  a15=(a15*a01);
+  a15=(a15*a02);
   a62=(a62+a15);
   a46=(a46*a62);
   a62=(a56-a29);
@@ -15398,11 +15399,11 @@ static int casadi_f89(const casadi_real** arg, casadi_real** res, casadi_int* iw
   a42=(a42+a46);
   a48=(a48*a56);
   a47=(a47*a56);
-  a46=(a55-a01);
+  a46=(a55-a02);
   a45=(a18*a46);
   a47=(a47+a45);
   a45=(a04*a29);
-  a62=(a14*a01);
+  a62=(a14*a02);
   a45=(a45+a62);
   a47=(a47+a45);
   a47=(a00*a47);
@@ -15418,10 +15419,10 @@ static int casadi_f89(const casadi_real** arg, casadi_real** res, casadi_int* iw
   a43=(a43/a57);
   a49=(a49/a57);
   a06=(a06*a63);
-  a40=(a40*a10);
+  a40=(a40*a01);
   a06=(a06+a40);
   a04=(a04*a17);
-  a44=(a44*a01);
+  a44=(a44*a02);
   a04=(a04+a44);
   a06=(a06-a04);
   a51=(a51*a29);
@@ -15454,13 +15455,14 @@ static int casadi_f89(const casadi_real** arg, casadi_real** res, casadi_int* iw
   a58=(a58-a43);
   a58=(-a58);
   if (res[1]!=0) res[1][0]=a58;
-  if (res[1]!=0) res[1][1]=a06;
+  if (res[1]!=0) res[1][1]=a10;
+  if (res[1]!=0) res[1][2]=a06;
   a42=(a42/a50);
   a08=(a08/a50);
   a08=(a08*a06);
   a42=(a42-a08);
-  if (res[1]!=0) res[1][2]=a42;
-  if (res[1]!=0) res[1][3]=a61;
+  if (res[1]!=0) res[1][3]=a42;
+  if (res[1]!=0) res[1][4]=a61;
   a00=(a00*a46);
   a09=(a09+a00);
   a09=(a09+a55);
@@ -15480,24 +15482,24 @@ static int casadi_f89(const casadi_real** arg, casadi_real** res, casadi_int* iw
   a37=(a29*a37);
   a27=(a27-a37);
   a55=(a55-a27);
-  if (res[1]!=0) res[1][4]=a55;
-  if (res[1]!=0) res[1][5]=a20;
-  if (res[1]!=0) res[1][6]=a02;
+  if (res[1]!=0) res[1][5]=a55;
+  if (res[1]!=0) res[1][6]=a20;
+  if (res[1]!=0) res[1][7]=a10;
   a14=(a14*a30);
   a36=(a36*a29);
   a14=(a14+a36);
   a14=(-a14);
-  if (res[1]!=0) res[1][7]=a14;
+  if (res[1]!=0) res[1][8]=a14;
   a30=(-a30);
-  if (res[1]!=0) res[1][8]=a30;
+  if (res[1]!=0) res[1][9]=a30;
   return 0;
 }
 
-/* working_steps:(t,turns[2x12],w[5],h,p[6])->(w_end[5],nodes[5x12],g[9x12],dg[9x12]) */
+/* working_steps:(t,turns[2x12],w[5],h,p[6])->(w_end[5],nodes[5x12],g[10x12],dg[10x12]) */
 static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+4, *rr, *w00=w+81, w01, *w02=w+86, *w03=w+92, w05, *w06=w+94, w07, *w08=w+99, *w09=w+104, *w10=w+109;
-  casadi_real *w11=w+114, *w12=w+119, *w13=w+124, *w14=w+129, *w15=w+134, *w16=w+139, *w17=w+144, *w18=w+149, *w19=w+154, *w20=w+158, *w21=w+167, *w22=w+176;
-  casadi_real *w23=w+185, *w24=w+194, *w25=w+203, *w26=w+212, *w27=w+221, *w28=w+230, *w29=w+239, *w30=w+248, *w31=w+257, *w32=w+266;
+  casadi_real *w11=w+114, *w12=w+119, *w13=w+124, *w14=w+129, *w15=w+134, *w16=w+139, *w17=w+144, *w18=w+149, *w19=w+154, *w20=w+158, *w21=w+168, *w22=w+178;
+  casadi_real *w23=w+188, *w24=w+198, *w25=w+208, *w26=w+218, *w27=w+228, *w28=w+238, *w29=w+248, *w30=w+258, *w31=w+268, *w32=w+278;
   const casadi_real **arg1=arg+5, *cs, *wr04;
   /* #0: @0 = input[2][0] */
   casadi_copy(arg[2], 5, w00);
@@ -15761,7 +15763,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w21;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #74: output[2][0] = @20 */
-  casadi_copy(w20, 9, res[2]);
+  casadi_copy(w20, 10, res[2]);
   /* #75: @7 = (@1+@5) */
   w07  = (w01+w05);
   /* #76: @19 = @6[:4] */
@@ -15774,7 +15776,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w22;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #78: output[2][1] = @20 */
-  if (res[2]) casadi_copy(w20, 9, res[2]+9);
+  if (res[2]) casadi_copy(w20, 10, res[2]+10);
   /* #79: @7 = (2.*@5) */
   w07 = (2.* w05 );
   /* #80: @7 = (@1+@7) */
@@ -15789,7 +15791,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w23;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #83: output[2][2] = @20 */
-  if (res[2]) casadi_copy(w20, 9, res[2]+18);
+  if (res[2]) casadi_copy(w20, 10, res[2]+20);
   /* #84: @7 = 3 */
   w07 = 3.;
   /* #85: @7 = (@7*@5) */
@@ -15806,7 +15808,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w24;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #89: output[2][3] = @20 */
-  if (res[2]) casadi_copy(w20, 9, res[2]+27);
+  if (res[2]) casadi_copy(w20, 10, res[2]+30);
   /* #90: @7 = 4 */
   w07 = 4.;
   /* #91: @7 = (@7*@5) */
@@ -15823,7 +15825,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w25;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #95: output[2][4] = @20 */
-  if (res[2]) casadi_copy(w20, 9, res[2]+36);
+  if (res[2]) casadi_copy(w20, 10, res[2]+40);
   /* #96: @7 = 5 */
   w07 = 5.;
   /* #97: @7 = (@7*@5) */
@@ -15840,7 +15842,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w26;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #101: output[2][5] = @20 */
-  if (res[2]) casadi_copy(w20, 9, res[2]+45);
+  if (res[2]) casadi_copy(w20, 10, res[2]+50);
   /* #102: @7 = 6 */
   w07 = 6.;
   /* #103: @7 = (@7*@5) */
@@ -15857,7 +15859,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w27;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #107: output[2][6] = @20 */
-  if (res[2]) casadi_copy(w20, 9, res[2]+54);
+  if (res[2]) casadi_copy(w20, 10, res[2]+60);
   /* #108: @7 = 7 */
   w07 = 7.;
   /* #109: @7 = (@7*@5) */
@@ -15874,7 +15876,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w28;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #113: output[2][7] = @20 */
-  if (res[2]) casadi_copy(w20, 9, res[2]+63);
+  if (res[2]) casadi_copy(w20, 10, res[2]+70);
   /* #114: @7 = 8 */
   w07 = 8.;
   /* #115: @7 = (@7*@5) */
@@ -15891,7 +15893,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w29;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #119: output[2][8] = @20 */
-  if (res[2]) casadi_copy(w20, 9, res[2]+72);
+  if (res[2]) casadi_copy(w20, 10, res[2]+80);
   /* #120: @7 = 9 */
   w07 = 9.;
   /* #121: @7 = (@7*@5) */
@@ -15908,7 +15910,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w30;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #125: output[2][9] = @20 */
-  if (res[2]) casadi_copy(w20, 9, res[2]+81);
+  if (res[2]) casadi_copy(w20, 10, res[2]+90);
   /* #126: @7 = 10 */
   w07 = 10.;
   /* #127: @7 = (@7*@5) */
@@ -15925,7 +15927,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w31;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #131: output[2][10] = @20 */
-  if (res[2]) casadi_copy(w20, 9, res[2]+90);
+  if (res[2]) casadi_copy(w20, 10, res[2]+100);
   /* #132: @7 = 11 */
   w07 = 11.;
   /* #133: @7 = (@7*@5) */
@@ -15942,39 +15944,39 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w32;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #137: output[2][11] = @20 */
-  if (res[2]) casadi_copy(w20, 9, res[2]+99);
+  if (res[2]) casadi_copy(w20, 10, res[2]+110);
   /* #138: output[3][0] = @21 */
-  casadi_copy(w21, 9, res[3]);
+  casadi_copy(w21, 10, res[3]);
   /* #139: output[3][1] = @22 */
-  if (res[3]) casadi_copy(w22, 9, res[3]+9);
+  if (res[3]) casadi_copy(w22, 10, res[3]+10);
   /* #140: output[3][2] = @23 */
-  if (res[3]) casadi_copy(w23, 9, res[3]+18);
+  if (res[3]) casadi_copy(w23, 10, res[3]+20);
   /* #141: output[3][3] = @24 */
-  if (res[3]) casadi_copy(w24, 9, res[3]+27);
+  if (res[3]) casadi_copy(w24, 10, res[3]+30);
   /* #142: output[3][4] = @25 */
-  if (res[3]) casadi_copy(w25, 9, res[3]+36);
+  if (res[3]) casadi_copy(w25, 10, res[3]+40);
   /* #143: output[3][5] = @26 */
-  if (res[3]) casadi_copy(w26, 9, res[3]+45);
+  if (res[3]) casadi_copy(w26, 10, res[3]+50);
   /* #144: output[3][6] = @27 */
-  if (res[3]) casadi_copy(w27, 9, res[3]+54);
+  if (res[3]) casadi_copy(w27, 10, res[3]+60);
   /* #145: output[3][7] = @28 */
-  if (res[3]) casadi_copy(w28, 9, res[3]+63);
+  if (res[3]) casadi_copy(w28, 10, res[3]+70);
   /* #146: output[3][8] = @29 */
-  if (res[3]) casadi_copy(w29, 9, res[3]+72);
+  if (res[3]) casadi_copy(w29, 10, res[3]+80);
   /* #147: output[3][9] = @30 */
-  if (res[3]) casadi_copy(w30, 9, res[3]+81);
+  if (res[3]) casadi_copy(w30, 10, res[3]+90);
   /* #148: output[3][10] = @31 */
-  if (res[3]) casadi_copy(w31, 9, res[3]+90);
+  if (res[3]) casadi_copy(w31, 10, res[3]+100);
   /* #149: output[3][11] = @32 */
-  if (res[3]) casadi_copy(w32, 9, res[3]+99);
+  if (res[3]) casadi_copy(w32, 10, res[3]+110);
   return 0;
 }
 
-/* compass_trace_48:(u[4],p[6])->(w[5x49],g[9x49],dg[9x49],R[4]) */
+/* compass_trace_48:(u[4],p[6])->(w[5x49],g[10x49],dg[10x49],R[4]) */
 static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+4, *rr, w00, *w01=w+302, w02, w03, *w04=w+306, *w05=w+312, *w06=w+336, w07, *w08=w+339, *w09=w+344;
-  casadi_real *w10=w+349, *w11=w+409, *w12=w+517, *w13=w+625, *w14=w+733, *w15=w+841, *w16=w+949, *w17=w+1057, *w18=w+1165, *w19=w+1273, *w20=w+1282, *w21=w+1291;
+  casadi_real **res1=res+4, *rr, w00, *w01=w+315, w02, w03, *w04=w+319, *w05=w+325, *w06=w+349, w07, *w08=w+352, *w09=w+357;
+  casadi_real *w10=w+362, *w11=w+422, *w12=w+542, *w13=w+662, *w14=w+782, *w15=w+902, *w16=w+1022, *w17=w+1142, *w18=w+1262, *w19=w+1382, *w20=w+1392, *w21=w+1402;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = 0 */
   w00 = 0.;
@@ -16074,13 +16076,13 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   /* #25: output[0][4] = @8 */
   if (res[0]) casadi_copy(w08, 5, res[0]+240);
   /* #26: output[1][0] = @11 */
-  casadi_copy(w11, 108, res[1]);
+  casadi_copy(w11, 120, res[1]);
   /* #27: output[1][1] = @13 */
-  if (res[1]) casadi_copy(w13, 108, res[1]+108);
+  if (res[1]) casadi_copy(w13, 120, res[1]+120);
   /* #28: output[1][2] = @15 */
-  if (res[1]) casadi_copy(w15, 108, res[1]+216);
+  if (res[1]) casadi_copy(w15, 120, res[1]+240);
   /* #29: output[1][3] = @17 */
-  if (res[1]) casadi_copy(w17, 108, res[1]+324);
+  if (res[1]) casadi_copy(w17, 120, res[1]+360);
   /* #30: @1 = @8[:4] */
   for (rr=w01, cs=w08+0; cs!=w08+4; cs+=1) *rr++ = *cs;
   /* #31: {@19, @20} = observe(@2, @1, @4) */
@@ -16091,17 +16093,17 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w20;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[1][4] = @19 */
-  if (res[1]) casadi_copy(w19, 9, res[1]+432);
+  if (res[1]) casadi_copy(w19, 10, res[1]+480);
   /* #33: output[2][0] = @12 */
-  casadi_copy(w12, 108, res[2]);
+  casadi_copy(w12, 120, res[2]);
   /* #34: output[2][1] = @14 */
-  if (res[2]) casadi_copy(w14, 108, res[2]+108);
+  if (res[2]) casadi_copy(w14, 120, res[2]+120);
   /* #35: output[2][2] = @16 */
-  if (res[2]) casadi_copy(w16, 108, res[2]+216);
+  if (res[2]) casadi_copy(w16, 120, res[2]+240);
   /* #36: output[2][3] = @18 */
-  if (res[2]) casadi_copy(w18, 108, res[2]+324);
+  if (res[2]) casadi_copy(w18, 120, res[2]+360);
   /* #37: output[2][4] = @20 */
-  if (res[2]) casadi_copy(w20, 9, res[2]+432);
+  if (res[2]) casadi_copy(w20, 10, res[2]+480);
   /* #38: @1 = @8[:4] */
   for (rr=w01, cs=w08+0; cs!=w08+4; cs+=1) *rr++ = *cs;
   /* #39: @21 = landing(@1, @6, @4) */
@@ -16182,7 +16184,7 @@ CASADI_SYMBOL_EXPORT int compass_trace_48_work(casadi_int *sz_arg, casadi_int* s
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 1295;
+  if (sz_w) *sz_w = 1406;
   return 0;
 }
 
@@ -16190,16 +16192,16 @@ CASADI_SYMBOL_EXPORT int compass_trace_48_work_bytes(casadi_int *sz_arg, casadi_
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 1295*sizeof(casadi_real);
+  if (sz_w) *sz_w = 1406*sizeof(casadi_real);
   return 0;
 }
 
-/* compass_trace_72:(u[4],p[6])->(w[5x73],g[9x73],dg[9x73],R[4]) */
+/* compass_trace_72:(u[4],p[6])->(w[5x73],g[10x73],dg[10x73],R[4]) */
 static int casadi_f90(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+4, *rr, w00, *w01=w+302, w02, w03, *w04=w+306, *w05=w+312, *w06=w+336, w07, *w08=w+339, *w09=w+344;
-  casadi_real *w10=w+349, *w11=w+409, *w12=w+517, *w13=w+625, *w14=w+733, *w15=w+841, *w16=w+949, *w17=w+1057, *w18=w+1165, *w19=w+1273, *w20=w+1381, *w21=w+1489;
-  casadi_real *w22=w+1597, *w23=w+1705, *w24=w+1714, *w25=w+1723;
+  casadi_real **res1=res+4, *rr, w00, *w01=w+315, w02, w03, *w04=w+319, *w05=w+325, *w06=w+349, w07, *w08=w+352, *w09=w+357;
+  casadi_real *w10=w+362, *w11=w+422, *w12=w+542, *w13=w+662, *w14=w+782, *w15=w+902, *w16=w+1022, *w17=w+1142, *w18=w+1262, *w19=w+1382, *w20=w+1502, *w21=w+1622;
+  casadi_real *w22=w+1742, *w23=w+1862, *w24=w+1872, *w25=w+1882;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = 0 */
   w00 = 0.;
@@ -16333,17 +16335,17 @@ static int casadi_f90(const casadi_real** arg, casadi_real** res, casadi_int* iw
   /* #33: output[0][6] = @8 */
   if (res[0]) casadi_copy(w08, 5, res[0]+360);
   /* #34: output[1][0] = @11 */
-  casadi_copy(w11, 108, res[1]);
+  casadi_copy(w11, 120, res[1]);
   /* #35: output[1][1] = @13 */
-  if (res[1]) casadi_copy(w13, 108, res[1]+108);
+  if (res[1]) casadi_copy(w13, 120, res[1]+120);
   /* #36: output[1][2] = @15 */
-  if (res[1]) casadi_copy(w15, 108, res[1]+216);
+  if (res[1]) casadi_copy(w15, 120, res[1]+240);
   /* #37: output[1][3] = @17 */
-  if (res[1]) casadi_copy(w17, 108, res[1]+324);
+  if (res[1]) casadi_copy(w17, 120, res[1]+360);
   /* #38: output[1][4] = @19 */
-  if (res[1]) casadi_copy(w19, 108, res[1]+432);
+  if (res[1]) casadi_copy(w19, 120, res[1]+480);
   /* #39: output[1][5] = @21 */
-  if (res[1]) casadi_copy(w21, 108, res[1]+540);
+  if (res[1]) casadi_copy(w21, 120, res[1]+600);
   /* #40: @1 = @8[:4] */
   for (rr=w01, cs=w08+0; cs!=w08+4; cs+=1) *rr++ = *cs;
   /* #41: {@23, @24} = observe(@2, @1, @4) */
@@ -16354,21 +16356,21 @@ static int casadi_f90(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w24;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #42: output[1][6] = @23 */
-  if (res[1]) casadi_copy(w23, 9, res[1]+648);
+  if (res[1]) casadi_copy(w23, 10, res[1]+720);
   /* #43: output[2][0] = @12 */
-  casadi_copy(w12, 108, res[2]);
+  casadi_copy(w12, 120, res[2]);
   /* #44: output[2][1] = @14 */
-  if (res[2]) casadi_copy(w14, 108, res[2]+108);
+  if (res[2]) casadi_copy(w14, 120, res[2]+120);
   /* #45: output[2][2] = @16 */
-  if (res[2]) casadi_copy(w16, 108, res[2]+216);
+  if (res[2]) casadi_copy(w16, 120, res[2]+240);
   /* #46: output[2][3] = @18 */
-  if (res[2]) casadi_copy(w18, 108, res[2]+324);
+  if (res[2]) casadi_copy(w18, 120, res[2]+360);
   /* #47: output[2][4] = @20 */
-  if (res[2]) casadi_copy(w20, 108, res[2]+432);
+  if (res[2]) casadi_copy(w20, 120, res[2]+480);
   /* #48: output[2][5] = @22 */
-  if (res[2]) casadi_copy(w22, 108, res[2]+540);
+  if (res[2]) casadi_copy(w22, 120, res[2]+600);
   /* #49: output[2][6] = @24 */
-  if (res[2]) casadi_copy(w24, 9, res[2]+648);
+  if (res[2]) casadi_copy(w24, 10, res[2]+720);
   /* #50: @1 = @8[:4] */
   for (rr=w01, cs=w08+0; cs!=w08+4; cs+=1) *rr++ = *cs;
   /* #51: @25 = landing(@1, @6, @4) */
@@ -16449,7 +16451,7 @@ CASADI_SYMBOL_EXPORT int compass_trace_72_work(casadi_int *sz_arg, casadi_int* s
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 1727;
+  if (sz_w) *sz_w = 1886;
   return 0;
 }
 
@@ -16457,16 +16459,16 @@ CASADI_SYMBOL_EXPORT int compass_trace_72_work_bytes(casadi_int *sz_arg, casadi_
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 1727*sizeof(casadi_real);
+  if (sz_w) *sz_w = 1886*sizeof(casadi_real);
   return 0;
 }
 
-/* compass_trace_96:(u[4],p[6])->(w[5x97],g[9x97],dg[9x97],R[4]) */
+/* compass_trace_96:(u[4],p[6])->(w[5x97],g[10x97],dg[10x97],R[4]) */
 static int casadi_f91(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+4, *rr, w00, *w01=w+302, w02, w03, *w04=w+306, *w05=w+312, *w06=w+336, w07, *w08=w+339, *w09=w+344;
-  casadi_real *w10=w+349, *w11=w+409, *w12=w+517, *w13=w+625, *w14=w+733, *w15=w+841, *w16=w+949, *w17=w+1057, *w18=w+1165, *w19=w+1273, *w20=w+1381, *w21=w+1489;
-  casadi_real *w22=w+1597, *w23=w+1705, *w24=w+1813, *w25=w+1921, *w26=w+2029, *w27=w+2137, *w28=w+2146, *w29=w+2155;
+  casadi_real **res1=res+4, *rr, w00, *w01=w+315, w02, w03, *w04=w+319, *w05=w+325, *w06=w+349, w07, *w08=w+352, *w09=w+357;
+  casadi_real *w10=w+362, *w11=w+422, *w12=w+542, *w13=w+662, *w14=w+782, *w15=w+902, *w16=w+1022, *w17=w+1142, *w18=w+1262, *w19=w+1382, *w20=w+1502, *w21=w+1622;
+  casadi_real *w22=w+1742, *w23=w+1862, *w24=w+1982, *w25=w+2102, *w26=w+2222, *w27=w+2342, *w28=w+2352, *w29=w+2362;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = 0 */
   w00 = 0.;
@@ -16634,21 +16636,21 @@ static int casadi_f91(const casadi_real** arg, casadi_real** res, casadi_int* iw
   /* #41: output[0][8] = @8 */
   if (res[0]) casadi_copy(w08, 5, res[0]+480);
   /* #42: output[1][0] = @11 */
-  casadi_copy(w11, 108, res[1]);
+  casadi_copy(w11, 120, res[1]);
   /* #43: output[1][1] = @13 */
-  if (res[1]) casadi_copy(w13, 108, res[1]+108);
+  if (res[1]) casadi_copy(w13, 120, res[1]+120);
   /* #44: output[1][2] = @15 */
-  if (res[1]) casadi_copy(w15, 108, res[1]+216);
+  if (res[1]) casadi_copy(w15, 120, res[1]+240);
   /* #45: output[1][3] = @17 */
-  if (res[1]) casadi_copy(w17, 108, res[1]+324);
+  if (res[1]) casadi_copy(w17, 120, res[1]+360);
   /* #46: output[1][4] = @19 */
-  if (res[1]) casadi_copy(w19, 108, res[1]+432);
+  if (res[1]) casadi_copy(w19, 120, res[1]+480);
   /* #47: output[1][5] = @21 */
-  if (res[1]) casadi_copy(w21, 108, res[1]+540);
+  if (res[1]) casadi_copy(w21, 120, res[1]+600);
   /* #48: output[1][6] = @23 */
-  if (res[1]) casadi_copy(w23, 108, res[1]+648);
+  if (res[1]) casadi_copy(w23, 120, res[1]+720);
   /* #49: output[1][7] = @25 */
-  if (res[1]) casadi_copy(w25, 108, res[1]+756);
+  if (res[1]) casadi_copy(w25, 120, res[1]+840);
   /* #50: @1 = @8[:4] */
   for (rr=w01, cs=w08+0; cs!=w08+4; cs+=1) *rr++ = *cs;
   /* #51: {@27, @28} = observe(@2, @1, @4) */
@@ -16659,25 +16661,25 @@ static int casadi_f91(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w28;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[1][8] = @27 */
-  if (res[1]) casadi_copy(w27, 9, res[1]+864);
+  if (res[1]) casadi_copy(w27, 10, res[1]+960);
   /* #53: output[2][0] = @12 */
-  casadi_copy(w12, 108, res[2]);
+  casadi_copy(w12, 120, res[2]);
   /* #54: output[2][1] = @14 */
-  if (res[2]) casadi_copy(w14, 108, res[2]+108);
+  if (res[2]) casadi_copy(w14, 120, res[2]+120);
   /* #55: output[2][2] = @16 */
-  if (res[2]) casadi_copy(w16, 108, res[2]+216);
+  if (res[2]) casadi_copy(w16, 120, res[2]+240);
   /* #56: output[2][3] = @18 */
-  if (res[2]) casadi_copy(w18, 108, res[2]+324);
+  if (res[2]) casadi_copy(w18, 120, res[2]+360);
   /* #57: output[2][4] = @20 */
-  if (res[2]) casadi_copy(w20, 108, res[2]+432);
+  if (res[2]) casadi_copy(w20, 120, res[2]+480);
   /* #58: output[2][5] = @22 */
-  if (res[2]) casadi_copy(w22, 108, res[2]+540);
+  if (res[2]) casadi_copy(w22, 120, res[2]+600);
   /* #59: output[2][6] = @24 */
-  if (res[2]) casadi_copy(w24, 108, res[2]+648);
+  if (res[2]) casadi_copy(w24, 120, res[2]+720);
   /* #60: output[2][7] = @26 */
-  if (res[2]) casadi_copy(w26, 108, res[2]+756);
+  if (res[2]) casadi_copy(w26, 120, res[2]+840);
   /* #61: output[2][8] = @28 */
-  if (res[2]) casadi_copy(w28, 9, res[2]+864);
+  if (res[2]) casadi_copy(w28, 10, res[2]+960);
   /* #62: @1 = @8[:4] */
   for (rr=w01, cs=w08+0; cs!=w08+4; cs+=1) *rr++ = *cs;
   /* #63: @29 = landing(@1, @6, @4) */
@@ -16758,7 +16760,7 @@ CASADI_SYMBOL_EXPORT int compass_trace_96_work(casadi_int *sz_arg, casadi_int* s
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 2159;
+  if (sz_w) *sz_w = 2366;
   return 0;
 }
 
@@ -16766,17 +16768,17 @@ CASADI_SYMBOL_EXPORT int compass_trace_96_work_bytes(casadi_int *sz_arg, casadi_
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 2159*sizeof(casadi_real);
+  if (sz_w) *sz_w = 2366*sizeof(casadi_real);
   return 0;
 }
 
-/* compass_trace_144:(u[4],p[6])->(w[5x145],g[9x145],dg[9x145],R[4]) */
+/* compass_trace_144:(u[4],p[6])->(w[5x145],g[10x145],dg[10x145],R[4]) */
 static int casadi_f92(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+4, *rr, w00, *w01=w+302, w02, w03, *w04=w+306, *w05=w+312, *w06=w+336, w07, *w08=w+339, *w09=w+344;
-  casadi_real *w10=w+349, *w11=w+409, *w12=w+517, *w13=w+625, *w14=w+733, *w15=w+841, *w16=w+949, *w17=w+1057, *w18=w+1165, *w19=w+1273, *w20=w+1381, *w21=w+1489;
-  casadi_real *w22=w+1597, *w23=w+1705, *w24=w+1813, *w25=w+1921, *w26=w+2029, *w27=w+2137, *w28=w+2245, *w29=w+2353, *w30=w+2461, *w31=w+2569, *w32=w+2677, *w33=w+2785;
-  casadi_real *w34=w+2893, *w35=w+3001, *w36=w+3010, *w37=w+3019;
+  casadi_real **res1=res+4, *rr, w00, *w01=w+315, w02, w03, *w04=w+319, *w05=w+325, *w06=w+349, w07, *w08=w+352, *w09=w+357;
+  casadi_real *w10=w+362, *w11=w+422, *w12=w+542, *w13=w+662, *w14=w+782, *w15=w+902, *w16=w+1022, *w17=w+1142, *w18=w+1262, *w19=w+1382, *w20=w+1502, *w21=w+1622;
+  casadi_real *w22=w+1742, *w23=w+1862, *w24=w+1982, *w25=w+2102, *w26=w+2222, *w27=w+2342, *w28=w+2462, *w29=w+2582, *w30=w+2702, *w31=w+2822, *w32=w+2942, *w33=w+3062;
+  casadi_real *w34=w+3182, *w35=w+3302, *w36=w+3312, *w37=w+3322;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = 0 */
   w00 = 0.;
@@ -17012,29 +17014,29 @@ static int casadi_f92(const casadi_real** arg, casadi_real** res, casadi_int* iw
   /* #57: output[0][12] = @8 */
   if (res[0]) casadi_copy(w08, 5, res[0]+720);
   /* #58: output[1][0] = @11 */
-  casadi_copy(w11, 108, res[1]);
+  casadi_copy(w11, 120, res[1]);
   /* #59: output[1][1] = @13 */
-  if (res[1]) casadi_copy(w13, 108, res[1]+108);
+  if (res[1]) casadi_copy(w13, 120, res[1]+120);
   /* #60: output[1][2] = @15 */
-  if (res[1]) casadi_copy(w15, 108, res[1]+216);
+  if (res[1]) casadi_copy(w15, 120, res[1]+240);
   /* #61: output[1][3] = @17 */
-  if (res[1]) casadi_copy(w17, 108, res[1]+324);
+  if (res[1]) casadi_copy(w17, 120, res[1]+360);
   /* #62: output[1][4] = @19 */
-  if (res[1]) casadi_copy(w19, 108, res[1]+432);
+  if (res[1]) casadi_copy(w19, 120, res[1]+480);
   /* #63: output[1][5] = @21 */
-  if (res[1]) casadi_copy(w21, 108, res[1]+540);
+  if (res[1]) casadi_copy(w21, 120, res[1]+600);
   /* #64: output[1][6] = @23 */
-  if (res[1]) casadi_copy(w23, 108, res[1]+648);
+  if (res[1]) casadi_copy(w23, 120, res[1]+720);
   /* #65: output[1][7] = @25 */
-  if (res[1]) casadi_copy(w25, 108, res[1]+756);
+  if (res[1]) casadi_copy(w25, 120, res[1]+840);
   /* #66: output[1][8] = @27 */
-  if (res[1]) casadi_copy(w27, 108, res[1]+864);
+  if (res[1]) casadi_copy(w27, 120, res[1]+960);
   /* #67: output[1][9] = @29 */
-  if (res[1]) casadi_copy(w29, 108, res[1]+972);
+  if (res[1]) casadi_copy(w29, 120, res[1]+1080);
   /* #68: output[1][10] = @31 */
-  if (res[1]) casadi_copy(w31, 108, res[1]+1080);
+  if (res[1]) casadi_copy(w31, 120, res[1]+1200);
   /* #69: output[1][11] = @33 */
-  if (res[1]) casadi_copy(w33, 108, res[1]+1188);
+  if (res[1]) casadi_copy(w33, 120, res[1]+1320);
   /* #70: @1 = @8[:4] */
   for (rr=w01, cs=w08+0; cs!=w08+4; cs+=1) *rr++ = *cs;
   /* #71: {@35, @36} = observe(@2, @1, @4) */
@@ -17045,33 +17047,33 @@ static int casadi_f92(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w36;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #72: output[1][12] = @35 */
-  if (res[1]) casadi_copy(w35, 9, res[1]+1296);
+  if (res[1]) casadi_copy(w35, 10, res[1]+1440);
   /* #73: output[2][0] = @12 */
-  casadi_copy(w12, 108, res[2]);
+  casadi_copy(w12, 120, res[2]);
   /* #74: output[2][1] = @14 */
-  if (res[2]) casadi_copy(w14, 108, res[2]+108);
+  if (res[2]) casadi_copy(w14, 120, res[2]+120);
   /* #75: output[2][2] = @16 */
-  if (res[2]) casadi_copy(w16, 108, res[2]+216);
+  if (res[2]) casadi_copy(w16, 120, res[2]+240);
   /* #76: output[2][3] = @18 */
-  if (res[2]) casadi_copy(w18, 108, res[2]+324);
+  if (res[2]) casadi_copy(w18, 120, res[2]+360);
   /* #77: output[2][4] = @20 */
-  if (res[2]) casadi_copy(w20, 108, res[2]+432);
+  if (res[2]) casadi_copy(w20, 120, res[2]+480);
   /* #78: output[2][5] = @22 */
-  if (res[2]) casadi_copy(w22, 108, res[2]+540);
+  if (res[2]) casadi_copy(w22, 120, res[2]+600);
   /* #79: output[2][6] = @24 */
-  if (res[2]) casadi_copy(w24, 108, res[2]+648);
+  if (res[2]) casadi_copy(w24, 120, res[2]+720);
   /* #80: output[2][7] = @26 */
-  if (res[2]) casadi_copy(w26, 108, res[2]+756);
+  if (res[2]) casadi_copy(w26, 120, res[2]+840);
   /* #81: output[2][8] = @28 */
-  if (res[2]) casadi_copy(w28, 108, res[2]+864);
+  if (res[2]) casadi_copy(w28, 120, res[2]+960);
   /* #82: output[2][9] = @30 */
-  if (res[2]) casadi_copy(w30, 108, res[2]+972);
+  if (res[2]) casadi_copy(w30, 120, res[2]+1080);
   /* #83: output[2][10] = @32 */
-  if (res[2]) casadi_copy(w32, 108, res[2]+1080);
+  if (res[2]) casadi_copy(w32, 120, res[2]+1200);
   /* #84: output[2][11] = @34 */
-  if (res[2]) casadi_copy(w34, 108, res[2]+1188);
+  if (res[2]) casadi_copy(w34, 120, res[2]+1320);
   /* #85: output[2][12] = @36 */
-  if (res[2]) casadi_copy(w36, 9, res[2]+1296);
+  if (res[2]) casadi_copy(w36, 10, res[2]+1440);
   /* #86: @1 = @8[:4] */
   for (rr=w01, cs=w08+0; cs!=w08+4; cs+=1) *rr++ = *cs;
   /* #87: @37 = landing(@1, @6, @4) */
@@ -17152,7 +17154,7 @@ CASADI_SYMBOL_EXPORT int compass_trace_144_work(casadi_int *sz_arg, casadi_int* 
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 3023;
+  if (sz_w) *sz_w = 3326;
   return 0;
 }
 
@@ -17160,17 +17162,17 @@ CASADI_SYMBOL_EXPORT int compass_trace_144_work_bytes(casadi_int *sz_arg, casadi
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 3023*sizeof(casadi_real);
+  if (sz_w) *sz_w = 3326*sizeof(casadi_real);
   return 0;
 }
 
-/* compass_trace_192:(u[4],p[6])->(w[5x193],g[9x193],dg[9x193],R[4]) */
+/* compass_trace_192:(u[4],p[6])->(w[5x193],g[10x193],dg[10x193],R[4]) */
 static int casadi_f93(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+4, *rr, w00, *w01=w+302, w02, w03, *w04=w+306, *w05=w+312, *w06=w+336, w07, *w08=w+339, *w09=w+344;
-  casadi_real *w10=w+349, *w11=w+409, *w12=w+517, *w13=w+625, *w14=w+733, *w15=w+841, *w16=w+949, *w17=w+1057, *w18=w+1165, *w19=w+1273, *w20=w+1381, *w21=w+1489;
-  casadi_real *w22=w+1597, *w23=w+1705, *w24=w+1813, *w25=w+1921, *w26=w+2029, *w27=w+2137, *w28=w+2245, *w29=w+2353, *w30=w+2461, *w31=w+2569, *w32=w+2677, *w33=w+2785;
-  casadi_real *w34=w+2893, *w35=w+3001, *w36=w+3109, *w37=w+3217, *w38=w+3325, *w39=w+3433, *w40=w+3541, *w41=w+3649, *w42=w+3757, *w43=w+3865, *w44=w+3874, *w45=w+3883;
+  casadi_real **res1=res+4, *rr, w00, *w01=w+315, w02, w03, *w04=w+319, *w05=w+325, *w06=w+349, w07, *w08=w+352, *w09=w+357;
+  casadi_real *w10=w+362, *w11=w+422, *w12=w+542, *w13=w+662, *w14=w+782, *w15=w+902, *w16=w+1022, *w17=w+1142, *w18=w+1262, *w19=w+1382, *w20=w+1502, *w21=w+1622;
+  casadi_real *w22=w+1742, *w23=w+1862, *w24=w+1982, *w25=w+2102, *w26=w+2222, *w27=w+2342, *w28=w+2462, *w29=w+2582, *w30=w+2702, *w31=w+2822, *w32=w+2942, *w33=w+3062;
+  casadi_real *w34=w+3182, *w35=w+3302, *w36=w+3422, *w37=w+3542, *w38=w+3662, *w39=w+3782, *w40=w+3902, *w41=w+4022, *w42=w+4142, *w43=w+4262, *w44=w+4272, *w45=w+4282;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = 0 */
   w00 = 0.;
@@ -17474,37 +17476,37 @@ static int casadi_f93(const casadi_real** arg, casadi_real** res, casadi_int* iw
   /* #73: output[0][16] = @8 */
   if (res[0]) casadi_copy(w08, 5, res[0]+960);
   /* #74: output[1][0] = @11 */
-  casadi_copy(w11, 108, res[1]);
+  casadi_copy(w11, 120, res[1]);
   /* #75: output[1][1] = @13 */
-  if (res[1]) casadi_copy(w13, 108, res[1]+108);
+  if (res[1]) casadi_copy(w13, 120, res[1]+120);
   /* #76: output[1][2] = @15 */
-  if (res[1]) casadi_copy(w15, 108, res[1]+216);
+  if (res[1]) casadi_copy(w15, 120, res[1]+240);
   /* #77: output[1][3] = @17 */
-  if (res[1]) casadi_copy(w17, 108, res[1]+324);
+  if (res[1]) casadi_copy(w17, 120, res[1]+360);
   /* #78: output[1][4] = @19 */
-  if (res[1]) casadi_copy(w19, 108, res[1]+432);
+  if (res[1]) casadi_copy(w19, 120, res[1]+480);
   /* #79: output[1][5] = @21 */
-  if (res[1]) casadi_copy(w21, 108, res[1]+540);
+  if (res[1]) casadi_copy(w21, 120, res[1]+600);
   /* #80: output[1][6] = @23 */
-  if (res[1]) casadi_copy(w23, 108, res[1]+648);
+  if (res[1]) casadi_copy(w23, 120, res[1]+720);
   /* #81: output[1][7] = @25 */
-  if (res[1]) casadi_copy(w25, 108, res[1]+756);
+  if (res[1]) casadi_copy(w25, 120, res[1]+840);
   /* #82: output[1][8] = @27 */
-  if (res[1]) casadi_copy(w27, 108, res[1]+864);
+  if (res[1]) casadi_copy(w27, 120, res[1]+960);
   /* #83: output[1][9] = @29 */
-  if (res[1]) casadi_copy(w29, 108, res[1]+972);
+  if (res[1]) casadi_copy(w29, 120, res[1]+1080);
   /* #84: output[1][10] = @31 */
-  if (res[1]) casadi_copy(w31, 108, res[1]+1080);
+  if (res[1]) casadi_copy(w31, 120, res[1]+1200);
   /* #85: output[1][11] = @33 */
-  if (res[1]) casadi_copy(w33, 108, res[1]+1188);
+  if (res[1]) casadi_copy(w33, 120, res[1]+1320);
   /* #86: output[1][12] = @35 */
-  if (res[1]) casadi_copy(w35, 108, res[1]+1296);
+  if (res[1]) casadi_copy(w35, 120, res[1]+1440);
   /* #87: output[1][13] = @37 */
-  if (res[1]) casadi_copy(w37, 108, res[1]+1404);
+  if (res[1]) casadi_copy(w37, 120, res[1]+1560);
   /* #88: output[1][14] = @39 */
-  if (res[1]) casadi_copy(w39, 108, res[1]+1512);
+  if (res[1]) casadi_copy(w39, 120, res[1]+1680);
   /* #89: output[1][15] = @41 */
-  if (res[1]) casadi_copy(w41, 108, res[1]+1620);
+  if (res[1]) casadi_copy(w41, 120, res[1]+1800);
   /* #90: @1 = @8[:4] */
   for (rr=w01, cs=w08+0; cs!=w08+4; cs+=1) *rr++ = *cs;
   /* #91: {@43, @44} = observe(@2, @1, @4) */
@@ -17515,41 +17517,41 @@ static int casadi_f93(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w44;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #92: output[1][16] = @43 */
-  if (res[1]) casadi_copy(w43, 9, res[1]+1728);
+  if (res[1]) casadi_copy(w43, 10, res[1]+1920);
   /* #93: output[2][0] = @12 */
-  casadi_copy(w12, 108, res[2]);
+  casadi_copy(w12, 120, res[2]);
   /* #94: output[2][1] = @14 */
-  if (res[2]) casadi_copy(w14, 108, res[2]+108);
+  if (res[2]) casadi_copy(w14, 120, res[2]+120);
   /* #95: output[2][2] = @16 */
-  if (res[2]) casadi_copy(w16, 108, res[2]+216);
+  if (res[2]) casadi_copy(w16, 120, res[2]+240);
   /* #96: output[2][3] = @18 */
-  if (res[2]) casadi_copy(w18, 108, res[2]+324);
+  if (res[2]) casadi_copy(w18, 120, res[2]+360);
   /* #97: output[2][4] = @20 */
-  if (res[2]) casadi_copy(w20, 108, res[2]+432);
+  if (res[2]) casadi_copy(w20, 120, res[2]+480);
   /* #98: output[2][5] = @22 */
-  if (res[2]) casadi_copy(w22, 108, res[2]+540);
+  if (res[2]) casadi_copy(w22, 120, res[2]+600);
   /* #99: output[2][6] = @24 */
-  if (res[2]) casadi_copy(w24, 108, res[2]+648);
+  if (res[2]) casadi_copy(w24, 120, res[2]+720);
   /* #100: output[2][7] = @26 */
-  if (res[2]) casadi_copy(w26, 108, res[2]+756);
+  if (res[2]) casadi_copy(w26, 120, res[2]+840);
   /* #101: output[2][8] = @28 */
-  if (res[2]) casadi_copy(w28, 108, res[2]+864);
+  if (res[2]) casadi_copy(w28, 120, res[2]+960);
   /* #102: output[2][9] = @30 */
-  if (res[2]) casadi_copy(w30, 108, res[2]+972);
+  if (res[2]) casadi_copy(w30, 120, res[2]+1080);
   /* #103: output[2][10] = @32 */
-  if (res[2]) casadi_copy(w32, 108, res[2]+1080);
+  if (res[2]) casadi_copy(w32, 120, res[2]+1200);
   /* #104: output[2][11] = @34 */
-  if (res[2]) casadi_copy(w34, 108, res[2]+1188);
+  if (res[2]) casadi_copy(w34, 120, res[2]+1320);
   /* #105: output[2][12] = @36 */
-  if (res[2]) casadi_copy(w36, 108, res[2]+1296);
+  if (res[2]) casadi_copy(w36, 120, res[2]+1440);
   /* #106: output[2][13] = @38 */
-  if (res[2]) casadi_copy(w38, 108, res[2]+1404);
+  if (res[2]) casadi_copy(w38, 120, res[2]+1560);
   /* #107: output[2][14] = @40 */
-  if (res[2]) casadi_copy(w40, 108, res[2]+1512);
+  if (res[2]) casadi_copy(w40, 120, res[2]+1680);
   /* #108: output[2][15] = @42 */
-  if (res[2]) casadi_copy(w42, 108, res[2]+1620);
+  if (res[2]) casadi_copy(w42, 120, res[2]+1800);
   /* #109: output[2][16] = @44 */
-  if (res[2]) casadi_copy(w44, 9, res[2]+1728);
+  if (res[2]) casadi_copy(w44, 10, res[2]+1920);
   /* #110: @1 = @8[:4] */
   for (rr=w01, cs=w08+0; cs!=w08+4; cs+=1) *rr++ = *cs;
   /* #111: @45 = landing(@1, @6, @4) */
@@ -17630,7 +17632,7 @@ CASADI_SYMBOL_EXPORT int compass_trace_192_work(casadi_int *sz_arg, casadi_int* 
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 3887;
+  if (sz_w) *sz_w = 4286;
   return 0;
 }
 
@@ -17638,19 +17640,19 @@ CASADI_SYMBOL_EXPORT int compass_trace_192_work_bytes(casadi_int *sz_arg, casadi
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 3887*sizeof(casadi_real);
+  if (sz_w) *sz_w = 4286*sizeof(casadi_real);
   return 0;
 }
 
-/* compass_trace_288:(u[4],p[6])->(w[5x289],g[9x289],dg[9x289],R[4]) */
+/* compass_trace_288:(u[4],p[6])->(w[5x289],g[10x289],dg[10x289],R[4]) */
 static int casadi_f94(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+4, *rr, w00, *w01=w+302, w02, w03, *w04=w+306, *w05=w+312, *w06=w+336, w07, *w08=w+339, *w09=w+344;
-  casadi_real *w10=w+349, *w11=w+409, *w12=w+517, *w13=w+625, *w14=w+733, *w15=w+841, *w16=w+949, *w17=w+1057, *w18=w+1165, *w19=w+1273, *w20=w+1381, *w21=w+1489;
-  casadi_real *w22=w+1597, *w23=w+1705, *w24=w+1813, *w25=w+1921, *w26=w+2029, *w27=w+2137, *w28=w+2245, *w29=w+2353, *w30=w+2461, *w31=w+2569, *w32=w+2677, *w33=w+2785;
-  casadi_real *w34=w+2893, *w35=w+3001, *w36=w+3109, *w37=w+3217, *w38=w+3325, *w39=w+3433, *w40=w+3541, *w41=w+3649, *w42=w+3757, *w43=w+3865, *w44=w+3973, *w45=w+4081;
-  casadi_real *w46=w+4189, *w47=w+4297, *w48=w+4405, *w49=w+4513, *w50=w+4621, *w51=w+4729, *w52=w+4837, *w53=w+4945, *w54=w+5053, *w55=w+5161, *w56=w+5269, *w57=w+5377;
-  casadi_real *w58=w+5485, *w59=w+5593, *w60=w+5602, *w61=w+5611;
+  casadi_real **res1=res+4, *rr, w00, *w01=w+315, w02, w03, *w04=w+319, *w05=w+325, *w06=w+349, w07, *w08=w+352, *w09=w+357;
+  casadi_real *w10=w+362, *w11=w+422, *w12=w+542, *w13=w+662, *w14=w+782, *w15=w+902, *w16=w+1022, *w17=w+1142, *w18=w+1262, *w19=w+1382, *w20=w+1502, *w21=w+1622;
+  casadi_real *w22=w+1742, *w23=w+1862, *w24=w+1982, *w25=w+2102, *w26=w+2222, *w27=w+2342, *w28=w+2462, *w29=w+2582, *w30=w+2702, *w31=w+2822, *w32=w+2942, *w33=w+3062;
+  casadi_real *w34=w+3182, *w35=w+3302, *w36=w+3422, *w37=w+3542, *w38=w+3662, *w39=w+3782, *w40=w+3902, *w41=w+4022, *w42=w+4142, *w43=w+4262, *w44=w+4382, *w45=w+4502;
+  casadi_real *w46=w+4622, *w47=w+4742, *w48=w+4862, *w49=w+4982, *w50=w+5102, *w51=w+5222, *w52=w+5342, *w53=w+5462, *w54=w+5582, *w55=w+5702, *w56=w+5822, *w57=w+5942;
+  casadi_real *w58=w+6062, *w59=w+6182, *w60=w+6192, *w61=w+6202;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = 0 */
   w00 = 0.;
@@ -18090,53 +18092,53 @@ static int casadi_f94(const casadi_real** arg, casadi_real** res, casadi_int* iw
   /* #105: output[0][24] = @8 */
   if (res[0]) casadi_copy(w08, 5, res[0]+1440);
   /* #106: output[1][0] = @11 */
-  casadi_copy(w11, 108, res[1]);
+  casadi_copy(w11, 120, res[1]);
   /* #107: output[1][1] = @13 */
-  if (res[1]) casadi_copy(w13, 108, res[1]+108);
+  if (res[1]) casadi_copy(w13, 120, res[1]+120);
   /* #108: output[1][2] = @15 */
-  if (res[1]) casadi_copy(w15, 108, res[1]+216);
+  if (res[1]) casadi_copy(w15, 120, res[1]+240);
   /* #109: output[1][3] = @17 */
-  if (res[1]) casadi_copy(w17, 108, res[1]+324);
+  if (res[1]) casadi_copy(w17, 120, res[1]+360);
   /* #110: output[1][4] = @19 */
-  if (res[1]) casadi_copy(w19, 108, res[1]+432);
+  if (res[1]) casadi_copy(w19, 120, res[1]+480);
   /* #111: output[1][5] = @21 */
-  if (res[1]) casadi_copy(w21, 108, res[1]+540);
+  if (res[1]) casadi_copy(w21, 120, res[1]+600);
   /* #112: output[1][6] = @23 */
-  if (res[1]) casadi_copy(w23, 108, res[1]+648);
+  if (res[1]) casadi_copy(w23, 120, res[1]+720);
   /* #113: output[1][7] = @25 */
-  if (res[1]) casadi_copy(w25, 108, res[1]+756);
+  if (res[1]) casadi_copy(w25, 120, res[1]+840);
   /* #114: output[1][8] = @27 */
-  if (res[1]) casadi_copy(w27, 108, res[1]+864);
+  if (res[1]) casadi_copy(w27, 120, res[1]+960);
   /* #115: output[1][9] = @29 */
-  if (res[1]) casadi_copy(w29, 108, res[1]+972);
+  if (res[1]) casadi_copy(w29, 120, res[1]+1080);
   /* #116: output[1][10] = @31 */
-  if (res[1]) casadi_copy(w31, 108, res[1]+1080);
+  if (res[1]) casadi_copy(w31, 120, res[1]+1200);
   /* #117: output[1][11] = @33 */
-  if (res[1]) casadi_copy(w33, 108, res[1]+1188);
+  if (res[1]) casadi_copy(w33, 120, res[1]+1320);
   /* #118: output[1][12] = @35 */
-  if (res[1]) casadi_copy(w35, 108, res[1]+1296);
+  if (res[1]) casadi_copy(w35, 120, res[1]+1440);
   /* #119: output[1][13] = @37 */
-  if (res[1]) casadi_copy(w37, 108, res[1]+1404);
+  if (res[1]) casadi_copy(w37, 120, res[1]+1560);
   /* #120: output[1][14] = @39 */
-  if (res[1]) casadi_copy(w39, 108, res[1]+1512);
+  if (res[1]) casadi_copy(w39, 120, res[1]+1680);
   /* #121: output[1][15] = @41 */
-  if (res[1]) casadi_copy(w41, 108, res[1]+1620);
+  if (res[1]) casadi_copy(w41, 120, res[1]+1800);
   /* #122: output[1][16] = @43 */
-  if (res[1]) casadi_copy(w43, 108, res[1]+1728);
+  if (res[1]) casadi_copy(w43, 120, res[1]+1920);
   /* #123: output[1][17] = @45 */
-  if (res[1]) casadi_copy(w45, 108, res[1]+1836);
+  if (res[1]) casadi_copy(w45, 120, res[1]+2040);
   /* #124: output[1][18] = @47 */
-  if (res[1]) casadi_copy(w47, 108, res[1]+1944);
+  if (res[1]) casadi_copy(w47, 120, res[1]+2160);
   /* #125: output[1][19] = @49 */
-  if (res[1]) casadi_copy(w49, 108, res[1]+2052);
+  if (res[1]) casadi_copy(w49, 120, res[1]+2280);
   /* #126: output[1][20] = @51 */
-  if (res[1]) casadi_copy(w51, 108, res[1]+2160);
+  if (res[1]) casadi_copy(w51, 120, res[1]+2400);
   /* #127: output[1][21] = @53 */
-  if (res[1]) casadi_copy(w53, 108, res[1]+2268);
+  if (res[1]) casadi_copy(w53, 120, res[1]+2520);
   /* #128: output[1][22] = @55 */
-  if (res[1]) casadi_copy(w55, 108, res[1]+2376);
+  if (res[1]) casadi_copy(w55, 120, res[1]+2640);
   /* #129: output[1][23] = @57 */
-  if (res[1]) casadi_copy(w57, 108, res[1]+2484);
+  if (res[1]) casadi_copy(w57, 120, res[1]+2760);
   /* #130: @1 = @8[:4] */
   for (rr=w01, cs=w08+0; cs!=w08+4; cs+=1) *rr++ = *cs;
   /* #131: {@59, @60} = observe(@2, @1, @4) */
@@ -18147,57 +18149,57 @@ static int casadi_f94(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w60;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #132: output[1][24] = @59 */
-  if (res[1]) casadi_copy(w59, 9, res[1]+2592);
+  if (res[1]) casadi_copy(w59, 10, res[1]+2880);
   /* #133: output[2][0] = @12 */
-  casadi_copy(w12, 108, res[2]);
+  casadi_copy(w12, 120, res[2]);
   /* #134: output[2][1] = @14 */
-  if (res[2]) casadi_copy(w14, 108, res[2]+108);
+  if (res[2]) casadi_copy(w14, 120, res[2]+120);
   /* #135: output[2][2] = @16 */
-  if (res[2]) casadi_copy(w16, 108, res[2]+216);
+  if (res[2]) casadi_copy(w16, 120, res[2]+240);
   /* #136: output[2][3] = @18 */
-  if (res[2]) casadi_copy(w18, 108, res[2]+324);
+  if (res[2]) casadi_copy(w18, 120, res[2]+360);
   /* #137: output[2][4] = @20 */
-  if (res[2]) casadi_copy(w20, 108, res[2]+432);
+  if (res[2]) casadi_copy(w20, 120, res[2]+480);
   /* #138: output[2][5] = @22 */
-  if (res[2]) casadi_copy(w22, 108, res[2]+540);
+  if (res[2]) casadi_copy(w22, 120, res[2]+600);
   /* #139: output[2][6] = @24 */
-  if (res[2]) casadi_copy(w24, 108, res[2]+648);
+  if (res[2]) casadi_copy(w24, 120, res[2]+720);
   /* #140: output[2][7] = @26 */
-  if (res[2]) casadi_copy(w26, 108, res[2]+756);
+  if (res[2]) casadi_copy(w26, 120, res[2]+840);
   /* #141: output[2][8] = @28 */
-  if (res[2]) casadi_copy(w28, 108, res[2]+864);
+  if (res[2]) casadi_copy(w28, 120, res[2]+960);
   /* #142: output[2][9] = @30 */
-  if (res[2]) casadi_copy(w30, 108, res[2]+972);
+  if (res[2]) casadi_copy(w30, 120, res[2]+1080);
   /* #143: output[2][10] = @32 */
-  if (res[2]) casadi_copy(w32, 108, res[2]+1080);
+  if (res[2]) casadi_copy(w32, 120, res[2]+1200);
   /* #144: output[2][11] = @34 */
-  if (res[2]) casadi_copy(w34, 108, res[2]+1188);
+  if (res[2]) casadi_copy(w34, 120, res[2]+1320);
   /* #145: output[2][12] = @36 */
-  if (res[2]) casadi_copy(w36, 108, res[2]+1296);
+  if (res[2]) casadi_copy(w36, 120, res[2]+1440);
   /* #146: output[2][13] = @38 */
-  if (res[2]) casadi_copy(w38, 108, res[2]+1404);
+  if (res[2]) casadi_copy(w38, 120, res[2]+1560);
   /* #147: output[2][14] = @40 */
-  if (res[2]) casadi_copy(w40, 108, res[2]+1512);
+  if (res[2]) casadi_copy(w40, 120, res[2]+1680);
   /* #148: output[2][15] = @42 */
-  if (res[2]) casadi_copy(w42, 108, res[2]+1620);
+  if (res[2]) casadi_copy(w42, 120, res[2]+1800);
   /* #149: output[2][16] = @44 */
-  if (res[2]) casadi_copy(w44, 108, res[2]+1728);
+  if (res[2]) casadi_copy(w44, 120, res[2]+1920);
   /* #150: output[2][17] = @46 */
-  if (res[2]) casadi_copy(w46, 108, res[2]+1836);
+  if (res[2]) casadi_copy(w46, 120, res[2]+2040);
   /* #151: output[2][18] = @48 */
-  if (res[2]) casadi_copy(w48, 108, res[2]+1944);
+  if (res[2]) casadi_copy(w48, 120, res[2]+2160);
   /* #152: output[2][19] = @50 */
-  if (res[2]) casadi_copy(w50, 108, res[2]+2052);
+  if (res[2]) casadi_copy(w50, 120, res[2]+2280);
   /* #153: output[2][20] = @52 */
-  if (res[2]) casadi_copy(w52, 108, res[2]+2160);
+  if (res[2]) casadi_copy(w52, 120, res[2]+2400);
   /* #154: output[2][21] = @54 */
-  if (res[2]) casadi_copy(w54, 108, res[2]+2268);
+  if (res[2]) casadi_copy(w54, 120, res[2]+2520);
   /* #155: output[2][22] = @56 */
-  if (res[2]) casadi_copy(w56, 108, res[2]+2376);
+  if (res[2]) casadi_copy(w56, 120, res[2]+2640);
   /* #156: output[2][23] = @58 */
-  if (res[2]) casadi_copy(w58, 108, res[2]+2484);
+  if (res[2]) casadi_copy(w58, 120, res[2]+2760);
   /* #157: output[2][24] = @60 */
-  if (res[2]) casadi_copy(w60, 9, res[2]+2592);
+  if (res[2]) casadi_copy(w60, 10, res[2]+2880);
   /* #158: @1 = @8[:4] */
   for (rr=w01, cs=w08+0; cs!=w08+4; cs+=1) *rr++ = *cs;
   /* #159: @61 = landing(@1, @6, @4) */
@@ -18278,7 +18280,7 @@ CASADI_SYMBOL_EXPORT int compass_trace_288_work(casadi_int *sz_arg, casadi_int* 
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 5615;
+  if (sz_w) *sz_w = 6206;
   return 0;
 }
 
@@ -18286,20 +18288,20 @@ CASADI_SYMBOL_EXPORT int compass_trace_288_work_bytes(casadi_int *sz_arg, casadi
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 5615*sizeof(casadi_real);
+  if (sz_w) *sz_w = 6206*sizeof(casadi_real);
   return 0;
 }
 
-/* compass_trace_384:(u[4],p[6])->(w[5x385],g[9x385],dg[9x385],R[4]) */
+/* compass_trace_384:(u[4],p[6])->(w[5x385],g[10x385],dg[10x385],R[4]) */
 static int casadi_f95(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+4, *rr, w00, *w01=w+302, w02, w03, *w04=w+306, *w05=w+312, *w06=w+336, w07, *w08=w+339, *w09=w+344;
-  casadi_real *w10=w+349, *w11=w+409, *w12=w+517, *w13=w+625, *w14=w+733, *w15=w+841, *w16=w+949, *w17=w+1057, *w18=w+1165, *w19=w+1273, *w20=w+1381, *w21=w+1489;
-  casadi_real *w22=w+1597, *w23=w+1705, *w24=w+1813, *w25=w+1921, *w26=w+2029, *w27=w+2137, *w28=w+2245, *w29=w+2353, *w30=w+2461, *w31=w+2569, *w32=w+2677, *w33=w+2785;
-  casadi_real *w34=w+2893, *w35=w+3001, *w36=w+3109, *w37=w+3217, *w38=w+3325, *w39=w+3433, *w40=w+3541, *w41=w+3649, *w42=w+3757, *w43=w+3865, *w44=w+3973, *w45=w+4081;
-  casadi_real *w46=w+4189, *w47=w+4297, *w48=w+4405, *w49=w+4513, *w50=w+4621, *w51=w+4729, *w52=w+4837, *w53=w+4945, *w54=w+5053, *w55=w+5161, *w56=w+5269, *w57=w+5377;
-  casadi_real *w58=w+5485, *w59=w+5593, *w60=w+5701, *w61=w+5809, *w62=w+5917, *w63=w+6025, *w64=w+6133, *w65=w+6241, *w66=w+6349, *w67=w+6457, *w68=w+6565, *w69=w+6673;
-  casadi_real *w70=w+6781, *w71=w+6889, *w72=w+6997, *w73=w+7105, *w74=w+7213, *w75=w+7321, *w76=w+7330, *w77=w+7339;
+  casadi_real **res1=res+4, *rr, w00, *w01=w+315, w02, w03, *w04=w+319, *w05=w+325, *w06=w+349, w07, *w08=w+352, *w09=w+357;
+  casadi_real *w10=w+362, *w11=w+422, *w12=w+542, *w13=w+662, *w14=w+782, *w15=w+902, *w16=w+1022, *w17=w+1142, *w18=w+1262, *w19=w+1382, *w20=w+1502, *w21=w+1622;
+  casadi_real *w22=w+1742, *w23=w+1862, *w24=w+1982, *w25=w+2102, *w26=w+2222, *w27=w+2342, *w28=w+2462, *w29=w+2582, *w30=w+2702, *w31=w+2822, *w32=w+2942, *w33=w+3062;
+  casadi_real *w34=w+3182, *w35=w+3302, *w36=w+3422, *w37=w+3542, *w38=w+3662, *w39=w+3782, *w40=w+3902, *w41=w+4022, *w42=w+4142, *w43=w+4262, *w44=w+4382, *w45=w+4502;
+  casadi_real *w46=w+4622, *w47=w+4742, *w48=w+4862, *w49=w+4982, *w50=w+5102, *w51=w+5222, *w52=w+5342, *w53=w+5462, *w54=w+5582, *w55=w+5702, *w56=w+5822, *w57=w+5942;
+  casadi_real *w58=w+6062, *w59=w+6182, *w60=w+6302, *w61=w+6422, *w62=w+6542, *w63=w+6662, *w64=w+6782, *w65=w+6902, *w66=w+7022, *w67=w+7142, *w68=w+7262, *w69=w+7382;
+  casadi_real *w70=w+7502, *w71=w+7622, *w72=w+7742, *w73=w+7862, *w74=w+7982, *w75=w+8102, *w76=w+8112, *w77=w+8122;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = 0 */
   w00 = 0.;
@@ -18875,69 +18877,69 @@ static int casadi_f95(const casadi_real** arg, casadi_real** res, casadi_int* iw
   /* #137: output[0][32] = @8 */
   if (res[0]) casadi_copy(w08, 5, res[0]+1920);
   /* #138: output[1][0] = @11 */
-  casadi_copy(w11, 108, res[1]);
+  casadi_copy(w11, 120, res[1]);
   /* #139: output[1][1] = @13 */
-  if (res[1]) casadi_copy(w13, 108, res[1]+108);
+  if (res[1]) casadi_copy(w13, 120, res[1]+120);
   /* #140: output[1][2] = @15 */
-  if (res[1]) casadi_copy(w15, 108, res[1]+216);
+  if (res[1]) casadi_copy(w15, 120, res[1]+240);
   /* #141: output[1][3] = @17 */
-  if (res[1]) casadi_copy(w17, 108, res[1]+324);
+  if (res[1]) casadi_copy(w17, 120, res[1]+360);
   /* #142: output[1][4] = @19 */
-  if (res[1]) casadi_copy(w19, 108, res[1]+432);
+  if (res[1]) casadi_copy(w19, 120, res[1]+480);
   /* #143: output[1][5] = @21 */
-  if (res[1]) casadi_copy(w21, 108, res[1]+540);
+  if (res[1]) casadi_copy(w21, 120, res[1]+600);
   /* #144: output[1][6] = @23 */
-  if (res[1]) casadi_copy(w23, 108, res[1]+648);
+  if (res[1]) casadi_copy(w23, 120, res[1]+720);
   /* #145: output[1][7] = @25 */
-  if (res[1]) casadi_copy(w25, 108, res[1]+756);
+  if (res[1]) casadi_copy(w25, 120, res[1]+840);
   /* #146: output[1][8] = @27 */
-  if (res[1]) casadi_copy(w27, 108, res[1]+864);
+  if (res[1]) casadi_copy(w27, 120, res[1]+960);
   /* #147: output[1][9] = @29 */
-  if (res[1]) casadi_copy(w29, 108, res[1]+972);
+  if (res[1]) casadi_copy(w29, 120, res[1]+1080);
   /* #148: output[1][10] = @31 */
-  if (res[1]) casadi_copy(w31, 108, res[1]+1080);
+  if (res[1]) casadi_copy(w31, 120, res[1]+1200);
   /* #149: output[1][11] = @33 */
-  if (res[1]) casadi_copy(w33, 108, res[1]+1188);
+  if (res[1]) casadi_copy(w33, 120, res[1]+1320);
   /* #150: output[1][12] = @35 */
-  if (res[1]) casadi_copy(w35, 108, res[1]+1296);
+  if (res[1]) casadi_copy(w35, 120, res[1]+1440);
   /* #151: output[1][13] = @37 */
-  if (res[1]) casadi_copy(w37, 108, res[1]+1404);
+  if (res[1]) casadi_copy(w37, 120, res[1]+1560);
   /* #152: output[1][14] = @39 */
-  if (res[1]) casadi_copy(w39, 108, res[1]+1512);
+  if (res[1]) casadi_copy(w39, 120, res[1]+1680);
   /* #153: output[1][15] = @41 */
-  if (res[1]) casadi_copy(w41, 108, res[1]+1620);
+  if (res[1]) casadi_copy(w41, 120, res[1]+1800);
   /* #154: output[1][16] = @43 */
-  if (res[1]) casadi_copy(w43, 108, res[1]+1728);
+  if (res[1]) casadi_copy(w43, 120, res[1]+1920);
   /* #155: output[1][17] = @45 */
-  if (res[1]) casadi_copy(w45, 108, res[1]+1836);
+  if (res[1]) casadi_copy(w45, 120, res[1]+2040);
   /* #156: output[1][18] = @47 */
-  if (res[1]) casadi_copy(w47, 108, res[1]+1944);
+  if (res[1]) casadi_copy(w47, 120, res[1]+2160);
   /* #157: output[1][19] = @49 */
-  if (res[1]) casadi_copy(w49, 108, res[1]+2052);
+  if (res[1]) casadi_copy(w49, 120, res[1]+2280);
   /* #158: output[1][20] = @51 */
-  if (res[1]) casadi_copy(w51, 108, res[1]+2160);
+  if (res[1]) casadi_copy(w51, 120, res[1]+2400);
   /* #159: output[1][21] = @53 */
-  if (res[1]) casadi_copy(w53, 108, res[1]+2268);
+  if (res[1]) casadi_copy(w53, 120, res[1]+2520);
   /* #160: output[1][22] = @55 */
-  if (res[1]) casadi_copy(w55, 108, res[1]+2376);
+  if (res[1]) casadi_copy(w55, 120, res[1]+2640);
   /* #161: output[1][23] = @57 */
-  if (res[1]) casadi_copy(w57, 108, res[1]+2484);
+  if (res[1]) casadi_copy(w57, 120, res[1]+2760);
   /* #162: output[1][24] = @59 */
-  if (res[1]) casadi_copy(w59, 108, res[1]+2592);
+  if (res[1]) casadi_copy(w59, 120, res[1]+2880);
   /* #163: output[1][25] = @61 */
-  if (res[1]) casadi_copy(w61, 108, res[1]+2700);
+  if (res[1]) casadi_copy(w61, 120, res[1]+3000);
   /* #164: output[1][26] = @63 */
-  if (res[1]) casadi_copy(w63, 108, res[1]+2808);
+  if (res[1]) casadi_copy(w63, 120, res[1]+3120);
   /* #165: output[1][27] = @65 */
-  if (res[1]) casadi_copy(w65, 108, res[1]+2916);
+  if (res[1]) casadi_copy(w65, 120, res[1]+3240);
   /* #166: output[1][28] = @67 */
-  if (res[1]) casadi_copy(w67, 108, res[1]+3024);
+  if (res[1]) casadi_copy(w67, 120, res[1]+3360);
   /* #167: output[1][29] = @69 */
-  if (res[1]) casadi_copy(w69, 108, res[1]+3132);
+  if (res[1]) casadi_copy(w69, 120, res[1]+3480);
   /* #168: output[1][30] = @71 */
-  if (res[1]) casadi_copy(w71, 108, res[1]+3240);
+  if (res[1]) casadi_copy(w71, 120, res[1]+3600);
   /* #169: output[1][31] = @73 */
-  if (res[1]) casadi_copy(w73, 108, res[1]+3348);
+  if (res[1]) casadi_copy(w73, 120, res[1]+3720);
   /* #170: @1 = @8[:4] */
   for (rr=w01, cs=w08+0; cs!=w08+4; cs+=1) *rr++ = *cs;
   /* #171: {@75, @76} = observe(@2, @1, @4) */
@@ -18948,73 +18950,73 @@ static int casadi_f95(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w76;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #172: output[1][32] = @75 */
-  if (res[1]) casadi_copy(w75, 9, res[1]+3456);
+  if (res[1]) casadi_copy(w75, 10, res[1]+3840);
   /* #173: output[2][0] = @12 */
-  casadi_copy(w12, 108, res[2]);
+  casadi_copy(w12, 120, res[2]);
   /* #174: output[2][1] = @14 */
-  if (res[2]) casadi_copy(w14, 108, res[2]+108);
+  if (res[2]) casadi_copy(w14, 120, res[2]+120);
   /* #175: output[2][2] = @16 */
-  if (res[2]) casadi_copy(w16, 108, res[2]+216);
+  if (res[2]) casadi_copy(w16, 120, res[2]+240);
   /* #176: output[2][3] = @18 */
-  if (res[2]) casadi_copy(w18, 108, res[2]+324);
+  if (res[2]) casadi_copy(w18, 120, res[2]+360);
   /* #177: output[2][4] = @20 */
-  if (res[2]) casadi_copy(w20, 108, res[2]+432);
+  if (res[2]) casadi_copy(w20, 120, res[2]+480);
   /* #178: output[2][5] = @22 */
-  if (res[2]) casadi_copy(w22, 108, res[2]+540);
+  if (res[2]) casadi_copy(w22, 120, res[2]+600);
   /* #179: output[2][6] = @24 */
-  if (res[2]) casadi_copy(w24, 108, res[2]+648);
+  if (res[2]) casadi_copy(w24, 120, res[2]+720);
   /* #180: output[2][7] = @26 */
-  if (res[2]) casadi_copy(w26, 108, res[2]+756);
+  if (res[2]) casadi_copy(w26, 120, res[2]+840);
   /* #181: output[2][8] = @28 */
-  if (res[2]) casadi_copy(w28, 108, res[2]+864);
+  if (res[2]) casadi_copy(w28, 120, res[2]+960);
   /* #182: output[2][9] = @30 */
-  if (res[2]) casadi_copy(w30, 108, res[2]+972);
+  if (res[2]) casadi_copy(w30, 120, res[2]+1080);
   /* #183: output[2][10] = @32 */
-  if (res[2]) casadi_copy(w32, 108, res[2]+1080);
+  if (res[2]) casadi_copy(w32, 120, res[2]+1200);
   /* #184: output[2][11] = @34 */
-  if (res[2]) casadi_copy(w34, 108, res[2]+1188);
+  if (res[2]) casadi_copy(w34, 120, res[2]+1320);
   /* #185: output[2][12] = @36 */
-  if (res[2]) casadi_copy(w36, 108, res[2]+1296);
+  if (res[2]) casadi_copy(w36, 120, res[2]+1440);
   /* #186: output[2][13] = @38 */
-  if (res[2]) casadi_copy(w38, 108, res[2]+1404);
+  if (res[2]) casadi_copy(w38, 120, res[2]+1560);
   /* #187: output[2][14] = @40 */
-  if (res[2]) casadi_copy(w40, 108, res[2]+1512);
+  if (res[2]) casadi_copy(w40, 120, res[2]+1680);
   /* #188: output[2][15] = @42 */
-  if (res[2]) casadi_copy(w42, 108, res[2]+1620);
+  if (res[2]) casadi_copy(w42, 120, res[2]+1800);
   /* #189: output[2][16] = @44 */
-  if (res[2]) casadi_copy(w44, 108, res[2]+1728);
+  if (res[2]) casadi_copy(w44, 120, res[2]+1920);
   /* #190: output[2][17] = @46 */
-  if (res[2]) casadi_copy(w46, 108, res[2]+1836);
+  if (res[2]) casadi_copy(w46, 120, res[2]+2040);
   /* #191: output[2][18] = @48 */
-  if (res[2]) casadi_copy(w48, 108, res[2]+1944);
+  if (res[2]) casadi_copy(w48, 120, res[2]+2160);
   /* #192: output[2][19] = @50 */
-  if (res[2]) casadi_copy(w50, 108, res[2]+2052);
+  if (res[2]) casadi_copy(w50, 120, res[2]+2280);
   /* #193: output[2][20] = @52 */
-  if (res[2]) casadi_copy(w52, 108, res[2]+2160);
+  if (res[2]) casadi_copy(w52, 120, res[2]+2400);
   /* #194: output[2][21] = @54 */
-  if (res[2]) casadi_copy(w54, 108, res[2]+2268);
+  if (res[2]) casadi_copy(w54, 120, res[2]+2520);
   /* #195: output[2][22] = @56 */
-  if (res[2]) casadi_copy(w56, 108, res[2]+2376);
+  if (res[2]) casadi_copy(w56, 120, res[2]+2640);
   /* #196: output[2][23] = @58 */
-  if (res[2]) casadi_copy(w58, 108, res[2]+2484);
+  if (res[2]) casadi_copy(w58, 120, res[2]+2760);
   /* #197: output[2][24] = @60 */
-  if (res[2]) casadi_copy(w60, 108, res[2]+2592);
+  if (res[2]) casadi_copy(w60, 120, res[2]+2880);
   /* #198: output[2][25] = @62 */
-  if (res[2]) casadi_copy(w62, 108, res[2]+2700);
+  if (res[2]) casadi_copy(w62, 120, res[2]+3000);
   /* #199: output[2][26] = @64 */
-  if (res[2]) casadi_copy(w64, 108, res[2]+2808);
+  if (res[2]) casadi_copy(w64, 120, res[2]+3120);
   /* #200: output[2][27] = @66 */
-  if (res[2]) casadi_copy(w66, 108, res[2]+2916);
+  if (res[2]) casadi_copy(w66, 120, res[2]+3240);
   /* #201: output[2][28] = @68 */
-  if (res[2]) casadi_copy(w68, 108, res[2]+3024);
+  if (res[2]) casadi_copy(w68, 120, res[2]+3360);
   /* #202: output[2][29] = @70 */
-  if (res[2]) casadi_copy(w70, 108, res[2]+3132);
+  if (res[2]) casadi_copy(w70, 120, res[2]+3480);
   /* #203: output[2][30] = @72 */
-  if (res[2]) casadi_copy(w72, 108, res[2]+3240);
+  if (res[2]) casadi_copy(w72, 120, res[2]+3600);
   /* #204: output[2][31] = @74 */
-  if (res[2]) casadi_copy(w74, 108, res[2]+3348);
+  if (res[2]) casadi_copy(w74, 120, res[2]+3720);
   /* #205: output[2][32] = @76 */
-  if (res[2]) casadi_copy(w76, 9, res[2]+3456);
+  if (res[2]) casadi_copy(w76, 10, res[2]+3840);
   /* #206: @1 = @8[:4] */
   for (rr=w01, cs=w08+0; cs!=w08+4; cs+=1) *rr++ = *cs;
   /* #207: @77 = landing(@1, @6, @4) */
@@ -19095,7 +19097,7 @@ CASADI_SYMBOL_EXPORT int compass_trace_384_work(casadi_int *sz_arg, casadi_int* 
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 7343;
+  if (sz_w) *sz_w = 8126;
   return 0;
 }
 
@@ -19103,23 +19105,23 @@ CASADI_SYMBOL_EXPORT int compass_trace_384_work_bytes(casadi_int *sz_arg, casadi
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 7343*sizeof(casadi_real);
+  if (sz_w) *sz_w = 8126*sizeof(casadi_real);
   return 0;
 }
 
-/* compass_trace_576:(u[4],p[6])->(w[5x577],g[9x577],dg[9x577],R[4]) */
+/* compass_trace_576:(u[4],p[6])->(w[5x577],g[10x577],dg[10x577],R[4]) */
 static int casadi_f96(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+4, *rr, w000, *w001=w+302, w002, w003, *w004=w+306, *w005=w+312, *w006=w+336, w007, *w008=w+339, *w009=w+344;
-  casadi_real *w010=w+349, *w011=w+409, *w012=w+517, *w013=w+625, *w014=w+733, *w015=w+841, *w016=w+949, *w017=w+1057, *w018=w+1165, *w019=w+1273, *w020=w+1381, *w021=w+1489;
-  casadi_real *w022=w+1597, *w023=w+1705, *w024=w+1813, *w025=w+1921, *w026=w+2029, *w027=w+2137, *w028=w+2245, *w029=w+2353, *w030=w+2461, *w031=w+2569, *w032=w+2677, *w033=w+2785;
-  casadi_real *w034=w+2893, *w035=w+3001, *w036=w+3109, *w037=w+3217, *w038=w+3325, *w039=w+3433, *w040=w+3541, *w041=w+3649, *w042=w+3757, *w043=w+3865, *w044=w+3973, *w045=w+4081;
-  casadi_real *w046=w+4189, *w047=w+4297, *w048=w+4405, *w049=w+4513, *w050=w+4621, *w051=w+4729, *w052=w+4837, *w053=w+4945, *w054=w+5053, *w055=w+5161, *w056=w+5269, *w057=w+5377;
-  casadi_real *w058=w+5485, *w059=w+5593, *w060=w+5701, *w061=w+5809, *w062=w+5917, *w063=w+6025, *w064=w+6133, *w065=w+6241, *w066=w+6349, *w067=w+6457, *w068=w+6565, *w069=w+6673;
-  casadi_real *w070=w+6781, *w071=w+6889, *w072=w+6997, *w073=w+7105, *w074=w+7213, *w075=w+7321, *w076=w+7429, *w077=w+7537, *w078=w+7645, *w079=w+7753, *w080=w+7861, *w081=w+7969;
-  casadi_real *w082=w+8077, *w083=w+8185, *w084=w+8293, *w085=w+8401, *w086=w+8509, *w087=w+8617, *w088=w+8725, *w089=w+8833, *w090=w+8941, *w091=w+9049, *w092=w+9157, *w093=w+9265;
-  casadi_real *w094=w+9373, *w095=w+9481, *w096=w+9589, *w097=w+9697, *w098=w+9805, *w099=w+9913, *w100=w+10021, *w101=w+10129, *w102=w+10237, *w103=w+10345, *w104=w+10453, *w105=w+10561;
-  casadi_real *w106=w+10669, *w107=w+10777, *w108=w+10786, *w109=w+10795;
+  casadi_real **res1=res+4, *rr, w000, *w001=w+315, w002, w003, *w004=w+319, *w005=w+325, *w006=w+349, w007, *w008=w+352, *w009=w+357;
+  casadi_real *w010=w+362, *w011=w+422, *w012=w+542, *w013=w+662, *w014=w+782, *w015=w+902, *w016=w+1022, *w017=w+1142, *w018=w+1262, *w019=w+1382, *w020=w+1502, *w021=w+1622;
+  casadi_real *w022=w+1742, *w023=w+1862, *w024=w+1982, *w025=w+2102, *w026=w+2222, *w027=w+2342, *w028=w+2462, *w029=w+2582, *w030=w+2702, *w031=w+2822, *w032=w+2942, *w033=w+3062;
+  casadi_real *w034=w+3182, *w035=w+3302, *w036=w+3422, *w037=w+3542, *w038=w+3662, *w039=w+3782, *w040=w+3902, *w041=w+4022, *w042=w+4142, *w043=w+4262, *w044=w+4382, *w045=w+4502;
+  casadi_real *w046=w+4622, *w047=w+4742, *w048=w+4862, *w049=w+4982, *w050=w+5102, *w051=w+5222, *w052=w+5342, *w053=w+5462, *w054=w+5582, *w055=w+5702, *w056=w+5822, *w057=w+5942;
+  casadi_real *w058=w+6062, *w059=w+6182, *w060=w+6302, *w061=w+6422, *w062=w+6542, *w063=w+6662, *w064=w+6782, *w065=w+6902, *w066=w+7022, *w067=w+7142, *w068=w+7262, *w069=w+7382;
+  casadi_real *w070=w+7502, *w071=w+7622, *w072=w+7742, *w073=w+7862, *w074=w+7982, *w075=w+8102, *w076=w+8222, *w077=w+8342, *w078=w+8462, *w079=w+8582, *w080=w+8702, *w081=w+8822;
+  casadi_real *w082=w+8942, *w083=w+9062, *w084=w+9182, *w085=w+9302, *w086=w+9422, *w087=w+9542, *w088=w+9662, *w089=w+9782, *w090=w+9902, *w091=w+10022, *w092=w+10142, *w093=w+10262;
+  casadi_real *w094=w+10382, *w095=w+10502, *w096=w+10622, *w097=w+10742, *w098=w+10862, *w099=w+10982, *w100=w+11102, *w101=w+11222, *w102=w+11342, *w103=w+11462, *w104=w+11582, *w105=w+11702;
+  casadi_real *w106=w+11822, *w107=w+11942, *w108=w+11952, *w109=w+11962;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = 0 */
   w000 = 0.;
@@ -19967,101 +19969,101 @@ static int casadi_f96(const casadi_real** arg, casadi_real** res, casadi_int* iw
   /* #201: output[0][48] = @8 */
   if (res[0]) casadi_copy(w008, 5, res[0]+2880);
   /* #202: output[1][0] = @11 */
-  casadi_copy(w011, 108, res[1]);
+  casadi_copy(w011, 120, res[1]);
   /* #203: output[1][1] = @13 */
-  if (res[1]) casadi_copy(w013, 108, res[1]+108);
+  if (res[1]) casadi_copy(w013, 120, res[1]+120);
   /* #204: output[1][2] = @15 */
-  if (res[1]) casadi_copy(w015, 108, res[1]+216);
+  if (res[1]) casadi_copy(w015, 120, res[1]+240);
   /* #205: output[1][3] = @17 */
-  if (res[1]) casadi_copy(w017, 108, res[1]+324);
+  if (res[1]) casadi_copy(w017, 120, res[1]+360);
   /* #206: output[1][4] = @19 */
-  if (res[1]) casadi_copy(w019, 108, res[1]+432);
+  if (res[1]) casadi_copy(w019, 120, res[1]+480);
   /* #207: output[1][5] = @21 */
-  if (res[1]) casadi_copy(w021, 108, res[1]+540);
+  if (res[1]) casadi_copy(w021, 120, res[1]+600);
   /* #208: output[1][6] = @23 */
-  if (res[1]) casadi_copy(w023, 108, res[1]+648);
+  if (res[1]) casadi_copy(w023, 120, res[1]+720);
   /* #209: output[1][7] = @25 */
-  if (res[1]) casadi_copy(w025, 108, res[1]+756);
+  if (res[1]) casadi_copy(w025, 120, res[1]+840);
   /* #210: output[1][8] = @27 */
-  if (res[1]) casadi_copy(w027, 108, res[1]+864);
+  if (res[1]) casadi_copy(w027, 120, res[1]+960);
   /* #211: output[1][9] = @29 */
-  if (res[1]) casadi_copy(w029, 108, res[1]+972);
+  if (res[1]) casadi_copy(w029, 120, res[1]+1080);
   /* #212: output[1][10] = @31 */
-  if (res[1]) casadi_copy(w031, 108, res[1]+1080);
+  if (res[1]) casadi_copy(w031, 120, res[1]+1200);
   /* #213: output[1][11] = @33 */
-  if (res[1]) casadi_copy(w033, 108, res[1]+1188);
+  if (res[1]) casadi_copy(w033, 120, res[1]+1320);
   /* #214: output[1][12] = @35 */
-  if (res[1]) casadi_copy(w035, 108, res[1]+1296);
+  if (res[1]) casadi_copy(w035, 120, res[1]+1440);
   /* #215: output[1][13] = @37 */
-  if (res[1]) casadi_copy(w037, 108, res[1]+1404);
+  if (res[1]) casadi_copy(w037, 120, res[1]+1560);
   /* #216: output[1][14] = @39 */
-  if (res[1]) casadi_copy(w039, 108, res[1]+1512);
+  if (res[1]) casadi_copy(w039, 120, res[1]+1680);
   /* #217: output[1][15] = @41 */
-  if (res[1]) casadi_copy(w041, 108, res[1]+1620);
+  if (res[1]) casadi_copy(w041, 120, res[1]+1800);
   /* #218: output[1][16] = @43 */
-  if (res[1]) casadi_copy(w043, 108, res[1]+1728);
+  if (res[1]) casadi_copy(w043, 120, res[1]+1920);
   /* #219: output[1][17] = @45 */
-  if (res[1]) casadi_copy(w045, 108, res[1]+1836);
+  if (res[1]) casadi_copy(w045, 120, res[1]+2040);
   /* #220: output[1][18] = @47 */
-  if (res[1]) casadi_copy(w047, 108, res[1]+1944);
+  if (res[1]) casadi_copy(w047, 120, res[1]+2160);
   /* #221: output[1][19] = @49 */
-  if (res[1]) casadi_copy(w049, 108, res[1]+2052);
+  if (res[1]) casadi_copy(w049, 120, res[1]+2280);
   /* #222: output[1][20] = @51 */
-  if (res[1]) casadi_copy(w051, 108, res[1]+2160);
+  if (res[1]) casadi_copy(w051, 120, res[1]+2400);
   /* #223: output[1][21] = @53 */
-  if (res[1]) casadi_copy(w053, 108, res[1]+2268);
+  if (res[1]) casadi_copy(w053, 120, res[1]+2520);
   /* #224: output[1][22] = @55 */
-  if (res[1]) casadi_copy(w055, 108, res[1]+2376);
+  if (res[1]) casadi_copy(w055, 120, res[1]+2640);
   /* #225: output[1][23] = @57 */
-  if (res[1]) casadi_copy(w057, 108, res[1]+2484);
+  if (res[1]) casadi_copy(w057, 120, res[1]+2760);
   /* #226: output[1][24] = @59 */
-  if (res[1]) casadi_copy(w059, 108, res[1]+2592);
+  if (res[1]) casadi_copy(w059, 120, res[1]+2880);
   /* #227: output[1][25] = @61 */
-  if (res[1]) casadi_copy(w061, 108, res[1]+2700);
+  if (res[1]) casadi_copy(w061, 120, res[1]+3000);
   /* #228: output[1][26] = @63 */
-  if (res[1]) casadi_copy(w063, 108, res[1]+2808);
+  if (res[1]) casadi_copy(w063, 120, res[1]+3120);
   /* #229: output[1][27] = @65 */
-  if (res[1]) casadi_copy(w065, 108, res[1]+2916);
+  if (res[1]) casadi_copy(w065, 120, res[1]+3240);
   /* #230: output[1][28] = @67 */
-  if (res[1]) casadi_copy(w067, 108, res[1]+3024);
+  if (res[1]) casadi_copy(w067, 120, res[1]+3360);
   /* #231: output[1][29] = @69 */
-  if (res[1]) casadi_copy(w069, 108, res[1]+3132);
+  if (res[1]) casadi_copy(w069, 120, res[1]+3480);
   /* #232: output[1][30] = @71 */
-  if (res[1]) casadi_copy(w071, 108, res[1]+3240);
+  if (res[1]) casadi_copy(w071, 120, res[1]+3600);
   /* #233: output[1][31] = @73 */
-  if (res[1]) casadi_copy(w073, 108, res[1]+3348);
+  if (res[1]) casadi_copy(w073, 120, res[1]+3720);
   /* #234: output[1][32] = @75 */
-  if (res[1]) casadi_copy(w075, 108, res[1]+3456);
+  if (res[1]) casadi_copy(w075, 120, res[1]+3840);
   /* #235: output[1][33] = @77 */
-  if (res[1]) casadi_copy(w077, 108, res[1]+3564);
+  if (res[1]) casadi_copy(w077, 120, res[1]+3960);
   /* #236: output[1][34] = @79 */
-  if (res[1]) casadi_copy(w079, 108, res[1]+3672);
+  if (res[1]) casadi_copy(w079, 120, res[1]+4080);
   /* #237: output[1][35] = @81 */
-  if (res[1]) casadi_copy(w081, 108, res[1]+3780);
+  if (res[1]) casadi_copy(w081, 120, res[1]+4200);
   /* #238: output[1][36] = @83 */
-  if (res[1]) casadi_copy(w083, 108, res[1]+3888);
+  if (res[1]) casadi_copy(w083, 120, res[1]+4320);
   /* #239: output[1][37] = @85 */
-  if (res[1]) casadi_copy(w085, 108, res[1]+3996);
+  if (res[1]) casadi_copy(w085, 120, res[1]+4440);
   /* #240: output[1][38] = @87 */
-  if (res[1]) casadi_copy(w087, 108, res[1]+4104);
+  if (res[1]) casadi_copy(w087, 120, res[1]+4560);
   /* #241: output[1][39] = @89 */
-  if (res[1]) casadi_copy(w089, 108, res[1]+4212);
+  if (res[1]) casadi_copy(w089, 120, res[1]+4680);
   /* #242: output[1][40] = @91 */
-  if (res[1]) casadi_copy(w091, 108, res[1]+4320);
+  if (res[1]) casadi_copy(w091, 120, res[1]+4800);
   /* #243: output[1][41] = @93 */
-  if (res[1]) casadi_copy(w093, 108, res[1]+4428);
+  if (res[1]) casadi_copy(w093, 120, res[1]+4920);
   /* #244: output[1][42] = @95 */
-  if (res[1]) casadi_copy(w095, 108, res[1]+4536);
+  if (res[1]) casadi_copy(w095, 120, res[1]+5040);
   /* #245: output[1][43] = @97 */
-  if (res[1]) casadi_copy(w097, 108, res[1]+4644);
+  if (res[1]) casadi_copy(w097, 120, res[1]+5160);
   /* #246: output[1][44] = @99 */
-  if (res[1]) casadi_copy(w099, 108, res[1]+4752);
+  if (res[1]) casadi_copy(w099, 120, res[1]+5280);
   /* #247: output[1][45] = @101 */
-  if (res[1]) casadi_copy(w101, 108, res[1]+4860);
+  if (res[1]) casadi_copy(w101, 120, res[1]+5400);
   /* #248: output[1][46] = @103 */
-  if (res[1]) casadi_copy(w103, 108, res[1]+4968);
+  if (res[1]) casadi_copy(w103, 120, res[1]+5520);
   /* #249: output[1][47] = @105 */
-  if (res[1]) casadi_copy(w105, 108, res[1]+5076);
+  if (res[1]) casadi_copy(w105, 120, res[1]+5640);
   /* #250: @1 = @8[:4] */
   for (rr=w001, cs=w008+0; cs!=w008+4; cs+=1) *rr++ = *cs;
   /* #251: {@107, @108} = observe(@2, @1, @4) */
@@ -20072,105 +20074,105 @@ static int casadi_f96(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w108;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #252: output[1][48] = @107 */
-  if (res[1]) casadi_copy(w107, 9, res[1]+5184);
+  if (res[1]) casadi_copy(w107, 10, res[1]+5760);
   /* #253: output[2][0] = @12 */
-  casadi_copy(w012, 108, res[2]);
+  casadi_copy(w012, 120, res[2]);
   /* #254: output[2][1] = @14 */
-  if (res[2]) casadi_copy(w014, 108, res[2]+108);
+  if (res[2]) casadi_copy(w014, 120, res[2]+120);
   /* #255: output[2][2] = @16 */
-  if (res[2]) casadi_copy(w016, 108, res[2]+216);
+  if (res[2]) casadi_copy(w016, 120, res[2]+240);
   /* #256: output[2][3] = @18 */
-  if (res[2]) casadi_copy(w018, 108, res[2]+324);
+  if (res[2]) casadi_copy(w018, 120, res[2]+360);
   /* #257: output[2][4] = @20 */
-  if (res[2]) casadi_copy(w020, 108, res[2]+432);
+  if (res[2]) casadi_copy(w020, 120, res[2]+480);
   /* #258: output[2][5] = @22 */
-  if (res[2]) casadi_copy(w022, 108, res[2]+540);
+  if (res[2]) casadi_copy(w022, 120, res[2]+600);
   /* #259: output[2][6] = @24 */
-  if (res[2]) casadi_copy(w024, 108, res[2]+648);
+  if (res[2]) casadi_copy(w024, 120, res[2]+720);
   /* #260: output[2][7] = @26 */
-  if (res[2]) casadi_copy(w026, 108, res[2]+756);
+  if (res[2]) casadi_copy(w026, 120, res[2]+840);
   /* #261: output[2][8] = @28 */
-  if (res[2]) casadi_copy(w028, 108, res[2]+864);
+  if (res[2]) casadi_copy(w028, 120, res[2]+960);
   /* #262: output[2][9] = @30 */
-  if (res[2]) casadi_copy(w030, 108, res[2]+972);
+  if (res[2]) casadi_copy(w030, 120, res[2]+1080);
   /* #263: output[2][10] = @32 */
-  if (res[2]) casadi_copy(w032, 108, res[2]+1080);
+  if (res[2]) casadi_copy(w032, 120, res[2]+1200);
   /* #264: output[2][11] = @34 */
-  if (res[2]) casadi_copy(w034, 108, res[2]+1188);
+  if (res[2]) casadi_copy(w034, 120, res[2]+1320);
   /* #265: output[2][12] = @36 */
-  if (res[2]) casadi_copy(w036, 108, res[2]+1296);
+  if (res[2]) casadi_copy(w036, 120, res[2]+1440);
   /* #266: output[2][13] = @38 */
-  if (res[2]) casadi_copy(w038, 108, res[2]+1404);
+  if (res[2]) casadi_copy(w038, 120, res[2]+1560);
   /* #267: output[2][14] = @40 */
-  if (res[2]) casadi_copy(w040, 108, res[2]+1512);
+  if (res[2]) casadi_copy(w040, 120, res[2]+1680);
   /* #268: output[2][15] = @42 */
-  if (res[2]) casadi_copy(w042, 108, res[2]+1620);
+  if (res[2]) casadi_copy(w042, 120, res[2]+1800);
   /* #269: output[2][16] = @44 */
-  if (res[2]) casadi_copy(w044, 108, res[2]+1728);
+  if (res[2]) casadi_copy(w044, 120, res[2]+1920);
   /* #270: output[2][17] = @46 */
-  if (res[2]) casadi_copy(w046, 108, res[2]+1836);
+  if (res[2]) casadi_copy(w046, 120, res[2]+2040);
   /* #271: output[2][18] = @48 */
-  if (res[2]) casadi_copy(w048, 108, res[2]+1944);
+  if (res[2]) casadi_copy(w048, 120, res[2]+2160);
   /* #272: output[2][19] = @50 */
-  if (res[2]) casadi_copy(w050, 108, res[2]+2052);
+  if (res[2]) casadi_copy(w050, 120, res[2]+2280);
   /* #273: output[2][20] = @52 */
-  if (res[2]) casadi_copy(w052, 108, res[2]+2160);
+  if (res[2]) casadi_copy(w052, 120, res[2]+2400);
   /* #274: output[2][21] = @54 */
-  if (res[2]) casadi_copy(w054, 108, res[2]+2268);
+  if (res[2]) casadi_copy(w054, 120, res[2]+2520);
   /* #275: output[2][22] = @56 */
-  if (res[2]) casadi_copy(w056, 108, res[2]+2376);
+  if (res[2]) casadi_copy(w056, 120, res[2]+2640);
   /* #276: output[2][23] = @58 */
-  if (res[2]) casadi_copy(w058, 108, res[2]+2484);
+  if (res[2]) casadi_copy(w058, 120, res[2]+2760);
   /* #277: output[2][24] = @60 */
-  if (res[2]) casadi_copy(w060, 108, res[2]+2592);
+  if (res[2]) casadi_copy(w060, 120, res[2]+2880);
   /* #278: output[2][25] = @62 */
-  if (res[2]) casadi_copy(w062, 108, res[2]+2700);
+  if (res[2]) casadi_copy(w062, 120, res[2]+3000);
   /* #279: output[2][26] = @64 */
-  if (res[2]) casadi_copy(w064, 108, res[2]+2808);
+  if (res[2]) casadi_copy(w064, 120, res[2]+3120);
   /* #280: output[2][27] = @66 */
-  if (res[2]) casadi_copy(w066, 108, res[2]+2916);
+  if (res[2]) casadi_copy(w066, 120, res[2]+3240);
   /* #281: output[2][28] = @68 */
-  if (res[2]) casadi_copy(w068, 108, res[2]+3024);
+  if (res[2]) casadi_copy(w068, 120, res[2]+3360);
   /* #282: output[2][29] = @70 */
-  if (res[2]) casadi_copy(w070, 108, res[2]+3132);
+  if (res[2]) casadi_copy(w070, 120, res[2]+3480);
   /* #283: output[2][30] = @72 */
-  if (res[2]) casadi_copy(w072, 108, res[2]+3240);
+  if (res[2]) casadi_copy(w072, 120, res[2]+3600);
   /* #284: output[2][31] = @74 */
-  if (res[2]) casadi_copy(w074, 108, res[2]+3348);
+  if (res[2]) casadi_copy(w074, 120, res[2]+3720);
   /* #285: output[2][32] = @76 */
-  if (res[2]) casadi_copy(w076, 108, res[2]+3456);
+  if (res[2]) casadi_copy(w076, 120, res[2]+3840);
   /* #286: output[2][33] = @78 */
-  if (res[2]) casadi_copy(w078, 108, res[2]+3564);
+  if (res[2]) casadi_copy(w078, 120, res[2]+3960);
   /* #287: output[2][34] = @80 */
-  if (res[2]) casadi_copy(w080, 108, res[2]+3672);
+  if (res[2]) casadi_copy(w080, 120, res[2]+4080);
   /* #288: output[2][35] = @82 */
-  if (res[2]) casadi_copy(w082, 108, res[2]+3780);
+  if (res[2]) casadi_copy(w082, 120, res[2]+4200);
   /* #289: output[2][36] = @84 */
-  if (res[2]) casadi_copy(w084, 108, res[2]+3888);
+  if (res[2]) casadi_copy(w084, 120, res[2]+4320);
   /* #290: output[2][37] = @86 */
-  if (res[2]) casadi_copy(w086, 108, res[2]+3996);
+  if (res[2]) casadi_copy(w086, 120, res[2]+4440);
   /* #291: output[2][38] = @88 */
-  if (res[2]) casadi_copy(w088, 108, res[2]+4104);
+  if (res[2]) casadi_copy(w088, 120, res[2]+4560);
   /* #292: output[2][39] = @90 */
-  if (res[2]) casadi_copy(w090, 108, res[2]+4212);
+  if (res[2]) casadi_copy(w090, 120, res[2]+4680);
   /* #293: output[2][40] = @92 */
-  if (res[2]) casadi_copy(w092, 108, res[2]+4320);
+  if (res[2]) casadi_copy(w092, 120, res[2]+4800);
   /* #294: output[2][41] = @94 */
-  if (res[2]) casadi_copy(w094, 108, res[2]+4428);
+  if (res[2]) casadi_copy(w094, 120, res[2]+4920);
   /* #295: output[2][42] = @96 */
-  if (res[2]) casadi_copy(w096, 108, res[2]+4536);
+  if (res[2]) casadi_copy(w096, 120, res[2]+5040);
   /* #296: output[2][43] = @98 */
-  if (res[2]) casadi_copy(w098, 108, res[2]+4644);
+  if (res[2]) casadi_copy(w098, 120, res[2]+5160);
   /* #297: output[2][44] = @100 */
-  if (res[2]) casadi_copy(w100, 108, res[2]+4752);
+  if (res[2]) casadi_copy(w100, 120, res[2]+5280);
   /* #298: output[2][45] = @102 */
-  if (res[2]) casadi_copy(w102, 108, res[2]+4860);
+  if (res[2]) casadi_copy(w102, 120, res[2]+5400);
   /* #299: output[2][46] = @104 */
-  if (res[2]) casadi_copy(w104, 108, res[2]+4968);
+  if (res[2]) casadi_copy(w104, 120, res[2]+5520);
   /* #300: output[2][47] = @106 */
-  if (res[2]) casadi_copy(w106, 108, res[2]+5076);
+  if (res[2]) casadi_copy(w106, 120, res[2]+5640);
   /* #301: output[2][48] = @108 */
-  if (res[2]) casadi_copy(w108, 9, res[2]+5184);
+  if (res[2]) casadi_copy(w108, 10, res[2]+5760);
   /* #302: @1 = @8[:4] */
   for (rr=w001, cs=w008+0; cs!=w008+4; cs+=1) *rr++ = *cs;
   /* #303: @109 = landing(@1, @6, @4) */
@@ -20251,7 +20253,7 @@ CASADI_SYMBOL_EXPORT int compass_trace_576_work(casadi_int *sz_arg, casadi_int* 
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 10799;
+  if (sz_w) *sz_w = 11966;
   return 0;
 }
 
@@ -20259,25 +20261,25 @@ CASADI_SYMBOL_EXPORT int compass_trace_576_work_bytes(casadi_int *sz_arg, casadi
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 10799*sizeof(casadi_real);
+  if (sz_w) *sz_w = 11966*sizeof(casadi_real);
   return 0;
 }
 
-/* compass_trace_768:(u[4],p[6])->(w[5x769],g[9x769],dg[9x769],R[4]) */
+/* compass_trace_768:(u[4],p[6])->(w[5x769],g[10x769],dg[10x769],R[4]) */
 static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+4, *rr, w000, *w001=w+302, w002, w003, *w004=w+306, *w005=w+312, *w006=w+336, w007, *w008=w+339, *w009=w+344;
-  casadi_real *w010=w+349, *w011=w+409, *w012=w+517, *w013=w+625, *w014=w+733, *w015=w+841, *w016=w+949, *w017=w+1057, *w018=w+1165, *w019=w+1273, *w020=w+1381, *w021=w+1489;
-  casadi_real *w022=w+1597, *w023=w+1705, *w024=w+1813, *w025=w+1921, *w026=w+2029, *w027=w+2137, *w028=w+2245, *w029=w+2353, *w030=w+2461, *w031=w+2569, *w032=w+2677, *w033=w+2785;
-  casadi_real *w034=w+2893, *w035=w+3001, *w036=w+3109, *w037=w+3217, *w038=w+3325, *w039=w+3433, *w040=w+3541, *w041=w+3649, *w042=w+3757, *w043=w+3865, *w044=w+3973, *w045=w+4081;
-  casadi_real *w046=w+4189, *w047=w+4297, *w048=w+4405, *w049=w+4513, *w050=w+4621, *w051=w+4729, *w052=w+4837, *w053=w+4945, *w054=w+5053, *w055=w+5161, *w056=w+5269, *w057=w+5377;
-  casadi_real *w058=w+5485, *w059=w+5593, *w060=w+5701, *w061=w+5809, *w062=w+5917, *w063=w+6025, *w064=w+6133, *w065=w+6241, *w066=w+6349, *w067=w+6457, *w068=w+6565, *w069=w+6673;
-  casadi_real *w070=w+6781, *w071=w+6889, *w072=w+6997, *w073=w+7105, *w074=w+7213, *w075=w+7321, *w076=w+7429, *w077=w+7537, *w078=w+7645, *w079=w+7753, *w080=w+7861, *w081=w+7969;
-  casadi_real *w082=w+8077, *w083=w+8185, *w084=w+8293, *w085=w+8401, *w086=w+8509, *w087=w+8617, *w088=w+8725, *w089=w+8833, *w090=w+8941, *w091=w+9049, *w092=w+9157, *w093=w+9265;
-  casadi_real *w094=w+9373, *w095=w+9481, *w096=w+9589, *w097=w+9697, *w098=w+9805, *w099=w+9913, *w100=w+10021, *w101=w+10129, *w102=w+10237, *w103=w+10345, *w104=w+10453, *w105=w+10561;
-  casadi_real *w106=w+10669, *w107=w+10777, *w108=w+10885, *w109=w+10993, *w110=w+11101, *w111=w+11209, *w112=w+11317, *w113=w+11425, *w114=w+11533, *w115=w+11641, *w116=w+11749, *w117=w+11857;
-  casadi_real *w118=w+11965, *w119=w+12073, *w120=w+12181, *w121=w+12289, *w122=w+12397, *w123=w+12505, *w124=w+12613, *w125=w+12721, *w126=w+12829, *w127=w+12937, *w128=w+13045, *w129=w+13153;
-  casadi_real *w130=w+13261, *w131=w+13369, *w132=w+13477, *w133=w+13585, *w134=w+13693, *w135=w+13801, *w136=w+13909, *w137=w+14017, *w138=w+14125, *w139=w+14233, *w140=w+14242, *w141=w+14251;
+  casadi_real **res1=res+4, *rr, w000, *w001=w+315, w002, w003, *w004=w+319, *w005=w+325, *w006=w+349, w007, *w008=w+352, *w009=w+357;
+  casadi_real *w010=w+362, *w011=w+422, *w012=w+542, *w013=w+662, *w014=w+782, *w015=w+902, *w016=w+1022, *w017=w+1142, *w018=w+1262, *w019=w+1382, *w020=w+1502, *w021=w+1622;
+  casadi_real *w022=w+1742, *w023=w+1862, *w024=w+1982, *w025=w+2102, *w026=w+2222, *w027=w+2342, *w028=w+2462, *w029=w+2582, *w030=w+2702, *w031=w+2822, *w032=w+2942, *w033=w+3062;
+  casadi_real *w034=w+3182, *w035=w+3302, *w036=w+3422, *w037=w+3542, *w038=w+3662, *w039=w+3782, *w040=w+3902, *w041=w+4022, *w042=w+4142, *w043=w+4262, *w044=w+4382, *w045=w+4502;
+  casadi_real *w046=w+4622, *w047=w+4742, *w048=w+4862, *w049=w+4982, *w050=w+5102, *w051=w+5222, *w052=w+5342, *w053=w+5462, *w054=w+5582, *w055=w+5702, *w056=w+5822, *w057=w+5942;
+  casadi_real *w058=w+6062, *w059=w+6182, *w060=w+6302, *w061=w+6422, *w062=w+6542, *w063=w+6662, *w064=w+6782, *w065=w+6902, *w066=w+7022, *w067=w+7142, *w068=w+7262, *w069=w+7382;
+  casadi_real *w070=w+7502, *w071=w+7622, *w072=w+7742, *w073=w+7862, *w074=w+7982, *w075=w+8102, *w076=w+8222, *w077=w+8342, *w078=w+8462, *w079=w+8582, *w080=w+8702, *w081=w+8822;
+  casadi_real *w082=w+8942, *w083=w+9062, *w084=w+9182, *w085=w+9302, *w086=w+9422, *w087=w+9542, *w088=w+9662, *w089=w+9782, *w090=w+9902, *w091=w+10022, *w092=w+10142, *w093=w+10262;
+  casadi_real *w094=w+10382, *w095=w+10502, *w096=w+10622, *w097=w+10742, *w098=w+10862, *w099=w+10982, *w100=w+11102, *w101=w+11222, *w102=w+11342, *w103=w+11462, *w104=w+11582, *w105=w+11702;
+  casadi_real *w106=w+11822, *w107=w+11942, *w108=w+12062, *w109=w+12182, *w110=w+12302, *w111=w+12422, *w112=w+12542, *w113=w+12662, *w114=w+12782, *w115=w+12902, *w116=w+13022, *w117=w+13142;
+  casadi_real *w118=w+13262, *w119=w+13382, *w120=w+13502, *w121=w+13622, *w122=w+13742, *w123=w+13862, *w124=w+13982, *w125=w+14102, *w126=w+14222, *w127=w+14342, *w128=w+14462, *w129=w+14582;
+  casadi_real *w130=w+14702, *w131=w+14822, *w132=w+14942, *w133=w+15062, *w134=w+15182, *w135=w+15302, *w136=w+15422, *w137=w+15542, *w138=w+15662, *w139=w+15782, *w140=w+15792, *w141=w+15802;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = 0 */
   w000 = 0.;
@@ -21397,133 +21399,133 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   /* #265: output[0][64] = @8 */
   if (res[0]) casadi_copy(w008, 5, res[0]+3840);
   /* #266: output[1][0] = @11 */
-  casadi_copy(w011, 108, res[1]);
+  casadi_copy(w011, 120, res[1]);
   /* #267: output[1][1] = @13 */
-  if (res[1]) casadi_copy(w013, 108, res[1]+108);
+  if (res[1]) casadi_copy(w013, 120, res[1]+120);
   /* #268: output[1][2] = @15 */
-  if (res[1]) casadi_copy(w015, 108, res[1]+216);
+  if (res[1]) casadi_copy(w015, 120, res[1]+240);
   /* #269: output[1][3] = @17 */
-  if (res[1]) casadi_copy(w017, 108, res[1]+324);
+  if (res[1]) casadi_copy(w017, 120, res[1]+360);
   /* #270: output[1][4] = @19 */
-  if (res[1]) casadi_copy(w019, 108, res[1]+432);
+  if (res[1]) casadi_copy(w019, 120, res[1]+480);
   /* #271: output[1][5] = @21 */
-  if (res[1]) casadi_copy(w021, 108, res[1]+540);
+  if (res[1]) casadi_copy(w021, 120, res[1]+600);
   /* #272: output[1][6] = @23 */
-  if (res[1]) casadi_copy(w023, 108, res[1]+648);
+  if (res[1]) casadi_copy(w023, 120, res[1]+720);
   /* #273: output[1][7] = @25 */
-  if (res[1]) casadi_copy(w025, 108, res[1]+756);
+  if (res[1]) casadi_copy(w025, 120, res[1]+840);
   /* #274: output[1][8] = @27 */
-  if (res[1]) casadi_copy(w027, 108, res[1]+864);
+  if (res[1]) casadi_copy(w027, 120, res[1]+960);
   /* #275: output[1][9] = @29 */
-  if (res[1]) casadi_copy(w029, 108, res[1]+972);
+  if (res[1]) casadi_copy(w029, 120, res[1]+1080);
   /* #276: output[1][10] = @31 */
-  if (res[1]) casadi_copy(w031, 108, res[1]+1080);
+  if (res[1]) casadi_copy(w031, 120, res[1]+1200);
   /* #277: output[1][11] = @33 */
-  if (res[1]) casadi_copy(w033, 108, res[1]+1188);
+  if (res[1]) casadi_copy(w033, 120, res[1]+1320);
   /* #278: output[1][12] = @35 */
-  if (res[1]) casadi_copy(w035, 108, res[1]+1296);
+  if (res[1]) casadi_copy(w035, 120, res[1]+1440);
   /* #279: output[1][13] = @37 */
-  if (res[1]) casadi_copy(w037, 108, res[1]+1404);
+  if (res[1]) casadi_copy(w037, 120, res[1]+1560);
   /* #280: output[1][14] = @39 */
-  if (res[1]) casadi_copy(w039, 108, res[1]+1512);
+  if (res[1]) casadi_copy(w039, 120, res[1]+1680);
   /* #281: output[1][15] = @41 */
-  if (res[1]) casadi_copy(w041, 108, res[1]+1620);
+  if (res[1]) casadi_copy(w041, 120, res[1]+1800);
   /* #282: output[1][16] = @43 */
-  if (res[1]) casadi_copy(w043, 108, res[1]+1728);
+  if (res[1]) casadi_copy(w043, 120, res[1]+1920);
   /* #283: output[1][17] = @45 */
-  if (res[1]) casadi_copy(w045, 108, res[1]+1836);
+  if (res[1]) casadi_copy(w045, 120, res[1]+2040);
   /* #284: output[1][18] = @47 */
-  if (res[1]) casadi_copy(w047, 108, res[1]+1944);
+  if (res[1]) casadi_copy(w047, 120, res[1]+2160);
   /* #285: output[1][19] = @49 */
-  if (res[1]) casadi_copy(w049, 108, res[1]+2052);
+  if (res[1]) casadi_copy(w049, 120, res[1]+2280);
   /* #286: output[1][20] = @51 */
-  if (res[1]) casadi_copy(w051, 108, res[1]+2160);
+  if (res[1]) casadi_copy(w051, 120, res[1]+2400);
   /* #287: output[1][21] = @53 */
-  if (res[1]) casadi_copy(w053, 108, res[1]+2268);
+  if (res[1]) casadi_copy(w053, 120, res[1]+2520);
   /* #288: output[1][22] = @55 */
-  if (res[1]) casadi_copy(w055, 108, res[1]+2376);
+  if (res[1]) casadi_copy(w055, 120, res[1]+2640);
   /* #289: output[1][23] = @57 */
-  if (res[1]) casadi_copy(w057, 108, res[1]+2484);
+  if (res[1]) casadi_copy(w057, 120, res[1]+2760);
   /* #290: output[1][24] = @59 */
-  if (res[1]) casadi_copy(w059, 108, res[1]+2592);
+  if (res[1]) casadi_copy(w059, 120, res[1]+2880);
   /* #291: output[1][25] = @61 */
-  if (res[1]) casadi_copy(w061, 108, res[1]+2700);
+  if (res[1]) casadi_copy(w061, 120, res[1]+3000);
   /* #292: output[1][26] = @63 */
-  if (res[1]) casadi_copy(w063, 108, res[1]+2808);
+  if (res[1]) casadi_copy(w063, 120, res[1]+3120);
   /* #293: output[1][27] = @65 */
-  if (res[1]) casadi_copy(w065, 108, res[1]+2916);
+  if (res[1]) casadi_copy(w065, 120, res[1]+3240);
   /* #294: output[1][28] = @67 */
-  if (res[1]) casadi_copy(w067, 108, res[1]+3024);
+  if (res[1]) casadi_copy(w067, 120, res[1]+3360);
   /* #295: output[1][29] = @69 */
-  if (res[1]) casadi_copy(w069, 108, res[1]+3132);
+  if (res[1]) casadi_copy(w069, 120, res[1]+3480);
   /* #296: output[1][30] = @71 */
-  if (res[1]) casadi_copy(w071, 108, res[1]+3240);
+  if (res[1]) casadi_copy(w071, 120, res[1]+3600);
   /* #297: output[1][31] = @73 */
-  if (res[1]) casadi_copy(w073, 108, res[1]+3348);
+  if (res[1]) casadi_copy(w073, 120, res[1]+3720);
   /* #298: output[1][32] = @75 */
-  if (res[1]) casadi_copy(w075, 108, res[1]+3456);
+  if (res[1]) casadi_copy(w075, 120, res[1]+3840);
   /* #299: output[1][33] = @77 */
-  if (res[1]) casadi_copy(w077, 108, res[1]+3564);
+  if (res[1]) casadi_copy(w077, 120, res[1]+3960);
   /* #300: output[1][34] = @79 */
-  if (res[1]) casadi_copy(w079, 108, res[1]+3672);
+  if (res[1]) casadi_copy(w079, 120, res[1]+4080);
   /* #301: output[1][35] = @81 */
-  if (res[1]) casadi_copy(w081, 108, res[1]+3780);
+  if (res[1]) casadi_copy(w081, 120, res[1]+4200);
   /* #302: output[1][36] = @83 */
-  if (res[1]) casadi_copy(w083, 108, res[1]+3888);
+  if (res[1]) casadi_copy(w083, 120, res[1]+4320);
   /* #303: output[1][37] = @85 */
-  if (res[1]) casadi_copy(w085, 108, res[1]+3996);
+  if (res[1]) casadi_copy(w085, 120, res[1]+4440);
   /* #304: output[1][38] = @87 */
-  if (res[1]) casadi_copy(w087, 108, res[1]+4104);
+  if (res[1]) casadi_copy(w087, 120, res[1]+4560);
   /* #305: output[1][39] = @89 */
-  if (res[1]) casadi_copy(w089, 108, res[1]+4212);
+  if (res[1]) casadi_copy(w089, 120, res[1]+4680);
   /* #306: output[1][40] = @91 */
-  if (res[1]) casadi_copy(w091, 108, res[1]+4320);
+  if (res[1]) casadi_copy(w091, 120, res[1]+4800);
   /* #307: output[1][41] = @93 */
-  if (res[1]) casadi_copy(w093, 108, res[1]+4428);
+  if (res[1]) casadi_copy(w093, 120, res[1]+4920);
   /* #308: output[1][42] = @95 */
-  if (res[1]) casadi_copy(w095, 108, res[1]+4536);
+  if (res[1]) casadi_copy(w095, 120, res[1]+5040);
   /* #309: output[1][43] = @97 */
-  if (res[1]) casadi_copy(w097, 108, res[1]+4644);
+  if (res[1]) casadi_copy(w097, 120, res[1]+5160);
   /* #310: output[1][44] = @99 */
-  if (res[1]) casadi_copy(w099, 108, res[1]+4752);
+  if (res[1]) casadi_copy(w099, 120, res[1]+5280);
   /* #311: output[1][45] = @101 */
-  if (res[1]) casadi_copy(w101, 108, res[1]+4860);
+  if (res[1]) casadi_copy(w101, 120, res[1]+5400);
   /* #312: output[1][46] = @103 */
-  if (res[1]) casadi_copy(w103, 108, res[1]+4968);
+  if (res[1]) casadi_copy(w103, 120, res[1]+5520);
   /* #313: output[1][47] = @105 */
-  if (res[1]) casadi_copy(w105, 108, res[1]+5076);
+  if (res[1]) casadi_copy(w105, 120, res[1]+5640);
   /* #314: output[1][48] = @107 */
-  if (res[1]) casadi_copy(w107, 108, res[1]+5184);
+  if (res[1]) casadi_copy(w107, 120, res[1]+5760);
   /* #315: output[1][49] = @109 */
-  if (res[1]) casadi_copy(w109, 108, res[1]+5292);
+  if (res[1]) casadi_copy(w109, 120, res[1]+5880);
   /* #316: output[1][50] = @111 */
-  if (res[1]) casadi_copy(w111, 108, res[1]+5400);
+  if (res[1]) casadi_copy(w111, 120, res[1]+6000);
   /* #317: output[1][51] = @113 */
-  if (res[1]) casadi_copy(w113, 108, res[1]+5508);
+  if (res[1]) casadi_copy(w113, 120, res[1]+6120);
   /* #318: output[1][52] = @115 */
-  if (res[1]) casadi_copy(w115, 108, res[1]+5616);
+  if (res[1]) casadi_copy(w115, 120, res[1]+6240);
   /* #319: output[1][53] = @117 */
-  if (res[1]) casadi_copy(w117, 108, res[1]+5724);
+  if (res[1]) casadi_copy(w117, 120, res[1]+6360);
   /* #320: output[1][54] = @119 */
-  if (res[1]) casadi_copy(w119, 108, res[1]+5832);
+  if (res[1]) casadi_copy(w119, 120, res[1]+6480);
   /* #321: output[1][55] = @121 */
-  if (res[1]) casadi_copy(w121, 108, res[1]+5940);
+  if (res[1]) casadi_copy(w121, 120, res[1]+6600);
   /* #322: output[1][56] = @123 */
-  if (res[1]) casadi_copy(w123, 108, res[1]+6048);
+  if (res[1]) casadi_copy(w123, 120, res[1]+6720);
   /* #323: output[1][57] = @125 */
-  if (res[1]) casadi_copy(w125, 108, res[1]+6156);
+  if (res[1]) casadi_copy(w125, 120, res[1]+6840);
   /* #324: output[1][58] = @127 */
-  if (res[1]) casadi_copy(w127, 108, res[1]+6264);
+  if (res[1]) casadi_copy(w127, 120, res[1]+6960);
   /* #325: output[1][59] = @129 */
-  if (res[1]) casadi_copy(w129, 108, res[1]+6372);
+  if (res[1]) casadi_copy(w129, 120, res[1]+7080);
   /* #326: output[1][60] = @131 */
-  if (res[1]) casadi_copy(w131, 108, res[1]+6480);
+  if (res[1]) casadi_copy(w131, 120, res[1]+7200);
   /* #327: output[1][61] = @133 */
-  if (res[1]) casadi_copy(w133, 108, res[1]+6588);
+  if (res[1]) casadi_copy(w133, 120, res[1]+7320);
   /* #328: output[1][62] = @135 */
-  if (res[1]) casadi_copy(w135, 108, res[1]+6696);
+  if (res[1]) casadi_copy(w135, 120, res[1]+7440);
   /* #329: output[1][63] = @137 */
-  if (res[1]) casadi_copy(w137, 108, res[1]+6804);
+  if (res[1]) casadi_copy(w137, 120, res[1]+7560);
   /* #330: @1 = @8[:4] */
   for (rr=w001, cs=w008+0; cs!=w008+4; cs+=1) *rr++ = *cs;
   /* #331: {@139, @140} = observe(@2, @1, @4) */
@@ -21534,137 +21536,137 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w140;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #332: output[1][64] = @139 */
-  if (res[1]) casadi_copy(w139, 9, res[1]+6912);
+  if (res[1]) casadi_copy(w139, 10, res[1]+7680);
   /* #333: output[2][0] = @12 */
-  casadi_copy(w012, 108, res[2]);
+  casadi_copy(w012, 120, res[2]);
   /* #334: output[2][1] = @14 */
-  if (res[2]) casadi_copy(w014, 108, res[2]+108);
+  if (res[2]) casadi_copy(w014, 120, res[2]+120);
   /* #335: output[2][2] = @16 */
-  if (res[2]) casadi_copy(w016, 108, res[2]+216);
+  if (res[2]) casadi_copy(w016, 120, res[2]+240);
   /* #336: output[2][3] = @18 */
-  if (res[2]) casadi_copy(w018, 108, res[2]+324);
+  if (res[2]) casadi_copy(w018, 120, res[2]+360);
   /* #337: output[2][4] = @20 */
-  if (res[2]) casadi_copy(w020, 108, res[2]+432);
+  if (res[2]) casadi_copy(w020, 120, res[2]+480);
   /* #338: output[2][5] = @22 */
-  if (res[2]) casadi_copy(w022, 108, res[2]+540);
+  if (res[2]) casadi_copy(w022, 120, res[2]+600);
   /* #339: output[2][6] = @24 */
-  if (res[2]) casadi_copy(w024, 108, res[2]+648);
+  if (res[2]) casadi_copy(w024, 120, res[2]+720);
   /* #340: output[2][7] = @26 */
-  if (res[2]) casadi_copy(w026, 108, res[2]+756);
+  if (res[2]) casadi_copy(w026, 120, res[2]+840);
   /* #341: output[2][8] = @28 */
-  if (res[2]) casadi_copy(w028, 108, res[2]+864);
+  if (res[2]) casadi_copy(w028, 120, res[2]+960);
   /* #342: output[2][9] = @30 */
-  if (res[2]) casadi_copy(w030, 108, res[2]+972);
+  if (res[2]) casadi_copy(w030, 120, res[2]+1080);
   /* #343: output[2][10] = @32 */
-  if (res[2]) casadi_copy(w032, 108, res[2]+1080);
+  if (res[2]) casadi_copy(w032, 120, res[2]+1200);
   /* #344: output[2][11] = @34 */
-  if (res[2]) casadi_copy(w034, 108, res[2]+1188);
+  if (res[2]) casadi_copy(w034, 120, res[2]+1320);
   /* #345: output[2][12] = @36 */
-  if (res[2]) casadi_copy(w036, 108, res[2]+1296);
+  if (res[2]) casadi_copy(w036, 120, res[2]+1440);
   /* #346: output[2][13] = @38 */
-  if (res[2]) casadi_copy(w038, 108, res[2]+1404);
+  if (res[2]) casadi_copy(w038, 120, res[2]+1560);
   /* #347: output[2][14] = @40 */
-  if (res[2]) casadi_copy(w040, 108, res[2]+1512);
+  if (res[2]) casadi_copy(w040, 120, res[2]+1680);
   /* #348: output[2][15] = @42 */
-  if (res[2]) casadi_copy(w042, 108, res[2]+1620);
+  if (res[2]) casadi_copy(w042, 120, res[2]+1800);
   /* #349: output[2][16] = @44 */
-  if (res[2]) casadi_copy(w044, 108, res[2]+1728);
+  if (res[2]) casadi_copy(w044, 120, res[2]+1920);
   /* #350: output[2][17] = @46 */
-  if (res[2]) casadi_copy(w046, 108, res[2]+1836);
+  if (res[2]) casadi_copy(w046, 120, res[2]+2040);
   /* #351: output[2][18] = @48 */
-  if (res[2]) casadi_copy(w048, 108, res[2]+1944);
+  if (res[2]) casadi_copy(w048, 120, res[2]+2160);
   /* #352: output[2][19] = @50 */
-  if (res[2]) casadi_copy(w050, 108, res[2]+2052);
+  if (res[2]) casadi_copy(w050, 120, res[2]+2280);
   /* #353: output[2][20] = @52 */
-  if (res[2]) casadi_copy(w052, 108, res[2]+2160);
+  if (res[2]) casadi_copy(w052, 120, res[2]+2400);
   /* #354: output[2][21] = @54 */
-  if (res[2]) casadi_copy(w054, 108, res[2]+2268);
+  if (res[2]) casadi_copy(w054, 120, res[2]+2520);
   /* #355: output[2][22] = @56 */
-  if (res[2]) casadi_copy(w056, 108, res[2]+2376);
+  if (res[2]) casadi_copy(w056, 120, res[2]+2640);
   /* #356: output[2][23] = @58 */
-  if (res[2]) casadi_copy(w058, 108, res[2]+2484);
+  if (res[2]) casadi_copy(w058, 120, res[2]+2760);
   /* #357: output[2][24] = @60 */
-  if (res[2]) casadi_copy(w060, 108, res[2]+2592);
+  if (res[2]) casadi_copy(w060, 120, res[2]+2880);
   /* #358: output[2][25] = @62 */
-  if (res[2]) casadi_copy(w062, 108, res[2]+2700);
+  if (res[2]) casadi_copy(w062, 120, res[2]+3000);
   /* #359: output[2][26] = @64 */
-  if (res[2]) casadi_copy(w064, 108, res[2]+2808);
+  if (res[2]) casadi_copy(w064, 120, res[2]+3120);
   /* #360: output[2][27] = @66 */
-  if (res[2]) casadi_copy(w066, 108, res[2]+2916);
+  if (res[2]) casadi_copy(w066, 120, res[2]+3240);
   /* #361: output[2][28] = @68 */
-  if (res[2]) casadi_copy(w068, 108, res[2]+3024);
+  if (res[2]) casadi_copy(w068, 120, res[2]+3360);
   /* #362: output[2][29] = @70 */
-  if (res[2]) casadi_copy(w070, 108, res[2]+3132);
+  if (res[2]) casadi_copy(w070, 120, res[2]+3480);
   /* #363: output[2][30] = @72 */
-  if (res[2]) casadi_copy(w072, 108, res[2]+3240);
+  if (res[2]) casadi_copy(w072, 120, res[2]+3600);
   /* #364: output[2][31] = @74 */
-  if (res[2]) casadi_copy(w074, 108, res[2]+3348);
+  if (res[2]) casadi_copy(w074, 120, res[2]+3720);
   /* #365: output[2][32] = @76 */
-  if (res[2]) casadi_copy(w076, 108, res[2]+3456);
+  if (res[2]) casadi_copy(w076, 120, res[2]+3840);
   /* #366: output[2][33] = @78 */
-  if (res[2]) casadi_copy(w078, 108, res[2]+3564);
+  if (res[2]) casadi_copy(w078, 120, res[2]+3960);
   /* #367: output[2][34] = @80 */
-  if (res[2]) casadi_copy(w080, 108, res[2]+3672);
+  if (res[2]) casadi_copy(w080, 120, res[2]+4080);
   /* #368: output[2][35] = @82 */
-  if (res[2]) casadi_copy(w082, 108, res[2]+3780);
+  if (res[2]) casadi_copy(w082, 120, res[2]+4200);
   /* #369: output[2][36] = @84 */
-  if (res[2]) casadi_copy(w084, 108, res[2]+3888);
+  if (res[2]) casadi_copy(w084, 120, res[2]+4320);
   /* #370: output[2][37] = @86 */
-  if (res[2]) casadi_copy(w086, 108, res[2]+3996);
+  if (res[2]) casadi_copy(w086, 120, res[2]+4440);
   /* #371: output[2][38] = @88 */
-  if (res[2]) casadi_copy(w088, 108, res[2]+4104);
+  if (res[2]) casadi_copy(w088, 120, res[2]+4560);
   /* #372: output[2][39] = @90 */
-  if (res[2]) casadi_copy(w090, 108, res[2]+4212);
+  if (res[2]) casadi_copy(w090, 120, res[2]+4680);
   /* #373: output[2][40] = @92 */
-  if (res[2]) casadi_copy(w092, 108, res[2]+4320);
+  if (res[2]) casadi_copy(w092, 120, res[2]+4800);
   /* #374: output[2][41] = @94 */
-  if (res[2]) casadi_copy(w094, 108, res[2]+4428);
+  if (res[2]) casadi_copy(w094, 120, res[2]+4920);
   /* #375: output[2][42] = @96 */
-  if (res[2]) casadi_copy(w096, 108, res[2]+4536);
+  if (res[2]) casadi_copy(w096, 120, res[2]+5040);
   /* #376: output[2][43] = @98 */
-  if (res[2]) casadi_copy(w098, 108, res[2]+4644);
+  if (res[2]) casadi_copy(w098, 120, res[2]+5160);
   /* #377: output[2][44] = @100 */
-  if (res[2]) casadi_copy(w100, 108, res[2]+4752);
+  if (res[2]) casadi_copy(w100, 120, res[2]+5280);
   /* #378: output[2][45] = @102 */
-  if (res[2]) casadi_copy(w102, 108, res[2]+4860);
+  if (res[2]) casadi_copy(w102, 120, res[2]+5400);
   /* #379: output[2][46] = @104 */
-  if (res[2]) casadi_copy(w104, 108, res[2]+4968);
+  if (res[2]) casadi_copy(w104, 120, res[2]+5520);
   /* #380: output[2][47] = @106 */
-  if (res[2]) casadi_copy(w106, 108, res[2]+5076);
+  if (res[2]) casadi_copy(w106, 120, res[2]+5640);
   /* #381: output[2][48] = @108 */
-  if (res[2]) casadi_copy(w108, 108, res[2]+5184);
+  if (res[2]) casadi_copy(w108, 120, res[2]+5760);
   /* #382: output[2][49] = @110 */
-  if (res[2]) casadi_copy(w110, 108, res[2]+5292);
+  if (res[2]) casadi_copy(w110, 120, res[2]+5880);
   /* #383: output[2][50] = @112 */
-  if (res[2]) casadi_copy(w112, 108, res[2]+5400);
+  if (res[2]) casadi_copy(w112, 120, res[2]+6000);
   /* #384: output[2][51] = @114 */
-  if (res[2]) casadi_copy(w114, 108, res[2]+5508);
+  if (res[2]) casadi_copy(w114, 120, res[2]+6120);
   /* #385: output[2][52] = @116 */
-  if (res[2]) casadi_copy(w116, 108, res[2]+5616);
+  if (res[2]) casadi_copy(w116, 120, res[2]+6240);
   /* #386: output[2][53] = @118 */
-  if (res[2]) casadi_copy(w118, 108, res[2]+5724);
+  if (res[2]) casadi_copy(w118, 120, res[2]+6360);
   /* #387: output[2][54] = @120 */
-  if (res[2]) casadi_copy(w120, 108, res[2]+5832);
+  if (res[2]) casadi_copy(w120, 120, res[2]+6480);
   /* #388: output[2][55] = @122 */
-  if (res[2]) casadi_copy(w122, 108, res[2]+5940);
+  if (res[2]) casadi_copy(w122, 120, res[2]+6600);
   /* #389: output[2][56] = @124 */
-  if (res[2]) casadi_copy(w124, 108, res[2]+6048);
+  if (res[2]) casadi_copy(w124, 120, res[2]+6720);
   /* #390: output[2][57] = @126 */
-  if (res[2]) casadi_copy(w126, 108, res[2]+6156);
+  if (res[2]) casadi_copy(w126, 120, res[2]+6840);
   /* #391: output[2][58] = @128 */
-  if (res[2]) casadi_copy(w128, 108, res[2]+6264);
+  if (res[2]) casadi_copy(w128, 120, res[2]+6960);
   /* #392: output[2][59] = @130 */
-  if (res[2]) casadi_copy(w130, 108, res[2]+6372);
+  if (res[2]) casadi_copy(w130, 120, res[2]+7080);
   /* #393: output[2][60] = @132 */
-  if (res[2]) casadi_copy(w132, 108, res[2]+6480);
+  if (res[2]) casadi_copy(w132, 120, res[2]+7200);
   /* #394: output[2][61] = @134 */
-  if (res[2]) casadi_copy(w134, 108, res[2]+6588);
+  if (res[2]) casadi_copy(w134, 120, res[2]+7320);
   /* #395: output[2][62] = @136 */
-  if (res[2]) casadi_copy(w136, 108, res[2]+6696);
+  if (res[2]) casadi_copy(w136, 120, res[2]+7440);
   /* #396: output[2][63] = @138 */
-  if (res[2]) casadi_copy(w138, 108, res[2]+6804);
+  if (res[2]) casadi_copy(w138, 120, res[2]+7560);
   /* #397: output[2][64] = @140 */
-  if (res[2]) casadi_copy(w140, 9, res[2]+6912);
+  if (res[2]) casadi_copy(w140, 10, res[2]+7680);
   /* #398: @1 = @8[:4] */
   for (rr=w001, cs=w008+0; cs!=w008+4; cs+=1) *rr++ = *cs;
   /* #399: @141 = landing(@1, @6, @4) */
@@ -21745,7 +21747,7 @@ CASADI_SYMBOL_EXPORT int compass_trace_768_work(casadi_int *sz_arg, casadi_int* 
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 14255;
+  if (sz_w) *sz_w = 15806;
   return 0;
 }
 
@@ -21753,13 +21755,13 @@ CASADI_SYMBOL_EXPORT int compass_trace_768_work_bytes(casadi_int *sz_arg, casadi
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 14255*sizeof(casadi_real);
+  if (sz_w) *sz_w = 15806*sizeof(casadi_real);
   return 0;
 }
 
-/* compass_advance:(t,w[5],h,p[6])->(w_end[5],g[9],dg[9]) */
+/* compass_advance:(t,w[5],h,p[6])->(w_end[5],g[10],dg[10]) */
 static int casadi_f98(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+3, *rr, *w0=w+81, w1, *w2=w+86, *w3=w+92, w4, *w5=w+94, *w6=w+118, *w7=w+123, *w8=w+127, *w9=w+136;
+  casadi_real **res1=res+3, *rr, *w0=w+81, w1, *w2=w+86, *w3=w+92, w4, *w5=w+94, *w6=w+118, *w7=w+123, *w8=w+127, *w9=w+137;
   const casadi_real **arg1=arg+4, *cs;
   /* #0: @0 = input[1][0] */
   casadi_copy(arg[1], 5, w0);
@@ -21801,9 +21803,9 @@ static int casadi_f98(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w9;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #11: output[1][0] = @8 */
-  casadi_copy(w8, 9, res[1]);
+  casadi_copy(w8, 10, res[1]);
   /* #12: output[2][0] = @9 */
-  casadi_copy(w9, 9, res[2]);
+  casadi_copy(w9, 10, res[2]);
   return 0;
 }
 
@@ -21876,7 +21878,7 @@ CASADI_SYMBOL_EXPORT int compass_advance_work(casadi_int *sz_arg, casadi_int* sz
   if (sz_arg) *sz_arg = 9;
   if (sz_res) *sz_res = 5;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 145;
+  if (sz_w) *sz_w = 147;
   return 0;
 }
 
@@ -21884,7 +21886,7 @@ CASADI_SYMBOL_EXPORT int compass_advance_work_bytes(casadi_int *sz_arg, casadi_i
   if (sz_arg) *sz_arg = 9*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 5*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 145*sizeof(casadi_real);
+  if (sz_w) *sz_w = 147*sizeof(casadi_real);
   return 0;
 }
 
@@ -22197,9 +22199,9 @@ CASADI_SYMBOL_EXPORT int compass_end_work_bytes(casadi_int *sz_arg, casadi_int* 
   return 0;
 }
 
-/* compass_observed_swing:(t,h,w[5],p[6])->(w_end[5],nodes[5x12],g[9x12],dg[9x12]) */
+/* compass_observed_swing:(t,h,w[5],p[6])->(w_end[5],nodes[5x12],g[10x12],dg[10x12]) */
 static int casadi_f102(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+4, w0, w1, *w2=w+302, *w3=w+308, *w4=w+332, *w5=w+337, *w6=w+342, *w7=w+402, *w8=w+510;
+  casadi_real **res1=res+4, w0, w1, *w2=w+315, *w3=w+321, *w4=w+345, *w5=w+350, *w6=w+355, *w7=w+415, *w8=w+535;
   const casadi_real **arg1=arg+4;
   /* #0: @0 = input[0][0] */
   w0 = arg[0] ? arg[0][0] : 0;
@@ -22230,9 +22232,9 @@ static int casadi_f102(const casadi_real** arg, casadi_real** res, casadi_int* i
   /* #7: output[1][0] = @6 */
   casadi_copy(w6, 60, res[1]);
   /* #8: output[2][0] = @7 */
-  casadi_copy(w7, 108, res[2]);
+  casadi_copy(w7, 120, res[2]);
   /* #9: output[3][0] = @8 */
-  casadi_copy(w8, 108, res[3]);
+  casadi_copy(w8, 120, res[3]);
   return 0;
 }
 
@@ -22307,7 +22309,7 @@ CASADI_SYMBOL_EXPORT int compass_observed_swing_work(casadi_int *sz_arg, casadi_
   if (sz_arg) *sz_arg = 14;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 618;
+  if (sz_w) *sz_w = 655;
   return 0;
 }
 
@@ -22315,7 +22317,7 @@ CASADI_SYMBOL_EXPORT int compass_observed_swing_work_bytes(casadi_int *sz_arg, c
   if (sz_arg) *sz_arg = 14*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 618*sizeof(casadi_real);
+  if (sz_w) *sz_w = 655*sizeof(casadi_real);
   return 0;
 }
 

@@ -1,5 +1,5 @@
 /* Compass gait on a slope: kernels of the solver
- * Printed by CasADi 3.8.2 from equations 5bb0517abe8f2e46.
+ * Printed by CasADi 3.8.2 from equations ca0e1f6fc7f8c858.
  * Do not edit: run `make derive`.
  * SPDX-License-Identifier: BSD-3-Clause
  */
@@ -477,27 +477,27 @@ static const casadi_int casadi_s4[3] = {4, 1, 1};
 static const casadi_int casadi_s5[3] = {3, 1, 1};
 static const casadi_int casadi_s6[3] = {4, 4, 1};
 static const casadi_int casadi_s7[3] = {4, 49, 1};
-static const casadi_int casadi_s8[3] = {7, 49, 1};
+static const casadi_int casadi_s8[3] = {8, 49, 1};
 static const casadi_int casadi_s9[3] = {4, 73, 1};
-static const casadi_int casadi_s10[3] = {7, 73, 1};
+static const casadi_int casadi_s10[3] = {8, 73, 1};
 static const casadi_int casadi_s11[3] = {4, 97, 1};
-static const casadi_int casadi_s12[3] = {7, 97, 1};
+static const casadi_int casadi_s12[3] = {8, 97, 1};
 static const casadi_int casadi_s13[3] = {4, 145, 1};
-static const casadi_int casadi_s14[3] = {7, 145, 1};
+static const casadi_int casadi_s14[3] = {8, 145, 1};
 static const casadi_int casadi_s15[3] = {4, 193, 1};
-static const casadi_int casadi_s16[3] = {7, 193, 1};
+static const casadi_int casadi_s16[3] = {8, 193, 1};
 static const casadi_int casadi_s17[3] = {4, 289, 1};
-static const casadi_int casadi_s18[3] = {7, 289, 1};
+static const casadi_int casadi_s18[3] = {8, 289, 1};
 static const casadi_int casadi_s19[3] = {4, 385, 1};
-static const casadi_int casadi_s20[3] = {7, 385, 1};
+static const casadi_int casadi_s20[3] = {8, 385, 1};
 static const casadi_int casadi_s21[3] = {4, 577, 1};
-static const casadi_int casadi_s22[3] = {7, 577, 1};
+static const casadi_int casadi_s22[3] = {8, 577, 1};
 static const casadi_int casadi_s23[3] = {4, 769, 1};
-static const casadi_int casadi_s24[3] = {7, 769, 1};
+static const casadi_int casadi_s24[3] = {8, 769, 1};
 static const casadi_int casadi_s25[3] = {1, 1, 1};
-static const casadi_int casadi_s26[3] = {7, 1, 1};
+static const casadi_int casadi_s26[3] = {8, 1, 1};
 static const casadi_int casadi_s27[3] = {4, 12, 1};
-static const casadi_int casadi_s28[3] = {7, 12, 1};
+static const casadi_int casadi_s28[3] = {8, 12, 1};
 
 static const casadi_real casadi_c0[16] = 
   {1., 1., 1., 5.0000000000000000e-01, 1., 1., 1., 5.0000000000000000e-01,
@@ -15366,7 +15366,7 @@ static int casadi_f88(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* observe:(t,y[4],p[3])->(g[7],dg[7]) */
+/* observe:(t,y[4],p[3])->(g[8],dg[8]) */
 static int casadi_f89(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
@@ -15531,29 +15531,30 @@ static int casadi_f89(const casadi_real** arg, casadi_real** res, casadi_int* iw
   a45=(a45/a47);
   a03=(a03+a45);
   if (res[0]!=0) res[0][0]=a03;
-  if (res[0]!=0) res[0][1]=a47;
-  a03=(a20/a47);
-  if (res[0]!=0) res[0][2]=a03;
-  a52=(a14-a06);
+  a03=0.;
+  if (res[0]!=0) res[0][1]=a03;
+  if (res[0]!=0) res[0][2]=a47;
+  a52=(a20/a47);
   if (res[0]!=0) res[0][3]=a52;
-  if (res[0]!=0) res[0][4]=a40;
+  a26=(a14-a06);
+  if (res[0]!=0) res[0][4]=a26;
+  if (res[0]!=0) res[0][5]=a40;
   a01=(2.*a01);
   a05=(a05-a01);
-  if (res[0]!=0) res[0][5]=a05;
-  a05=0.;
   if (res[0]!=0) res[0][6]=a05;
-  a01=(a00*a51);
-  a40=(a16-a18);
-  a52=(a06*a40);
-  a26=(a04*a52);
-  a26=(a26/a10);
-  a01=(a01-a26);
-  a26=(a11*a51);
-  a01=(a01+a26);
-  a01=(a01+a51);
-  a01=(a01/a13);
-  a40=(a07*a40);
+  if (res[0]!=0) res[0][7]=a03;
+  a05=(a00*a51);
+  a01=(a16-a18);
+  a40=(a06*a01);
   a26=(a04*a40);
+  a26=(a26/a10);
+  a05=(a05-a26);
+  a26=(a11*a51);
+  a05=(a05+a26);
+  a05=(a05+a51);
+  a05=(a05/a13);
+  a01=(a07*a01);
+  a26=(a04*a01);
   a26=(a26/a10);
   a54=(a02*a16);
   a55=(a00*a54);
@@ -15567,7 +15568,7 @@ static int casadi_f89(const casadi_real** arg, casadi_real** res, casadi_int* iw
   a13=(a17*a38);
   a26=(a26+a13);
   a26=(a07*a26);
-  a19=(a19*a52);
+  a19=(a19*a40);
   a26=(a26+a19);
   a19=(a04*a38);
   a19=(a22*a19);
@@ -15637,18 +15638,18 @@ static int casadi_f89(const casadi_real** arg, casadi_real** res, casadi_int* iw
   a04=(a39*a54);
   a36=(a36-a04);
   a04=(a06*a10);
-  a30=(a39*a40);
+  a30=(a39*a01);
   a04=(a04-a30);
   a04=(a36+a04);
   a30=(a06*a31);
-  a35=(a38*a40);
+  a35=(a38*a01);
   a30=(a30-a35);
   a04=(a04+a30);
   a30=(a37*a51);
   a35=(a02*a34);
   a30=(a30-a35);
   a04=(a04+a30);
-  a37=(a37*a52);
+  a37=(a37*a40);
   a30=(a07*a34);
   a37=(a37-a30);
   a04=(a04+a37);
@@ -15656,7 +15657,7 @@ static int casadi_f89(const casadi_real** arg, casadi_real** res, casadi_int* iw
   a04=(2.*a18);
   a04=(a04*a38);
   a04=(a07*a04);
-  a41=(a41*a52);
+  a41=(a41*a40);
   a04=(a04+a41);
   a26=(a26-a04);
   a26=(a08*a26);
@@ -15684,12 +15685,12 @@ static int casadi_f89(const casadi_real** arg, casadi_real** res, casadi_int* iw
   a20=(a20/a47);
   a45=(a45/a47);
   a15=(a06*a38);
-  a43=(a18*a40);
+  a43=(a18*a01);
   a15=(a15-a43);
   a15=(a18*a15);
   a50=(a50*a38);
   a15=(a15+a50);
-  a50=(a16*a40);
+  a50=(a16*a01);
   a06=(a06*a39);
   a50=(a50+a06);
   a50=(a16*a50);
@@ -15699,15 +15700,15 @@ static int casadi_f89(const casadi_real** arg, casadi_real** res, casadi_int* iw
   a06=(a39*a51);
   a46=(a46+a06);
   a06=(a07*a10);
-  a43=(a39*a52);
+  a43=(a39*a40);
   a06=(a06+a43);
   a46=(a46+a06);
   a07=(a07*a31);
-  a52=(a38*a52);
-  a07=(a07+a52);
+  a40=(a38*a40);
+  a07=(a07+a40);
   a46=(a46+a07);
   a50=(a50+a46);
-  a46=(-a40);
+  a46=(-a01);
   a46=(2.*a46);
   a46=(a16*a46);
   a48=(a48*a39);
@@ -15741,28 +15742,29 @@ static int casadi_f89(const casadi_real** arg, casadi_real** res, casadi_int* iw
   a08=(a08-a16);
   a45=(a45*a08);
   a20=(a20-a45);
-  a01=(a01+a20);
-  if (res[1]!=0) res[1][0]=a01;
-  if (res[1]!=0) res[1][1]=a08;
+  a05=(a05+a20);
+  if (res[1]!=0) res[1][0]=a05;
+  if (res[1]!=0) res[1][1]=a03;
+  if (res[1]!=0) res[1][2]=a08;
   a26=(a26/a47);
-  a03=(a03/a47);
-  a03=(a03*a08);
-  a26=(a26-a03);
-  if (res[1]!=0) res[1][2]=a26;
-  a40=(a40-a54);
-  if (res[1]!=0) res[1][3]=a40;
-  if (res[1]!=0) res[1][4]=a36;
+  a52=(a52/a47);
+  a52=(a52*a08);
+  a26=(a26-a52);
+  if (res[1]!=0) res[1][3]=a26;
+  a01=(a01-a54);
+  if (res[1]!=0) res[1][4]=a01;
+  if (res[1]!=0) res[1][5]=a36;
   a18=(a18-a17);
-  if (res[1]!=0) res[1][5]=a18;
-  if (res[1]!=0) res[1][6]=a05;
+  if (res[1]!=0) res[1][6]=a18;
+  if (res[1]!=0) res[1][7]=a03;
   return 0;
 }
 
-/* working_steps:(t,turns[2x12],w[4],h,p[3])->(w_end[4],nodes[4x12],g[7x12],dg[7x12]) */
+/* working_steps:(t,turns[2x12],w[4],h,p[3])->(w_end[4],nodes[4x12],g[8x12],dg[8x12]) */
 static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+4, *w00=w+79, w01, *w02=w+83, *w03=w+86, w05, *w06=w+88, w07, *w08=w+92, *w09=w+96, *w10=w+100, *w11=w+104;
-  casadi_real *w12=w+108, *w13=w+112, *w14=w+116, *w15=w+120, *w16=w+124, *w17=w+128, *w18=w+132, *w19=w+136, *w20=w+143, *w21=w+150, *w22=w+157, *w23=w+164;
-  casadi_real *w24=w+171, *w25=w+178, *w26=w+185, *w27=w+192, *w28=w+199, *w29=w+206, *w30=w+213, *w31=w+220;
+  casadi_real *w12=w+108, *w13=w+112, *w14=w+116, *w15=w+120, *w16=w+124, *w17=w+128, *w18=w+132, *w19=w+136, *w20=w+144, *w21=w+152, *w22=w+160, *w23=w+168;
+  casadi_real *w24=w+176, *w25=w+184, *w26=w+192, *w27=w+200, *w28=w+208, *w29=w+216, *w30=w+224, *w31=w+232;
   const casadi_real **arg1=arg+5, *wr04;
   /* #0: @0 = input[2][0] */
   casadi_copy(arg[2], 4, w00);
@@ -16024,7 +16026,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w20;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #73: output[2][0] = @19 */
-  casadi_copy(w19, 7, res[2]);
+  casadi_copy(w19, 8, res[2]);
   /* #74: @7 = (@1+@5) */
   w07  = (w01+w05);
   /* #75: {@19, @21} = observe(@7, @6, @2) */
@@ -16035,7 +16037,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w21;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #76: output[2][1] = @19 */
-  if (res[2]) casadi_copy(w19, 7, res[2]+7);
+  if (res[2]) casadi_copy(w19, 8, res[2]+8);
   /* #77: @7 = (2.*@5) */
   w07 = (2.* w05 );
   /* #78: @7 = (@1+@7) */
@@ -16048,7 +16050,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w22;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #80: output[2][2] = @19 */
-  if (res[2]) casadi_copy(w19, 7, res[2]+14);
+  if (res[2]) casadi_copy(w19, 8, res[2]+16);
   /* #81: @7 = 3 */
   w07 = 3.;
   /* #82: @7 = (@7*@5) */
@@ -16063,7 +16065,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w23;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #85: output[2][3] = @19 */
-  if (res[2]) casadi_copy(w19, 7, res[2]+21);
+  if (res[2]) casadi_copy(w19, 8, res[2]+24);
   /* #86: @7 = 4 */
   w07 = 4.;
   /* #87: @7 = (@7*@5) */
@@ -16078,7 +16080,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w24;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #90: output[2][4] = @19 */
-  if (res[2]) casadi_copy(w19, 7, res[2]+28);
+  if (res[2]) casadi_copy(w19, 8, res[2]+32);
   /* #91: @7 = 5 */
   w07 = 5.;
   /* #92: @7 = (@7*@5) */
@@ -16093,7 +16095,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w25;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #95: output[2][5] = @19 */
-  if (res[2]) casadi_copy(w19, 7, res[2]+35);
+  if (res[2]) casadi_copy(w19, 8, res[2]+40);
   /* #96: @7 = 6 */
   w07 = 6.;
   /* #97: @7 = (@7*@5) */
@@ -16108,7 +16110,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w26;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #100: output[2][6] = @19 */
-  if (res[2]) casadi_copy(w19, 7, res[2]+42);
+  if (res[2]) casadi_copy(w19, 8, res[2]+48);
   /* #101: @7 = 7 */
   w07 = 7.;
   /* #102: @7 = (@7*@5) */
@@ -16123,7 +16125,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w27;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #105: output[2][7] = @19 */
-  if (res[2]) casadi_copy(w19, 7, res[2]+49);
+  if (res[2]) casadi_copy(w19, 8, res[2]+56);
   /* #106: @7 = 8 */
   w07 = 8.;
   /* #107: @7 = (@7*@5) */
@@ -16138,7 +16140,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w28;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #110: output[2][8] = @19 */
-  if (res[2]) casadi_copy(w19, 7, res[2]+56);
+  if (res[2]) casadi_copy(w19, 8, res[2]+64);
   /* #111: @7 = 9 */
   w07 = 9.;
   /* #112: @7 = (@7*@5) */
@@ -16153,7 +16155,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w29;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #115: output[2][9] = @19 */
-  if (res[2]) casadi_copy(w19, 7, res[2]+63);
+  if (res[2]) casadi_copy(w19, 8, res[2]+72);
   /* #116: @7 = 10 */
   w07 = 10.;
   /* #117: @7 = (@7*@5) */
@@ -16168,7 +16170,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w30;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #120: output[2][10] = @19 */
-  if (res[2]) casadi_copy(w19, 7, res[2]+70);
+  if (res[2]) casadi_copy(w19, 8, res[2]+80);
   /* #121: @7 = 11 */
   w07 = 11.;
   /* #122: @7 = (@7*@5) */
@@ -16183,38 +16185,38 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w31;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #125: output[2][11] = @19 */
-  if (res[2]) casadi_copy(w19, 7, res[2]+77);
+  if (res[2]) casadi_copy(w19, 8, res[2]+88);
   /* #126: output[3][0] = @20 */
-  casadi_copy(w20, 7, res[3]);
+  casadi_copy(w20, 8, res[3]);
   /* #127: output[3][1] = @21 */
-  if (res[3]) casadi_copy(w21, 7, res[3]+7);
+  if (res[3]) casadi_copy(w21, 8, res[3]+8);
   /* #128: output[3][2] = @22 */
-  if (res[3]) casadi_copy(w22, 7, res[3]+14);
+  if (res[3]) casadi_copy(w22, 8, res[3]+16);
   /* #129: output[3][3] = @23 */
-  if (res[3]) casadi_copy(w23, 7, res[3]+21);
+  if (res[3]) casadi_copy(w23, 8, res[3]+24);
   /* #130: output[3][4] = @24 */
-  if (res[3]) casadi_copy(w24, 7, res[3]+28);
+  if (res[3]) casadi_copy(w24, 8, res[3]+32);
   /* #131: output[3][5] = @25 */
-  if (res[3]) casadi_copy(w25, 7, res[3]+35);
+  if (res[3]) casadi_copy(w25, 8, res[3]+40);
   /* #132: output[3][6] = @26 */
-  if (res[3]) casadi_copy(w26, 7, res[3]+42);
+  if (res[3]) casadi_copy(w26, 8, res[3]+48);
   /* #133: output[3][7] = @27 */
-  if (res[3]) casadi_copy(w27, 7, res[3]+49);
+  if (res[3]) casadi_copy(w27, 8, res[3]+56);
   /* #134: output[3][8] = @28 */
-  if (res[3]) casadi_copy(w28, 7, res[3]+56);
+  if (res[3]) casadi_copy(w28, 8, res[3]+64);
   /* #135: output[3][9] = @29 */
-  if (res[3]) casadi_copy(w29, 7, res[3]+63);
+  if (res[3]) casadi_copy(w29, 8, res[3]+72);
   /* #136: output[3][10] = @30 */
-  if (res[3]) casadi_copy(w30, 7, res[3]+70);
+  if (res[3]) casadi_copy(w30, 8, res[3]+80);
   /* #137: output[3][11] = @31 */
-  if (res[3]) casadi_copy(w31, 7, res[3]+77);
+  if (res[3]) casadi_copy(w31, 8, res[3]+88);
   return 0;
 }
 
-/* goswami_compass_trace_48:(u[4],p[3])->(w[4x49],g[7x49],dg[7x49],R[4]) */
+/* goswami_compass_trace_48:(u[4],p[3])->(w[4x49],g[8x49],dg[8x49],R[4]) */
 static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+4, *rr, w00, *w01=w+254, w02, w03, *w04=w+258, *w05=w+261, *w06=w+285, *w07=w+288, *w08=w+292, *w09=w+340;
-  casadi_real *w10=w+424, *w11=w+508, *w12=w+592, *w13=w+676, *w14=w+760, *w15=w+844, *w16=w+928, *w17=w+1012, *w18=w+1019;
+  casadi_real **res1=res+4, *rr, w00, *w01=w+267, w02, w03, *w04=w+271, *w05=w+274, *w06=w+298, *w07=w+301, *w08=w+305, *w09=w+353;
+  casadi_real *w10=w+449, *w11=w+545, *w12=w+641, *w13=w+737, *w14=w+833, *w15=w+929, *w16=w+1025, *w17=w+1121, *w18=w+1129;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = 0 */
   w00 = 0.;
@@ -16308,13 +16310,13 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   /* #23: output[0][4] = @1 */
   if (res[0]) casadi_copy(w01, 4, res[0]+192);
   /* #24: output[1][0] = @9 */
-  casadi_copy(w09, 84, res[1]);
+  casadi_copy(w09, 96, res[1]);
   /* #25: output[1][1] = @11 */
-  if (res[1]) casadi_copy(w11, 84, res[1]+84);
+  if (res[1]) casadi_copy(w11, 96, res[1]+96);
   /* #26: output[1][2] = @13 */
-  if (res[1]) casadi_copy(w13, 84, res[1]+168);
+  if (res[1]) casadi_copy(w13, 96, res[1]+192);
   /* #27: output[1][3] = @15 */
-  if (res[1]) casadi_copy(w15, 84, res[1]+252);
+  if (res[1]) casadi_copy(w15, 96, res[1]+288);
   /* #28: {@17, @18} = observe(@2, @1, @4) */
   arg1[0]=(&w02);
   arg1[1]=w01;
@@ -16323,17 +16325,17 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w18;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #29: output[1][4] = @17 */
-  if (res[1]) casadi_copy(w17, 7, res[1]+336);
+  if (res[1]) casadi_copy(w17, 8, res[1]+384);
   /* #30: output[2][0] = @10 */
-  casadi_copy(w10, 84, res[2]);
+  casadi_copy(w10, 96, res[2]);
   /* #31: output[2][1] = @12 */
-  if (res[2]) casadi_copy(w12, 84, res[2]+84);
+  if (res[2]) casadi_copy(w12, 96, res[2]+96);
   /* #32: output[2][2] = @14 */
-  if (res[2]) casadi_copy(w14, 84, res[2]+168);
+  if (res[2]) casadi_copy(w14, 96, res[2]+192);
   /* #33: output[2][3] = @16 */
-  if (res[2]) casadi_copy(w16, 84, res[2]+252);
+  if (res[2]) casadi_copy(w16, 96, res[2]+288);
   /* #34: output[2][4] = @18 */
-  if (res[2]) casadi_copy(w18, 7, res[2]+336);
+  if (res[2]) casadi_copy(w18, 8, res[2]+384);
   /* #35: @7 = landing(@1, @6, @4) */
   arg1[0]=w01;
   arg1[1]=w06;
@@ -16412,7 +16414,7 @@ CASADI_SYMBOL_EXPORT int goswami_compass_trace_48_work(casadi_int *sz_arg, casad
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 1026;
+  if (sz_w) *sz_w = 1137;
   return 0;
 }
 
@@ -16420,15 +16422,15 @@ CASADI_SYMBOL_EXPORT int goswami_compass_trace_48_work_bytes(casadi_int *sz_arg,
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 1026*sizeof(casadi_real);
+  if (sz_w) *sz_w = 1137*sizeof(casadi_real);
   return 0;
 }
 
-/* goswami_compass_trace_72:(u[4],p[3])->(w[4x73],g[7x73],dg[7x73],R[4]) */
+/* goswami_compass_trace_72:(u[4],p[3])->(w[4x73],g[8x73],dg[8x73],R[4]) */
 static int casadi_f90(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+4, *rr, w00, *w01=w+254, w02, w03, *w04=w+258, *w05=w+261, *w06=w+285, *w07=w+288, *w08=w+292, *w09=w+340;
-  casadi_real *w10=w+424, *w11=w+508, *w12=w+592, *w13=w+676, *w14=w+760, *w15=w+844, *w16=w+928, *w17=w+1012, *w18=w+1096, *w19=w+1180, *w20=w+1264, *w21=w+1348;
-  casadi_real *w22=w+1355;
+  casadi_real **res1=res+4, *rr, w00, *w01=w+267, w02, w03, *w04=w+271, *w05=w+274, *w06=w+298, *w07=w+301, *w08=w+305, *w09=w+353;
+  casadi_real *w10=w+449, *w11=w+545, *w12=w+641, *w13=w+737, *w14=w+833, *w15=w+929, *w16=w+1025, *w17=w+1121, *w18=w+1217, *w19=w+1313, *w20=w+1409, *w21=w+1505;
+  casadi_real *w22=w+1513;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = 0 */
   w00 = 0.;
@@ -16556,17 +16558,17 @@ static int casadi_f90(const casadi_real** arg, casadi_real** res, casadi_int* iw
   /* #31: output[0][6] = @1 */
   if (res[0]) casadi_copy(w01, 4, res[0]+288);
   /* #32: output[1][0] = @9 */
-  casadi_copy(w09, 84, res[1]);
+  casadi_copy(w09, 96, res[1]);
   /* #33: output[1][1] = @11 */
-  if (res[1]) casadi_copy(w11, 84, res[1]+84);
+  if (res[1]) casadi_copy(w11, 96, res[1]+96);
   /* #34: output[1][2] = @13 */
-  if (res[1]) casadi_copy(w13, 84, res[1]+168);
+  if (res[1]) casadi_copy(w13, 96, res[1]+192);
   /* #35: output[1][3] = @15 */
-  if (res[1]) casadi_copy(w15, 84, res[1]+252);
+  if (res[1]) casadi_copy(w15, 96, res[1]+288);
   /* #36: output[1][4] = @17 */
-  if (res[1]) casadi_copy(w17, 84, res[1]+336);
+  if (res[1]) casadi_copy(w17, 96, res[1]+384);
   /* #37: output[1][5] = @19 */
-  if (res[1]) casadi_copy(w19, 84, res[1]+420);
+  if (res[1]) casadi_copy(w19, 96, res[1]+480);
   /* #38: {@21, @22} = observe(@2, @1, @4) */
   arg1[0]=(&w02);
   arg1[1]=w01;
@@ -16575,21 +16577,21 @@ static int casadi_f90(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w22;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #39: output[1][6] = @21 */
-  if (res[1]) casadi_copy(w21, 7, res[1]+504);
+  if (res[1]) casadi_copy(w21, 8, res[1]+576);
   /* #40: output[2][0] = @10 */
-  casadi_copy(w10, 84, res[2]);
+  casadi_copy(w10, 96, res[2]);
   /* #41: output[2][1] = @12 */
-  if (res[2]) casadi_copy(w12, 84, res[2]+84);
+  if (res[2]) casadi_copy(w12, 96, res[2]+96);
   /* #42: output[2][2] = @14 */
-  if (res[2]) casadi_copy(w14, 84, res[2]+168);
+  if (res[2]) casadi_copy(w14, 96, res[2]+192);
   /* #43: output[2][3] = @16 */
-  if (res[2]) casadi_copy(w16, 84, res[2]+252);
+  if (res[2]) casadi_copy(w16, 96, res[2]+288);
   /* #44: output[2][4] = @18 */
-  if (res[2]) casadi_copy(w18, 84, res[2]+336);
+  if (res[2]) casadi_copy(w18, 96, res[2]+384);
   /* #45: output[2][5] = @20 */
-  if (res[2]) casadi_copy(w20, 84, res[2]+420);
+  if (res[2]) casadi_copy(w20, 96, res[2]+480);
   /* #46: output[2][6] = @22 */
-  if (res[2]) casadi_copy(w22, 7, res[2]+504);
+  if (res[2]) casadi_copy(w22, 8, res[2]+576);
   /* #47: @7 = landing(@1, @6, @4) */
   arg1[0]=w01;
   arg1[1]=w06;
@@ -16668,7 +16670,7 @@ CASADI_SYMBOL_EXPORT int goswami_compass_trace_72_work(casadi_int *sz_arg, casad
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 1362;
+  if (sz_w) *sz_w = 1521;
   return 0;
 }
 
@@ -16676,15 +16678,15 @@ CASADI_SYMBOL_EXPORT int goswami_compass_trace_72_work_bytes(casadi_int *sz_arg,
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 1362*sizeof(casadi_real);
+  if (sz_w) *sz_w = 1521*sizeof(casadi_real);
   return 0;
 }
 
-/* goswami_compass_trace_96:(u[4],p[3])->(w[4x97],g[7x97],dg[7x97],R[4]) */
+/* goswami_compass_trace_96:(u[4],p[3])->(w[4x97],g[8x97],dg[8x97],R[4]) */
 static int casadi_f91(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+4, *rr, w00, *w01=w+254, w02, w03, *w04=w+258, *w05=w+261, *w06=w+285, *w07=w+288, *w08=w+292, *w09=w+340;
-  casadi_real *w10=w+424, *w11=w+508, *w12=w+592, *w13=w+676, *w14=w+760, *w15=w+844, *w16=w+928, *w17=w+1012, *w18=w+1096, *w19=w+1180, *w20=w+1264, *w21=w+1348;
-  casadi_real *w22=w+1432, *w23=w+1516, *w24=w+1600, *w25=w+1684, *w26=w+1691;
+  casadi_real **res1=res+4, *rr, w00, *w01=w+267, w02, w03, *w04=w+271, *w05=w+274, *w06=w+298, *w07=w+301, *w08=w+305, *w09=w+353;
+  casadi_real *w10=w+449, *w11=w+545, *w12=w+641, *w13=w+737, *w14=w+833, *w15=w+929, *w16=w+1025, *w17=w+1121, *w18=w+1217, *w19=w+1313, *w20=w+1409, *w21=w+1505;
+  casadi_real *w22=w+1601, *w23=w+1697, *w24=w+1793, *w25=w+1889, *w26=w+1897;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = 0 */
   w00 = 0.;
@@ -16846,21 +16848,21 @@ static int casadi_f91(const casadi_real** arg, casadi_real** res, casadi_int* iw
   /* #39: output[0][8] = @1 */
   if (res[0]) casadi_copy(w01, 4, res[0]+384);
   /* #40: output[1][0] = @9 */
-  casadi_copy(w09, 84, res[1]);
+  casadi_copy(w09, 96, res[1]);
   /* #41: output[1][1] = @11 */
-  if (res[1]) casadi_copy(w11, 84, res[1]+84);
+  if (res[1]) casadi_copy(w11, 96, res[1]+96);
   /* #42: output[1][2] = @13 */
-  if (res[1]) casadi_copy(w13, 84, res[1]+168);
+  if (res[1]) casadi_copy(w13, 96, res[1]+192);
   /* #43: output[1][3] = @15 */
-  if (res[1]) casadi_copy(w15, 84, res[1]+252);
+  if (res[1]) casadi_copy(w15, 96, res[1]+288);
   /* #44: output[1][4] = @17 */
-  if (res[1]) casadi_copy(w17, 84, res[1]+336);
+  if (res[1]) casadi_copy(w17, 96, res[1]+384);
   /* #45: output[1][5] = @19 */
-  if (res[1]) casadi_copy(w19, 84, res[1]+420);
+  if (res[1]) casadi_copy(w19, 96, res[1]+480);
   /* #46: output[1][6] = @21 */
-  if (res[1]) casadi_copy(w21, 84, res[1]+504);
+  if (res[1]) casadi_copy(w21, 96, res[1]+576);
   /* #47: output[1][7] = @23 */
-  if (res[1]) casadi_copy(w23, 84, res[1]+588);
+  if (res[1]) casadi_copy(w23, 96, res[1]+672);
   /* #48: {@25, @26} = observe(@2, @1, @4) */
   arg1[0]=(&w02);
   arg1[1]=w01;
@@ -16869,25 +16871,25 @@ static int casadi_f91(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w26;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #49: output[1][8] = @25 */
-  if (res[1]) casadi_copy(w25, 7, res[1]+672);
+  if (res[1]) casadi_copy(w25, 8, res[1]+768);
   /* #50: output[2][0] = @10 */
-  casadi_copy(w10, 84, res[2]);
+  casadi_copy(w10, 96, res[2]);
   /* #51: output[2][1] = @12 */
-  if (res[2]) casadi_copy(w12, 84, res[2]+84);
+  if (res[2]) casadi_copy(w12, 96, res[2]+96);
   /* #52: output[2][2] = @14 */
-  if (res[2]) casadi_copy(w14, 84, res[2]+168);
+  if (res[2]) casadi_copy(w14, 96, res[2]+192);
   /* #53: output[2][3] = @16 */
-  if (res[2]) casadi_copy(w16, 84, res[2]+252);
+  if (res[2]) casadi_copy(w16, 96, res[2]+288);
   /* #54: output[2][4] = @18 */
-  if (res[2]) casadi_copy(w18, 84, res[2]+336);
+  if (res[2]) casadi_copy(w18, 96, res[2]+384);
   /* #55: output[2][5] = @20 */
-  if (res[2]) casadi_copy(w20, 84, res[2]+420);
+  if (res[2]) casadi_copy(w20, 96, res[2]+480);
   /* #56: output[2][6] = @22 */
-  if (res[2]) casadi_copy(w22, 84, res[2]+504);
+  if (res[2]) casadi_copy(w22, 96, res[2]+576);
   /* #57: output[2][7] = @24 */
-  if (res[2]) casadi_copy(w24, 84, res[2]+588);
+  if (res[2]) casadi_copy(w24, 96, res[2]+672);
   /* #58: output[2][8] = @26 */
-  if (res[2]) casadi_copy(w26, 7, res[2]+672);
+  if (res[2]) casadi_copy(w26, 8, res[2]+768);
   /* #59: @7 = landing(@1, @6, @4) */
   arg1[0]=w01;
   arg1[1]=w06;
@@ -16966,7 +16968,7 @@ CASADI_SYMBOL_EXPORT int goswami_compass_trace_96_work(casadi_int *sz_arg, casad
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 1698;
+  if (sz_w) *sz_w = 1905;
   return 0;
 }
 
@@ -16974,16 +16976,16 @@ CASADI_SYMBOL_EXPORT int goswami_compass_trace_96_work_bytes(casadi_int *sz_arg,
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 1698*sizeof(casadi_real);
+  if (sz_w) *sz_w = 1905*sizeof(casadi_real);
   return 0;
 }
 
-/* goswami_compass_trace_144:(u[4],p[3])->(w[4x145],g[7x145],dg[7x145],R[4]) */
+/* goswami_compass_trace_144:(u[4],p[3])->(w[4x145],g[8x145],dg[8x145],R[4]) */
 static int casadi_f92(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+4, *rr, w00, *w01=w+254, w02, w03, *w04=w+258, *w05=w+261, *w06=w+285, *w07=w+288, *w08=w+292, *w09=w+340;
-  casadi_real *w10=w+424, *w11=w+508, *w12=w+592, *w13=w+676, *w14=w+760, *w15=w+844, *w16=w+928, *w17=w+1012, *w18=w+1096, *w19=w+1180, *w20=w+1264, *w21=w+1348;
-  casadi_real *w22=w+1432, *w23=w+1516, *w24=w+1600, *w25=w+1684, *w26=w+1768, *w27=w+1852, *w28=w+1936, *w29=w+2020, *w30=w+2104, *w31=w+2188, *w32=w+2272, *w33=w+2356;
-  casadi_real *w34=w+2363;
+  casadi_real **res1=res+4, *rr, w00, *w01=w+267, w02, w03, *w04=w+271, *w05=w+274, *w06=w+298, *w07=w+301, *w08=w+305, *w09=w+353;
+  casadi_real *w10=w+449, *w11=w+545, *w12=w+641, *w13=w+737, *w14=w+833, *w15=w+929, *w16=w+1025, *w17=w+1121, *w18=w+1217, *w19=w+1313, *w20=w+1409, *w21=w+1505;
+  casadi_real *w22=w+1601, *w23=w+1697, *w24=w+1793, *w25=w+1889, *w26=w+1985, *w27=w+2081, *w28=w+2177, *w29=w+2273, *w30=w+2369, *w31=w+2465, *w32=w+2561, *w33=w+2657;
+  casadi_real *w34=w+2665;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = 0 */
   w00 = 0.;
@@ -17213,29 +17215,29 @@ static int casadi_f92(const casadi_real** arg, casadi_real** res, casadi_int* iw
   /* #55: output[0][12] = @1 */
   if (res[0]) casadi_copy(w01, 4, res[0]+576);
   /* #56: output[1][0] = @9 */
-  casadi_copy(w09, 84, res[1]);
+  casadi_copy(w09, 96, res[1]);
   /* #57: output[1][1] = @11 */
-  if (res[1]) casadi_copy(w11, 84, res[1]+84);
+  if (res[1]) casadi_copy(w11, 96, res[1]+96);
   /* #58: output[1][2] = @13 */
-  if (res[1]) casadi_copy(w13, 84, res[1]+168);
+  if (res[1]) casadi_copy(w13, 96, res[1]+192);
   /* #59: output[1][3] = @15 */
-  if (res[1]) casadi_copy(w15, 84, res[1]+252);
+  if (res[1]) casadi_copy(w15, 96, res[1]+288);
   /* #60: output[1][4] = @17 */
-  if (res[1]) casadi_copy(w17, 84, res[1]+336);
+  if (res[1]) casadi_copy(w17, 96, res[1]+384);
   /* #61: output[1][5] = @19 */
-  if (res[1]) casadi_copy(w19, 84, res[1]+420);
+  if (res[1]) casadi_copy(w19, 96, res[1]+480);
   /* #62: output[1][6] = @21 */
-  if (res[1]) casadi_copy(w21, 84, res[1]+504);
+  if (res[1]) casadi_copy(w21, 96, res[1]+576);
   /* #63: output[1][7] = @23 */
-  if (res[1]) casadi_copy(w23, 84, res[1]+588);
+  if (res[1]) casadi_copy(w23, 96, res[1]+672);
   /* #64: output[1][8] = @25 */
-  if (res[1]) casadi_copy(w25, 84, res[1]+672);
+  if (res[1]) casadi_copy(w25, 96, res[1]+768);
   /* #65: output[1][9] = @27 */
-  if (res[1]) casadi_copy(w27, 84, res[1]+756);
+  if (res[1]) casadi_copy(w27, 96, res[1]+864);
   /* #66: output[1][10] = @29 */
-  if (res[1]) casadi_copy(w29, 84, res[1]+840);
+  if (res[1]) casadi_copy(w29, 96, res[1]+960);
   /* #67: output[1][11] = @31 */
-  if (res[1]) casadi_copy(w31, 84, res[1]+924);
+  if (res[1]) casadi_copy(w31, 96, res[1]+1056);
   /* #68: {@33, @34} = observe(@2, @1, @4) */
   arg1[0]=(&w02);
   arg1[1]=w01;
@@ -17244,33 +17246,33 @@ static int casadi_f92(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w34;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #69: output[1][12] = @33 */
-  if (res[1]) casadi_copy(w33, 7, res[1]+1008);
+  if (res[1]) casadi_copy(w33, 8, res[1]+1152);
   /* #70: output[2][0] = @10 */
-  casadi_copy(w10, 84, res[2]);
+  casadi_copy(w10, 96, res[2]);
   /* #71: output[2][1] = @12 */
-  if (res[2]) casadi_copy(w12, 84, res[2]+84);
+  if (res[2]) casadi_copy(w12, 96, res[2]+96);
   /* #72: output[2][2] = @14 */
-  if (res[2]) casadi_copy(w14, 84, res[2]+168);
+  if (res[2]) casadi_copy(w14, 96, res[2]+192);
   /* #73: output[2][3] = @16 */
-  if (res[2]) casadi_copy(w16, 84, res[2]+252);
+  if (res[2]) casadi_copy(w16, 96, res[2]+288);
   /* #74: output[2][4] = @18 */
-  if (res[2]) casadi_copy(w18, 84, res[2]+336);
+  if (res[2]) casadi_copy(w18, 96, res[2]+384);
   /* #75: output[2][5] = @20 */
-  if (res[2]) casadi_copy(w20, 84, res[2]+420);
+  if (res[2]) casadi_copy(w20, 96, res[2]+480);
   /* #76: output[2][6] = @22 */
-  if (res[2]) casadi_copy(w22, 84, res[2]+504);
+  if (res[2]) casadi_copy(w22, 96, res[2]+576);
   /* #77: output[2][7] = @24 */
-  if (res[2]) casadi_copy(w24, 84, res[2]+588);
+  if (res[2]) casadi_copy(w24, 96, res[2]+672);
   /* #78: output[2][8] = @26 */
-  if (res[2]) casadi_copy(w26, 84, res[2]+672);
+  if (res[2]) casadi_copy(w26, 96, res[2]+768);
   /* #79: output[2][9] = @28 */
-  if (res[2]) casadi_copy(w28, 84, res[2]+756);
+  if (res[2]) casadi_copy(w28, 96, res[2]+864);
   /* #80: output[2][10] = @30 */
-  if (res[2]) casadi_copy(w30, 84, res[2]+840);
+  if (res[2]) casadi_copy(w30, 96, res[2]+960);
   /* #81: output[2][11] = @32 */
-  if (res[2]) casadi_copy(w32, 84, res[2]+924);
+  if (res[2]) casadi_copy(w32, 96, res[2]+1056);
   /* #82: output[2][12] = @34 */
-  if (res[2]) casadi_copy(w34, 7, res[2]+1008);
+  if (res[2]) casadi_copy(w34, 8, res[2]+1152);
   /* #83: @7 = landing(@1, @6, @4) */
   arg1[0]=w01;
   arg1[1]=w06;
@@ -17349,7 +17351,7 @@ CASADI_SYMBOL_EXPORT int goswami_compass_trace_144_work(casadi_int *sz_arg, casa
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 2370;
+  if (sz_w) *sz_w = 2673;
   return 0;
 }
 
@@ -17357,16 +17359,16 @@ CASADI_SYMBOL_EXPORT int goswami_compass_trace_144_work_bytes(casadi_int *sz_arg
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 2370*sizeof(casadi_real);
+  if (sz_w) *sz_w = 2673*sizeof(casadi_real);
   return 0;
 }
 
-/* goswami_compass_trace_192:(u[4],p[3])->(w[4x193],g[7x193],dg[7x193],R[4]) */
+/* goswami_compass_trace_192:(u[4],p[3])->(w[4x193],g[8x193],dg[8x193],R[4]) */
 static int casadi_f93(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+4, *rr, w00, *w01=w+254, w02, w03, *w04=w+258, *w05=w+261, *w06=w+285, *w07=w+288, *w08=w+292, *w09=w+340;
-  casadi_real *w10=w+424, *w11=w+508, *w12=w+592, *w13=w+676, *w14=w+760, *w15=w+844, *w16=w+928, *w17=w+1012, *w18=w+1096, *w19=w+1180, *w20=w+1264, *w21=w+1348;
-  casadi_real *w22=w+1432, *w23=w+1516, *w24=w+1600, *w25=w+1684, *w26=w+1768, *w27=w+1852, *w28=w+1936, *w29=w+2020, *w30=w+2104, *w31=w+2188, *w32=w+2272, *w33=w+2356;
-  casadi_real *w34=w+2440, *w35=w+2524, *w36=w+2608, *w37=w+2692, *w38=w+2776, *w39=w+2860, *w40=w+2944, *w41=w+3028, *w42=w+3035;
+  casadi_real **res1=res+4, *rr, w00, *w01=w+267, w02, w03, *w04=w+271, *w05=w+274, *w06=w+298, *w07=w+301, *w08=w+305, *w09=w+353;
+  casadi_real *w10=w+449, *w11=w+545, *w12=w+641, *w13=w+737, *w14=w+833, *w15=w+929, *w16=w+1025, *w17=w+1121, *w18=w+1217, *w19=w+1313, *w20=w+1409, *w21=w+1505;
+  casadi_real *w22=w+1601, *w23=w+1697, *w24=w+1793, *w25=w+1889, *w26=w+1985, *w27=w+2081, *w28=w+2177, *w29=w+2273, *w30=w+2369, *w31=w+2465, *w32=w+2561, *w33=w+2657;
+  casadi_real *w34=w+2753, *w35=w+2849, *w36=w+2945, *w37=w+3041, *w38=w+3137, *w39=w+3233, *w40=w+3329, *w41=w+3425, *w42=w+3433;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = 0 */
   w00 = 0.;
@@ -17664,37 +17666,37 @@ static int casadi_f93(const casadi_real** arg, casadi_real** res, casadi_int* iw
   /* #71: output[0][16] = @1 */
   if (res[0]) casadi_copy(w01, 4, res[0]+768);
   /* #72: output[1][0] = @9 */
-  casadi_copy(w09, 84, res[1]);
+  casadi_copy(w09, 96, res[1]);
   /* #73: output[1][1] = @11 */
-  if (res[1]) casadi_copy(w11, 84, res[1]+84);
+  if (res[1]) casadi_copy(w11, 96, res[1]+96);
   /* #74: output[1][2] = @13 */
-  if (res[1]) casadi_copy(w13, 84, res[1]+168);
+  if (res[1]) casadi_copy(w13, 96, res[1]+192);
   /* #75: output[1][3] = @15 */
-  if (res[1]) casadi_copy(w15, 84, res[1]+252);
+  if (res[1]) casadi_copy(w15, 96, res[1]+288);
   /* #76: output[1][4] = @17 */
-  if (res[1]) casadi_copy(w17, 84, res[1]+336);
+  if (res[1]) casadi_copy(w17, 96, res[1]+384);
   /* #77: output[1][5] = @19 */
-  if (res[1]) casadi_copy(w19, 84, res[1]+420);
+  if (res[1]) casadi_copy(w19, 96, res[1]+480);
   /* #78: output[1][6] = @21 */
-  if (res[1]) casadi_copy(w21, 84, res[1]+504);
+  if (res[1]) casadi_copy(w21, 96, res[1]+576);
   /* #79: output[1][7] = @23 */
-  if (res[1]) casadi_copy(w23, 84, res[1]+588);
+  if (res[1]) casadi_copy(w23, 96, res[1]+672);
   /* #80: output[1][8] = @25 */
-  if (res[1]) casadi_copy(w25, 84, res[1]+672);
+  if (res[1]) casadi_copy(w25, 96, res[1]+768);
   /* #81: output[1][9] = @27 */
-  if (res[1]) casadi_copy(w27, 84, res[1]+756);
+  if (res[1]) casadi_copy(w27, 96, res[1]+864);
   /* #82: output[1][10] = @29 */
-  if (res[1]) casadi_copy(w29, 84, res[1]+840);
+  if (res[1]) casadi_copy(w29, 96, res[1]+960);
   /* #83: output[1][11] = @31 */
-  if (res[1]) casadi_copy(w31, 84, res[1]+924);
+  if (res[1]) casadi_copy(w31, 96, res[1]+1056);
   /* #84: output[1][12] = @33 */
-  if (res[1]) casadi_copy(w33, 84, res[1]+1008);
+  if (res[1]) casadi_copy(w33, 96, res[1]+1152);
   /* #85: output[1][13] = @35 */
-  if (res[1]) casadi_copy(w35, 84, res[1]+1092);
+  if (res[1]) casadi_copy(w35, 96, res[1]+1248);
   /* #86: output[1][14] = @37 */
-  if (res[1]) casadi_copy(w37, 84, res[1]+1176);
+  if (res[1]) casadi_copy(w37, 96, res[1]+1344);
   /* #87: output[1][15] = @39 */
-  if (res[1]) casadi_copy(w39, 84, res[1]+1260);
+  if (res[1]) casadi_copy(w39, 96, res[1]+1440);
   /* #88: {@41, @42} = observe(@2, @1, @4) */
   arg1[0]=(&w02);
   arg1[1]=w01;
@@ -17703,41 +17705,41 @@ static int casadi_f93(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w42;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #89: output[1][16] = @41 */
-  if (res[1]) casadi_copy(w41, 7, res[1]+1344);
+  if (res[1]) casadi_copy(w41, 8, res[1]+1536);
   /* #90: output[2][0] = @10 */
-  casadi_copy(w10, 84, res[2]);
+  casadi_copy(w10, 96, res[2]);
   /* #91: output[2][1] = @12 */
-  if (res[2]) casadi_copy(w12, 84, res[2]+84);
+  if (res[2]) casadi_copy(w12, 96, res[2]+96);
   /* #92: output[2][2] = @14 */
-  if (res[2]) casadi_copy(w14, 84, res[2]+168);
+  if (res[2]) casadi_copy(w14, 96, res[2]+192);
   /* #93: output[2][3] = @16 */
-  if (res[2]) casadi_copy(w16, 84, res[2]+252);
+  if (res[2]) casadi_copy(w16, 96, res[2]+288);
   /* #94: output[2][4] = @18 */
-  if (res[2]) casadi_copy(w18, 84, res[2]+336);
+  if (res[2]) casadi_copy(w18, 96, res[2]+384);
   /* #95: output[2][5] = @20 */
-  if (res[2]) casadi_copy(w20, 84, res[2]+420);
+  if (res[2]) casadi_copy(w20, 96, res[2]+480);
   /* #96: output[2][6] = @22 */
-  if (res[2]) casadi_copy(w22, 84, res[2]+504);
+  if (res[2]) casadi_copy(w22, 96, res[2]+576);
   /* #97: output[2][7] = @24 */
-  if (res[2]) casadi_copy(w24, 84, res[2]+588);
+  if (res[2]) casadi_copy(w24, 96, res[2]+672);
   /* #98: output[2][8] = @26 */
-  if (res[2]) casadi_copy(w26, 84, res[2]+672);
+  if (res[2]) casadi_copy(w26, 96, res[2]+768);
   /* #99: output[2][9] = @28 */
-  if (res[2]) casadi_copy(w28, 84, res[2]+756);
+  if (res[2]) casadi_copy(w28, 96, res[2]+864);
   /* #100: output[2][10] = @30 */
-  if (res[2]) casadi_copy(w30, 84, res[2]+840);
+  if (res[2]) casadi_copy(w30, 96, res[2]+960);
   /* #101: output[2][11] = @32 */
-  if (res[2]) casadi_copy(w32, 84, res[2]+924);
+  if (res[2]) casadi_copy(w32, 96, res[2]+1056);
   /* #102: output[2][12] = @34 */
-  if (res[2]) casadi_copy(w34, 84, res[2]+1008);
+  if (res[2]) casadi_copy(w34, 96, res[2]+1152);
   /* #103: output[2][13] = @36 */
-  if (res[2]) casadi_copy(w36, 84, res[2]+1092);
+  if (res[2]) casadi_copy(w36, 96, res[2]+1248);
   /* #104: output[2][14] = @38 */
-  if (res[2]) casadi_copy(w38, 84, res[2]+1176);
+  if (res[2]) casadi_copy(w38, 96, res[2]+1344);
   /* #105: output[2][15] = @40 */
-  if (res[2]) casadi_copy(w40, 84, res[2]+1260);
+  if (res[2]) casadi_copy(w40, 96, res[2]+1440);
   /* #106: output[2][16] = @42 */
-  if (res[2]) casadi_copy(w42, 7, res[2]+1344);
+  if (res[2]) casadi_copy(w42, 8, res[2]+1536);
   /* #107: @7 = landing(@1, @6, @4) */
   arg1[0]=w01;
   arg1[1]=w06;
@@ -17816,7 +17818,7 @@ CASADI_SYMBOL_EXPORT int goswami_compass_trace_192_work(casadi_int *sz_arg, casa
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 3042;
+  if (sz_w) *sz_w = 3441;
   return 0;
 }
 
@@ -17824,18 +17826,18 @@ CASADI_SYMBOL_EXPORT int goswami_compass_trace_192_work_bytes(casadi_int *sz_arg
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 3042*sizeof(casadi_real);
+  if (sz_w) *sz_w = 3441*sizeof(casadi_real);
   return 0;
 }
 
-/* goswami_compass_trace_288:(u[4],p[3])->(w[4x289],g[7x289],dg[7x289],R[4]) */
+/* goswami_compass_trace_288:(u[4],p[3])->(w[4x289],g[8x289],dg[8x289],R[4]) */
 static int casadi_f94(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+4, *rr, w00, *w01=w+254, w02, w03, *w04=w+258, *w05=w+261, *w06=w+285, *w07=w+288, *w08=w+292, *w09=w+340;
-  casadi_real *w10=w+424, *w11=w+508, *w12=w+592, *w13=w+676, *w14=w+760, *w15=w+844, *w16=w+928, *w17=w+1012, *w18=w+1096, *w19=w+1180, *w20=w+1264, *w21=w+1348;
-  casadi_real *w22=w+1432, *w23=w+1516, *w24=w+1600, *w25=w+1684, *w26=w+1768, *w27=w+1852, *w28=w+1936, *w29=w+2020, *w30=w+2104, *w31=w+2188, *w32=w+2272, *w33=w+2356;
-  casadi_real *w34=w+2440, *w35=w+2524, *w36=w+2608, *w37=w+2692, *w38=w+2776, *w39=w+2860, *w40=w+2944, *w41=w+3028, *w42=w+3112, *w43=w+3196, *w44=w+3280, *w45=w+3364;
-  casadi_real *w46=w+3448, *w47=w+3532, *w48=w+3616, *w49=w+3700, *w50=w+3784, *w51=w+3868, *w52=w+3952, *w53=w+4036, *w54=w+4120, *w55=w+4204, *w56=w+4288, *w57=w+4372;
-  casadi_real *w58=w+4379;
+  casadi_real **res1=res+4, *rr, w00, *w01=w+267, w02, w03, *w04=w+271, *w05=w+274, *w06=w+298, *w07=w+301, *w08=w+305, *w09=w+353;
+  casadi_real *w10=w+449, *w11=w+545, *w12=w+641, *w13=w+737, *w14=w+833, *w15=w+929, *w16=w+1025, *w17=w+1121, *w18=w+1217, *w19=w+1313, *w20=w+1409, *w21=w+1505;
+  casadi_real *w22=w+1601, *w23=w+1697, *w24=w+1793, *w25=w+1889, *w26=w+1985, *w27=w+2081, *w28=w+2177, *w29=w+2273, *w30=w+2369, *w31=w+2465, *w32=w+2561, *w33=w+2657;
+  casadi_real *w34=w+2753, *w35=w+2849, *w36=w+2945, *w37=w+3041, *w38=w+3137, *w39=w+3233, *w40=w+3329, *w41=w+3425, *w42=w+3521, *w43=w+3617, *w44=w+3713, *w45=w+3809;
+  casadi_real *w46=w+3905, *w47=w+4001, *w48=w+4097, *w49=w+4193, *w50=w+4289, *w51=w+4385, *w52=w+4481, *w53=w+4577, *w54=w+4673, *w55=w+4769, *w56=w+4865, *w57=w+4961;
+  casadi_real *w58=w+4969;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = 0 */
   w00 = 0.;
@@ -18269,53 +18271,53 @@ static int casadi_f94(const casadi_real** arg, casadi_real** res, casadi_int* iw
   /* #103: output[0][24] = @1 */
   if (res[0]) casadi_copy(w01, 4, res[0]+1152);
   /* #104: output[1][0] = @9 */
-  casadi_copy(w09, 84, res[1]);
+  casadi_copy(w09, 96, res[1]);
   /* #105: output[1][1] = @11 */
-  if (res[1]) casadi_copy(w11, 84, res[1]+84);
+  if (res[1]) casadi_copy(w11, 96, res[1]+96);
   /* #106: output[1][2] = @13 */
-  if (res[1]) casadi_copy(w13, 84, res[1]+168);
+  if (res[1]) casadi_copy(w13, 96, res[1]+192);
   /* #107: output[1][3] = @15 */
-  if (res[1]) casadi_copy(w15, 84, res[1]+252);
+  if (res[1]) casadi_copy(w15, 96, res[1]+288);
   /* #108: output[1][4] = @17 */
-  if (res[1]) casadi_copy(w17, 84, res[1]+336);
+  if (res[1]) casadi_copy(w17, 96, res[1]+384);
   /* #109: output[1][5] = @19 */
-  if (res[1]) casadi_copy(w19, 84, res[1]+420);
+  if (res[1]) casadi_copy(w19, 96, res[1]+480);
   /* #110: output[1][6] = @21 */
-  if (res[1]) casadi_copy(w21, 84, res[1]+504);
+  if (res[1]) casadi_copy(w21, 96, res[1]+576);
   /* #111: output[1][7] = @23 */
-  if (res[1]) casadi_copy(w23, 84, res[1]+588);
+  if (res[1]) casadi_copy(w23, 96, res[1]+672);
   /* #112: output[1][8] = @25 */
-  if (res[1]) casadi_copy(w25, 84, res[1]+672);
+  if (res[1]) casadi_copy(w25, 96, res[1]+768);
   /* #113: output[1][9] = @27 */
-  if (res[1]) casadi_copy(w27, 84, res[1]+756);
+  if (res[1]) casadi_copy(w27, 96, res[1]+864);
   /* #114: output[1][10] = @29 */
-  if (res[1]) casadi_copy(w29, 84, res[1]+840);
+  if (res[1]) casadi_copy(w29, 96, res[1]+960);
   /* #115: output[1][11] = @31 */
-  if (res[1]) casadi_copy(w31, 84, res[1]+924);
+  if (res[1]) casadi_copy(w31, 96, res[1]+1056);
   /* #116: output[1][12] = @33 */
-  if (res[1]) casadi_copy(w33, 84, res[1]+1008);
+  if (res[1]) casadi_copy(w33, 96, res[1]+1152);
   /* #117: output[1][13] = @35 */
-  if (res[1]) casadi_copy(w35, 84, res[1]+1092);
+  if (res[1]) casadi_copy(w35, 96, res[1]+1248);
   /* #118: output[1][14] = @37 */
-  if (res[1]) casadi_copy(w37, 84, res[1]+1176);
+  if (res[1]) casadi_copy(w37, 96, res[1]+1344);
   /* #119: output[1][15] = @39 */
-  if (res[1]) casadi_copy(w39, 84, res[1]+1260);
+  if (res[1]) casadi_copy(w39, 96, res[1]+1440);
   /* #120: output[1][16] = @41 */
-  if (res[1]) casadi_copy(w41, 84, res[1]+1344);
+  if (res[1]) casadi_copy(w41, 96, res[1]+1536);
   /* #121: output[1][17] = @43 */
-  if (res[1]) casadi_copy(w43, 84, res[1]+1428);
+  if (res[1]) casadi_copy(w43, 96, res[1]+1632);
   /* #122: output[1][18] = @45 */
-  if (res[1]) casadi_copy(w45, 84, res[1]+1512);
+  if (res[1]) casadi_copy(w45, 96, res[1]+1728);
   /* #123: output[1][19] = @47 */
-  if (res[1]) casadi_copy(w47, 84, res[1]+1596);
+  if (res[1]) casadi_copy(w47, 96, res[1]+1824);
   /* #124: output[1][20] = @49 */
-  if (res[1]) casadi_copy(w49, 84, res[1]+1680);
+  if (res[1]) casadi_copy(w49, 96, res[1]+1920);
   /* #125: output[1][21] = @51 */
-  if (res[1]) casadi_copy(w51, 84, res[1]+1764);
+  if (res[1]) casadi_copy(w51, 96, res[1]+2016);
   /* #126: output[1][22] = @53 */
-  if (res[1]) casadi_copy(w53, 84, res[1]+1848);
+  if (res[1]) casadi_copy(w53, 96, res[1]+2112);
   /* #127: output[1][23] = @55 */
-  if (res[1]) casadi_copy(w55, 84, res[1]+1932);
+  if (res[1]) casadi_copy(w55, 96, res[1]+2208);
   /* #128: {@57, @58} = observe(@2, @1, @4) */
   arg1[0]=(&w02);
   arg1[1]=w01;
@@ -18324,57 +18326,57 @@ static int casadi_f94(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w58;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #129: output[1][24] = @57 */
-  if (res[1]) casadi_copy(w57, 7, res[1]+2016);
+  if (res[1]) casadi_copy(w57, 8, res[1]+2304);
   /* #130: output[2][0] = @10 */
-  casadi_copy(w10, 84, res[2]);
+  casadi_copy(w10, 96, res[2]);
   /* #131: output[2][1] = @12 */
-  if (res[2]) casadi_copy(w12, 84, res[2]+84);
+  if (res[2]) casadi_copy(w12, 96, res[2]+96);
   /* #132: output[2][2] = @14 */
-  if (res[2]) casadi_copy(w14, 84, res[2]+168);
+  if (res[2]) casadi_copy(w14, 96, res[2]+192);
   /* #133: output[2][3] = @16 */
-  if (res[2]) casadi_copy(w16, 84, res[2]+252);
+  if (res[2]) casadi_copy(w16, 96, res[2]+288);
   /* #134: output[2][4] = @18 */
-  if (res[2]) casadi_copy(w18, 84, res[2]+336);
+  if (res[2]) casadi_copy(w18, 96, res[2]+384);
   /* #135: output[2][5] = @20 */
-  if (res[2]) casadi_copy(w20, 84, res[2]+420);
+  if (res[2]) casadi_copy(w20, 96, res[2]+480);
   /* #136: output[2][6] = @22 */
-  if (res[2]) casadi_copy(w22, 84, res[2]+504);
+  if (res[2]) casadi_copy(w22, 96, res[2]+576);
   /* #137: output[2][7] = @24 */
-  if (res[2]) casadi_copy(w24, 84, res[2]+588);
+  if (res[2]) casadi_copy(w24, 96, res[2]+672);
   /* #138: output[2][8] = @26 */
-  if (res[2]) casadi_copy(w26, 84, res[2]+672);
+  if (res[2]) casadi_copy(w26, 96, res[2]+768);
   /* #139: output[2][9] = @28 */
-  if (res[2]) casadi_copy(w28, 84, res[2]+756);
+  if (res[2]) casadi_copy(w28, 96, res[2]+864);
   /* #140: output[2][10] = @30 */
-  if (res[2]) casadi_copy(w30, 84, res[2]+840);
+  if (res[2]) casadi_copy(w30, 96, res[2]+960);
   /* #141: output[2][11] = @32 */
-  if (res[2]) casadi_copy(w32, 84, res[2]+924);
+  if (res[2]) casadi_copy(w32, 96, res[2]+1056);
   /* #142: output[2][12] = @34 */
-  if (res[2]) casadi_copy(w34, 84, res[2]+1008);
+  if (res[2]) casadi_copy(w34, 96, res[2]+1152);
   /* #143: output[2][13] = @36 */
-  if (res[2]) casadi_copy(w36, 84, res[2]+1092);
+  if (res[2]) casadi_copy(w36, 96, res[2]+1248);
   /* #144: output[2][14] = @38 */
-  if (res[2]) casadi_copy(w38, 84, res[2]+1176);
+  if (res[2]) casadi_copy(w38, 96, res[2]+1344);
   /* #145: output[2][15] = @40 */
-  if (res[2]) casadi_copy(w40, 84, res[2]+1260);
+  if (res[2]) casadi_copy(w40, 96, res[2]+1440);
   /* #146: output[2][16] = @42 */
-  if (res[2]) casadi_copy(w42, 84, res[2]+1344);
+  if (res[2]) casadi_copy(w42, 96, res[2]+1536);
   /* #147: output[2][17] = @44 */
-  if (res[2]) casadi_copy(w44, 84, res[2]+1428);
+  if (res[2]) casadi_copy(w44, 96, res[2]+1632);
   /* #148: output[2][18] = @46 */
-  if (res[2]) casadi_copy(w46, 84, res[2]+1512);
+  if (res[2]) casadi_copy(w46, 96, res[2]+1728);
   /* #149: output[2][19] = @48 */
-  if (res[2]) casadi_copy(w48, 84, res[2]+1596);
+  if (res[2]) casadi_copy(w48, 96, res[2]+1824);
   /* #150: output[2][20] = @50 */
-  if (res[2]) casadi_copy(w50, 84, res[2]+1680);
+  if (res[2]) casadi_copy(w50, 96, res[2]+1920);
   /* #151: output[2][21] = @52 */
-  if (res[2]) casadi_copy(w52, 84, res[2]+1764);
+  if (res[2]) casadi_copy(w52, 96, res[2]+2016);
   /* #152: output[2][22] = @54 */
-  if (res[2]) casadi_copy(w54, 84, res[2]+1848);
+  if (res[2]) casadi_copy(w54, 96, res[2]+2112);
   /* #153: output[2][23] = @56 */
-  if (res[2]) casadi_copy(w56, 84, res[2]+1932);
+  if (res[2]) casadi_copy(w56, 96, res[2]+2208);
   /* #154: output[2][24] = @58 */
-  if (res[2]) casadi_copy(w58, 7, res[2]+2016);
+  if (res[2]) casadi_copy(w58, 8, res[2]+2304);
   /* #155: @7 = landing(@1, @6, @4) */
   arg1[0]=w01;
   arg1[1]=w06;
@@ -18453,7 +18455,7 @@ CASADI_SYMBOL_EXPORT int goswami_compass_trace_288_work(casadi_int *sz_arg, casa
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 4386;
+  if (sz_w) *sz_w = 4977;
   return 0;
 }
 
@@ -18461,19 +18463,19 @@ CASADI_SYMBOL_EXPORT int goswami_compass_trace_288_work_bytes(casadi_int *sz_arg
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 4386*sizeof(casadi_real);
+  if (sz_w) *sz_w = 4977*sizeof(casadi_real);
   return 0;
 }
 
-/* goswami_compass_trace_384:(u[4],p[3])->(w[4x385],g[7x385],dg[7x385],R[4]) */
+/* goswami_compass_trace_384:(u[4],p[3])->(w[4x385],g[8x385],dg[8x385],R[4]) */
 static int casadi_f95(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+4, *rr, w00, *w01=w+254, w02, w03, *w04=w+258, *w05=w+261, *w06=w+285, *w07=w+288, *w08=w+292, *w09=w+340;
-  casadi_real *w10=w+424, *w11=w+508, *w12=w+592, *w13=w+676, *w14=w+760, *w15=w+844, *w16=w+928, *w17=w+1012, *w18=w+1096, *w19=w+1180, *w20=w+1264, *w21=w+1348;
-  casadi_real *w22=w+1432, *w23=w+1516, *w24=w+1600, *w25=w+1684, *w26=w+1768, *w27=w+1852, *w28=w+1936, *w29=w+2020, *w30=w+2104, *w31=w+2188, *w32=w+2272, *w33=w+2356;
-  casadi_real *w34=w+2440, *w35=w+2524, *w36=w+2608, *w37=w+2692, *w38=w+2776, *w39=w+2860, *w40=w+2944, *w41=w+3028, *w42=w+3112, *w43=w+3196, *w44=w+3280, *w45=w+3364;
-  casadi_real *w46=w+3448, *w47=w+3532, *w48=w+3616, *w49=w+3700, *w50=w+3784, *w51=w+3868, *w52=w+3952, *w53=w+4036, *w54=w+4120, *w55=w+4204, *w56=w+4288, *w57=w+4372;
-  casadi_real *w58=w+4456, *w59=w+4540, *w60=w+4624, *w61=w+4708, *w62=w+4792, *w63=w+4876, *w64=w+4960, *w65=w+5044, *w66=w+5128, *w67=w+5212, *w68=w+5296, *w69=w+5380;
-  casadi_real *w70=w+5464, *w71=w+5548, *w72=w+5632, *w73=w+5716, *w74=w+5723;
+  casadi_real **res1=res+4, *rr, w00, *w01=w+267, w02, w03, *w04=w+271, *w05=w+274, *w06=w+298, *w07=w+301, *w08=w+305, *w09=w+353;
+  casadi_real *w10=w+449, *w11=w+545, *w12=w+641, *w13=w+737, *w14=w+833, *w15=w+929, *w16=w+1025, *w17=w+1121, *w18=w+1217, *w19=w+1313, *w20=w+1409, *w21=w+1505;
+  casadi_real *w22=w+1601, *w23=w+1697, *w24=w+1793, *w25=w+1889, *w26=w+1985, *w27=w+2081, *w28=w+2177, *w29=w+2273, *w30=w+2369, *w31=w+2465, *w32=w+2561, *w33=w+2657;
+  casadi_real *w34=w+2753, *w35=w+2849, *w36=w+2945, *w37=w+3041, *w38=w+3137, *w39=w+3233, *w40=w+3329, *w41=w+3425, *w42=w+3521, *w43=w+3617, *w44=w+3713, *w45=w+3809;
+  casadi_real *w46=w+3905, *w47=w+4001, *w48=w+4097, *w49=w+4193, *w50=w+4289, *w51=w+4385, *w52=w+4481, *w53=w+4577, *w54=w+4673, *w55=w+4769, *w56=w+4865, *w57=w+4961;
+  casadi_real *w58=w+5057, *w59=w+5153, *w60=w+5249, *w61=w+5345, *w62=w+5441, *w63=w+5537, *w64=w+5633, *w65=w+5729, *w66=w+5825, *w67=w+5921, *w68=w+6017, *w69=w+6113;
+  casadi_real *w70=w+6209, *w71=w+6305, *w72=w+6401, *w73=w+6497, *w74=w+6505;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = 0 */
   w00 = 0.;
@@ -19043,69 +19045,69 @@ static int casadi_f95(const casadi_real** arg, casadi_real** res, casadi_int* iw
   /* #135: output[0][32] = @1 */
   if (res[0]) casadi_copy(w01, 4, res[0]+1536);
   /* #136: output[1][0] = @9 */
-  casadi_copy(w09, 84, res[1]);
+  casadi_copy(w09, 96, res[1]);
   /* #137: output[1][1] = @11 */
-  if (res[1]) casadi_copy(w11, 84, res[1]+84);
+  if (res[1]) casadi_copy(w11, 96, res[1]+96);
   /* #138: output[1][2] = @13 */
-  if (res[1]) casadi_copy(w13, 84, res[1]+168);
+  if (res[1]) casadi_copy(w13, 96, res[1]+192);
   /* #139: output[1][3] = @15 */
-  if (res[1]) casadi_copy(w15, 84, res[1]+252);
+  if (res[1]) casadi_copy(w15, 96, res[1]+288);
   /* #140: output[1][4] = @17 */
-  if (res[1]) casadi_copy(w17, 84, res[1]+336);
+  if (res[1]) casadi_copy(w17, 96, res[1]+384);
   /* #141: output[1][5] = @19 */
-  if (res[1]) casadi_copy(w19, 84, res[1]+420);
+  if (res[1]) casadi_copy(w19, 96, res[1]+480);
   /* #142: output[1][6] = @21 */
-  if (res[1]) casadi_copy(w21, 84, res[1]+504);
+  if (res[1]) casadi_copy(w21, 96, res[1]+576);
   /* #143: output[1][7] = @23 */
-  if (res[1]) casadi_copy(w23, 84, res[1]+588);
+  if (res[1]) casadi_copy(w23, 96, res[1]+672);
   /* #144: output[1][8] = @25 */
-  if (res[1]) casadi_copy(w25, 84, res[1]+672);
+  if (res[1]) casadi_copy(w25, 96, res[1]+768);
   /* #145: output[1][9] = @27 */
-  if (res[1]) casadi_copy(w27, 84, res[1]+756);
+  if (res[1]) casadi_copy(w27, 96, res[1]+864);
   /* #146: output[1][10] = @29 */
-  if (res[1]) casadi_copy(w29, 84, res[1]+840);
+  if (res[1]) casadi_copy(w29, 96, res[1]+960);
   /* #147: output[1][11] = @31 */
-  if (res[1]) casadi_copy(w31, 84, res[1]+924);
+  if (res[1]) casadi_copy(w31, 96, res[1]+1056);
   /* #148: output[1][12] = @33 */
-  if (res[1]) casadi_copy(w33, 84, res[1]+1008);
+  if (res[1]) casadi_copy(w33, 96, res[1]+1152);
   /* #149: output[1][13] = @35 */
-  if (res[1]) casadi_copy(w35, 84, res[1]+1092);
+  if (res[1]) casadi_copy(w35, 96, res[1]+1248);
   /* #150: output[1][14] = @37 */
-  if (res[1]) casadi_copy(w37, 84, res[1]+1176);
+  if (res[1]) casadi_copy(w37, 96, res[1]+1344);
   /* #151: output[1][15] = @39 */
-  if (res[1]) casadi_copy(w39, 84, res[1]+1260);
+  if (res[1]) casadi_copy(w39, 96, res[1]+1440);
   /* #152: output[1][16] = @41 */
-  if (res[1]) casadi_copy(w41, 84, res[1]+1344);
+  if (res[1]) casadi_copy(w41, 96, res[1]+1536);
   /* #153: output[1][17] = @43 */
-  if (res[1]) casadi_copy(w43, 84, res[1]+1428);
+  if (res[1]) casadi_copy(w43, 96, res[1]+1632);
   /* #154: output[1][18] = @45 */
-  if (res[1]) casadi_copy(w45, 84, res[1]+1512);
+  if (res[1]) casadi_copy(w45, 96, res[1]+1728);
   /* #155: output[1][19] = @47 */
-  if (res[1]) casadi_copy(w47, 84, res[1]+1596);
+  if (res[1]) casadi_copy(w47, 96, res[1]+1824);
   /* #156: output[1][20] = @49 */
-  if (res[1]) casadi_copy(w49, 84, res[1]+1680);
+  if (res[1]) casadi_copy(w49, 96, res[1]+1920);
   /* #157: output[1][21] = @51 */
-  if (res[1]) casadi_copy(w51, 84, res[1]+1764);
+  if (res[1]) casadi_copy(w51, 96, res[1]+2016);
   /* #158: output[1][22] = @53 */
-  if (res[1]) casadi_copy(w53, 84, res[1]+1848);
+  if (res[1]) casadi_copy(w53, 96, res[1]+2112);
   /* #159: output[1][23] = @55 */
-  if (res[1]) casadi_copy(w55, 84, res[1]+1932);
+  if (res[1]) casadi_copy(w55, 96, res[1]+2208);
   /* #160: output[1][24] = @57 */
-  if (res[1]) casadi_copy(w57, 84, res[1]+2016);
+  if (res[1]) casadi_copy(w57, 96, res[1]+2304);
   /* #161: output[1][25] = @59 */
-  if (res[1]) casadi_copy(w59, 84, res[1]+2100);
+  if (res[1]) casadi_copy(w59, 96, res[1]+2400);
   /* #162: output[1][26] = @61 */
-  if (res[1]) casadi_copy(w61, 84, res[1]+2184);
+  if (res[1]) casadi_copy(w61, 96, res[1]+2496);
   /* #163: output[1][27] = @63 */
-  if (res[1]) casadi_copy(w63, 84, res[1]+2268);
+  if (res[1]) casadi_copy(w63, 96, res[1]+2592);
   /* #164: output[1][28] = @65 */
-  if (res[1]) casadi_copy(w65, 84, res[1]+2352);
+  if (res[1]) casadi_copy(w65, 96, res[1]+2688);
   /* #165: output[1][29] = @67 */
-  if (res[1]) casadi_copy(w67, 84, res[1]+2436);
+  if (res[1]) casadi_copy(w67, 96, res[1]+2784);
   /* #166: output[1][30] = @69 */
-  if (res[1]) casadi_copy(w69, 84, res[1]+2520);
+  if (res[1]) casadi_copy(w69, 96, res[1]+2880);
   /* #167: output[1][31] = @71 */
-  if (res[1]) casadi_copy(w71, 84, res[1]+2604);
+  if (res[1]) casadi_copy(w71, 96, res[1]+2976);
   /* #168: {@73, @74} = observe(@2, @1, @4) */
   arg1[0]=(&w02);
   arg1[1]=w01;
@@ -19114,73 +19116,73 @@ static int casadi_f95(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w74;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #169: output[1][32] = @73 */
-  if (res[1]) casadi_copy(w73, 7, res[1]+2688);
+  if (res[1]) casadi_copy(w73, 8, res[1]+3072);
   /* #170: output[2][0] = @10 */
-  casadi_copy(w10, 84, res[2]);
+  casadi_copy(w10, 96, res[2]);
   /* #171: output[2][1] = @12 */
-  if (res[2]) casadi_copy(w12, 84, res[2]+84);
+  if (res[2]) casadi_copy(w12, 96, res[2]+96);
   /* #172: output[2][2] = @14 */
-  if (res[2]) casadi_copy(w14, 84, res[2]+168);
+  if (res[2]) casadi_copy(w14, 96, res[2]+192);
   /* #173: output[2][3] = @16 */
-  if (res[2]) casadi_copy(w16, 84, res[2]+252);
+  if (res[2]) casadi_copy(w16, 96, res[2]+288);
   /* #174: output[2][4] = @18 */
-  if (res[2]) casadi_copy(w18, 84, res[2]+336);
+  if (res[2]) casadi_copy(w18, 96, res[2]+384);
   /* #175: output[2][5] = @20 */
-  if (res[2]) casadi_copy(w20, 84, res[2]+420);
+  if (res[2]) casadi_copy(w20, 96, res[2]+480);
   /* #176: output[2][6] = @22 */
-  if (res[2]) casadi_copy(w22, 84, res[2]+504);
+  if (res[2]) casadi_copy(w22, 96, res[2]+576);
   /* #177: output[2][7] = @24 */
-  if (res[2]) casadi_copy(w24, 84, res[2]+588);
+  if (res[2]) casadi_copy(w24, 96, res[2]+672);
   /* #178: output[2][8] = @26 */
-  if (res[2]) casadi_copy(w26, 84, res[2]+672);
+  if (res[2]) casadi_copy(w26, 96, res[2]+768);
   /* #179: output[2][9] = @28 */
-  if (res[2]) casadi_copy(w28, 84, res[2]+756);
+  if (res[2]) casadi_copy(w28, 96, res[2]+864);
   /* #180: output[2][10] = @30 */
-  if (res[2]) casadi_copy(w30, 84, res[2]+840);
+  if (res[2]) casadi_copy(w30, 96, res[2]+960);
   /* #181: output[2][11] = @32 */
-  if (res[2]) casadi_copy(w32, 84, res[2]+924);
+  if (res[2]) casadi_copy(w32, 96, res[2]+1056);
   /* #182: output[2][12] = @34 */
-  if (res[2]) casadi_copy(w34, 84, res[2]+1008);
+  if (res[2]) casadi_copy(w34, 96, res[2]+1152);
   /* #183: output[2][13] = @36 */
-  if (res[2]) casadi_copy(w36, 84, res[2]+1092);
+  if (res[2]) casadi_copy(w36, 96, res[2]+1248);
   /* #184: output[2][14] = @38 */
-  if (res[2]) casadi_copy(w38, 84, res[2]+1176);
+  if (res[2]) casadi_copy(w38, 96, res[2]+1344);
   /* #185: output[2][15] = @40 */
-  if (res[2]) casadi_copy(w40, 84, res[2]+1260);
+  if (res[2]) casadi_copy(w40, 96, res[2]+1440);
   /* #186: output[2][16] = @42 */
-  if (res[2]) casadi_copy(w42, 84, res[2]+1344);
+  if (res[2]) casadi_copy(w42, 96, res[2]+1536);
   /* #187: output[2][17] = @44 */
-  if (res[2]) casadi_copy(w44, 84, res[2]+1428);
+  if (res[2]) casadi_copy(w44, 96, res[2]+1632);
   /* #188: output[2][18] = @46 */
-  if (res[2]) casadi_copy(w46, 84, res[2]+1512);
+  if (res[2]) casadi_copy(w46, 96, res[2]+1728);
   /* #189: output[2][19] = @48 */
-  if (res[2]) casadi_copy(w48, 84, res[2]+1596);
+  if (res[2]) casadi_copy(w48, 96, res[2]+1824);
   /* #190: output[2][20] = @50 */
-  if (res[2]) casadi_copy(w50, 84, res[2]+1680);
+  if (res[2]) casadi_copy(w50, 96, res[2]+1920);
   /* #191: output[2][21] = @52 */
-  if (res[2]) casadi_copy(w52, 84, res[2]+1764);
+  if (res[2]) casadi_copy(w52, 96, res[2]+2016);
   /* #192: output[2][22] = @54 */
-  if (res[2]) casadi_copy(w54, 84, res[2]+1848);
+  if (res[2]) casadi_copy(w54, 96, res[2]+2112);
   /* #193: output[2][23] = @56 */
-  if (res[2]) casadi_copy(w56, 84, res[2]+1932);
+  if (res[2]) casadi_copy(w56, 96, res[2]+2208);
   /* #194: output[2][24] = @58 */
-  if (res[2]) casadi_copy(w58, 84, res[2]+2016);
+  if (res[2]) casadi_copy(w58, 96, res[2]+2304);
   /* #195: output[2][25] = @60 */
-  if (res[2]) casadi_copy(w60, 84, res[2]+2100);
+  if (res[2]) casadi_copy(w60, 96, res[2]+2400);
   /* #196: output[2][26] = @62 */
-  if (res[2]) casadi_copy(w62, 84, res[2]+2184);
+  if (res[2]) casadi_copy(w62, 96, res[2]+2496);
   /* #197: output[2][27] = @64 */
-  if (res[2]) casadi_copy(w64, 84, res[2]+2268);
+  if (res[2]) casadi_copy(w64, 96, res[2]+2592);
   /* #198: output[2][28] = @66 */
-  if (res[2]) casadi_copy(w66, 84, res[2]+2352);
+  if (res[2]) casadi_copy(w66, 96, res[2]+2688);
   /* #199: output[2][29] = @68 */
-  if (res[2]) casadi_copy(w68, 84, res[2]+2436);
+  if (res[2]) casadi_copy(w68, 96, res[2]+2784);
   /* #200: output[2][30] = @70 */
-  if (res[2]) casadi_copy(w70, 84, res[2]+2520);
+  if (res[2]) casadi_copy(w70, 96, res[2]+2880);
   /* #201: output[2][31] = @72 */
-  if (res[2]) casadi_copy(w72, 84, res[2]+2604);
+  if (res[2]) casadi_copy(w72, 96, res[2]+2976);
   /* #202: output[2][32] = @74 */
-  if (res[2]) casadi_copy(w74, 7, res[2]+2688);
+  if (res[2]) casadi_copy(w74, 8, res[2]+3072);
   /* #203: @7 = landing(@1, @6, @4) */
   arg1[0]=w01;
   arg1[1]=w06;
@@ -19259,7 +19261,7 @@ CASADI_SYMBOL_EXPORT int goswami_compass_trace_384_work(casadi_int *sz_arg, casa
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 5730;
+  if (sz_w) *sz_w = 6513;
   return 0;
 }
 
@@ -19267,22 +19269,22 @@ CASADI_SYMBOL_EXPORT int goswami_compass_trace_384_work_bytes(casadi_int *sz_arg
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 5730*sizeof(casadi_real);
+  if (sz_w) *sz_w = 6513*sizeof(casadi_real);
   return 0;
 }
 
-/* goswami_compass_trace_576:(u[4],p[3])->(w[4x577],g[7x577],dg[7x577],R[4]) */
+/* goswami_compass_trace_576:(u[4],p[3])->(w[4x577],g[8x577],dg[8x577],R[4]) */
 static int casadi_f96(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+4, *rr, w000, *w001=w+254, w002, w003, *w004=w+258, *w005=w+261, *w006=w+285, *w007=w+288, *w008=w+292, *w009=w+340;
-  casadi_real *w010=w+424, *w011=w+508, *w012=w+592, *w013=w+676, *w014=w+760, *w015=w+844, *w016=w+928, *w017=w+1012, *w018=w+1096, *w019=w+1180, *w020=w+1264, *w021=w+1348;
-  casadi_real *w022=w+1432, *w023=w+1516, *w024=w+1600, *w025=w+1684, *w026=w+1768, *w027=w+1852, *w028=w+1936, *w029=w+2020, *w030=w+2104, *w031=w+2188, *w032=w+2272, *w033=w+2356;
-  casadi_real *w034=w+2440, *w035=w+2524, *w036=w+2608, *w037=w+2692, *w038=w+2776, *w039=w+2860, *w040=w+2944, *w041=w+3028, *w042=w+3112, *w043=w+3196, *w044=w+3280, *w045=w+3364;
-  casadi_real *w046=w+3448, *w047=w+3532, *w048=w+3616, *w049=w+3700, *w050=w+3784, *w051=w+3868, *w052=w+3952, *w053=w+4036, *w054=w+4120, *w055=w+4204, *w056=w+4288, *w057=w+4372;
-  casadi_real *w058=w+4456, *w059=w+4540, *w060=w+4624, *w061=w+4708, *w062=w+4792, *w063=w+4876, *w064=w+4960, *w065=w+5044, *w066=w+5128, *w067=w+5212, *w068=w+5296, *w069=w+5380;
-  casadi_real *w070=w+5464, *w071=w+5548, *w072=w+5632, *w073=w+5716, *w074=w+5800, *w075=w+5884, *w076=w+5968, *w077=w+6052, *w078=w+6136, *w079=w+6220, *w080=w+6304, *w081=w+6388;
-  casadi_real *w082=w+6472, *w083=w+6556, *w084=w+6640, *w085=w+6724, *w086=w+6808, *w087=w+6892, *w088=w+6976, *w089=w+7060, *w090=w+7144, *w091=w+7228, *w092=w+7312, *w093=w+7396;
-  casadi_real *w094=w+7480, *w095=w+7564, *w096=w+7648, *w097=w+7732, *w098=w+7816, *w099=w+7900, *w100=w+7984, *w101=w+8068, *w102=w+8152, *w103=w+8236, *w104=w+8320, *w105=w+8404;
-  casadi_real *w106=w+8411;
+  casadi_real **res1=res+4, *rr, w000, *w001=w+267, w002, w003, *w004=w+271, *w005=w+274, *w006=w+298, *w007=w+301, *w008=w+305, *w009=w+353;
+  casadi_real *w010=w+449, *w011=w+545, *w012=w+641, *w013=w+737, *w014=w+833, *w015=w+929, *w016=w+1025, *w017=w+1121, *w018=w+1217, *w019=w+1313, *w020=w+1409, *w021=w+1505;
+  casadi_real *w022=w+1601, *w023=w+1697, *w024=w+1793, *w025=w+1889, *w026=w+1985, *w027=w+2081, *w028=w+2177, *w029=w+2273, *w030=w+2369, *w031=w+2465, *w032=w+2561, *w033=w+2657;
+  casadi_real *w034=w+2753, *w035=w+2849, *w036=w+2945, *w037=w+3041, *w038=w+3137, *w039=w+3233, *w040=w+3329, *w041=w+3425, *w042=w+3521, *w043=w+3617, *w044=w+3713, *w045=w+3809;
+  casadi_real *w046=w+3905, *w047=w+4001, *w048=w+4097, *w049=w+4193, *w050=w+4289, *w051=w+4385, *w052=w+4481, *w053=w+4577, *w054=w+4673, *w055=w+4769, *w056=w+4865, *w057=w+4961;
+  casadi_real *w058=w+5057, *w059=w+5153, *w060=w+5249, *w061=w+5345, *w062=w+5441, *w063=w+5537, *w064=w+5633, *w065=w+5729, *w066=w+5825, *w067=w+5921, *w068=w+6017, *w069=w+6113;
+  casadi_real *w070=w+6209, *w071=w+6305, *w072=w+6401, *w073=w+6497, *w074=w+6593, *w075=w+6689, *w076=w+6785, *w077=w+6881, *w078=w+6977, *w079=w+7073, *w080=w+7169, *w081=w+7265;
+  casadi_real *w082=w+7361, *w083=w+7457, *w084=w+7553, *w085=w+7649, *w086=w+7745, *w087=w+7841, *w088=w+7937, *w089=w+8033, *w090=w+8129, *w091=w+8225, *w092=w+8321, *w093=w+8417;
+  casadi_real *w094=w+8513, *w095=w+8609, *w096=w+8705, *w097=w+8801, *w098=w+8897, *w099=w+8993, *w100=w+9089, *w101=w+9185, *w102=w+9281, *w103=w+9377, *w104=w+9473, *w105=w+9569;
+  casadi_real *w106=w+9577;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = 0 */
   w000 = 0.;
@@ -20124,101 +20126,101 @@ static int casadi_f96(const casadi_real** arg, casadi_real** res, casadi_int* iw
   /* #199: output[0][48] = @1 */
   if (res[0]) casadi_copy(w001, 4, res[0]+2304);
   /* #200: output[1][0] = @9 */
-  casadi_copy(w009, 84, res[1]);
+  casadi_copy(w009, 96, res[1]);
   /* #201: output[1][1] = @11 */
-  if (res[1]) casadi_copy(w011, 84, res[1]+84);
+  if (res[1]) casadi_copy(w011, 96, res[1]+96);
   /* #202: output[1][2] = @13 */
-  if (res[1]) casadi_copy(w013, 84, res[1]+168);
+  if (res[1]) casadi_copy(w013, 96, res[1]+192);
   /* #203: output[1][3] = @15 */
-  if (res[1]) casadi_copy(w015, 84, res[1]+252);
+  if (res[1]) casadi_copy(w015, 96, res[1]+288);
   /* #204: output[1][4] = @17 */
-  if (res[1]) casadi_copy(w017, 84, res[1]+336);
+  if (res[1]) casadi_copy(w017, 96, res[1]+384);
   /* #205: output[1][5] = @19 */
-  if (res[1]) casadi_copy(w019, 84, res[1]+420);
+  if (res[1]) casadi_copy(w019, 96, res[1]+480);
   /* #206: output[1][6] = @21 */
-  if (res[1]) casadi_copy(w021, 84, res[1]+504);
+  if (res[1]) casadi_copy(w021, 96, res[1]+576);
   /* #207: output[1][7] = @23 */
-  if (res[1]) casadi_copy(w023, 84, res[1]+588);
+  if (res[1]) casadi_copy(w023, 96, res[1]+672);
   /* #208: output[1][8] = @25 */
-  if (res[1]) casadi_copy(w025, 84, res[1]+672);
+  if (res[1]) casadi_copy(w025, 96, res[1]+768);
   /* #209: output[1][9] = @27 */
-  if (res[1]) casadi_copy(w027, 84, res[1]+756);
+  if (res[1]) casadi_copy(w027, 96, res[1]+864);
   /* #210: output[1][10] = @29 */
-  if (res[1]) casadi_copy(w029, 84, res[1]+840);
+  if (res[1]) casadi_copy(w029, 96, res[1]+960);
   /* #211: output[1][11] = @31 */
-  if (res[1]) casadi_copy(w031, 84, res[1]+924);
+  if (res[1]) casadi_copy(w031, 96, res[1]+1056);
   /* #212: output[1][12] = @33 */
-  if (res[1]) casadi_copy(w033, 84, res[1]+1008);
+  if (res[1]) casadi_copy(w033, 96, res[1]+1152);
   /* #213: output[1][13] = @35 */
-  if (res[1]) casadi_copy(w035, 84, res[1]+1092);
+  if (res[1]) casadi_copy(w035, 96, res[1]+1248);
   /* #214: output[1][14] = @37 */
-  if (res[1]) casadi_copy(w037, 84, res[1]+1176);
+  if (res[1]) casadi_copy(w037, 96, res[1]+1344);
   /* #215: output[1][15] = @39 */
-  if (res[1]) casadi_copy(w039, 84, res[1]+1260);
+  if (res[1]) casadi_copy(w039, 96, res[1]+1440);
   /* #216: output[1][16] = @41 */
-  if (res[1]) casadi_copy(w041, 84, res[1]+1344);
+  if (res[1]) casadi_copy(w041, 96, res[1]+1536);
   /* #217: output[1][17] = @43 */
-  if (res[1]) casadi_copy(w043, 84, res[1]+1428);
+  if (res[1]) casadi_copy(w043, 96, res[1]+1632);
   /* #218: output[1][18] = @45 */
-  if (res[1]) casadi_copy(w045, 84, res[1]+1512);
+  if (res[1]) casadi_copy(w045, 96, res[1]+1728);
   /* #219: output[1][19] = @47 */
-  if (res[1]) casadi_copy(w047, 84, res[1]+1596);
+  if (res[1]) casadi_copy(w047, 96, res[1]+1824);
   /* #220: output[1][20] = @49 */
-  if (res[1]) casadi_copy(w049, 84, res[1]+1680);
+  if (res[1]) casadi_copy(w049, 96, res[1]+1920);
   /* #221: output[1][21] = @51 */
-  if (res[1]) casadi_copy(w051, 84, res[1]+1764);
+  if (res[1]) casadi_copy(w051, 96, res[1]+2016);
   /* #222: output[1][22] = @53 */
-  if (res[1]) casadi_copy(w053, 84, res[1]+1848);
+  if (res[1]) casadi_copy(w053, 96, res[1]+2112);
   /* #223: output[1][23] = @55 */
-  if (res[1]) casadi_copy(w055, 84, res[1]+1932);
+  if (res[1]) casadi_copy(w055, 96, res[1]+2208);
   /* #224: output[1][24] = @57 */
-  if (res[1]) casadi_copy(w057, 84, res[1]+2016);
+  if (res[1]) casadi_copy(w057, 96, res[1]+2304);
   /* #225: output[1][25] = @59 */
-  if (res[1]) casadi_copy(w059, 84, res[1]+2100);
+  if (res[1]) casadi_copy(w059, 96, res[1]+2400);
   /* #226: output[1][26] = @61 */
-  if (res[1]) casadi_copy(w061, 84, res[1]+2184);
+  if (res[1]) casadi_copy(w061, 96, res[1]+2496);
   /* #227: output[1][27] = @63 */
-  if (res[1]) casadi_copy(w063, 84, res[1]+2268);
+  if (res[1]) casadi_copy(w063, 96, res[1]+2592);
   /* #228: output[1][28] = @65 */
-  if (res[1]) casadi_copy(w065, 84, res[1]+2352);
+  if (res[1]) casadi_copy(w065, 96, res[1]+2688);
   /* #229: output[1][29] = @67 */
-  if (res[1]) casadi_copy(w067, 84, res[1]+2436);
+  if (res[1]) casadi_copy(w067, 96, res[1]+2784);
   /* #230: output[1][30] = @69 */
-  if (res[1]) casadi_copy(w069, 84, res[1]+2520);
+  if (res[1]) casadi_copy(w069, 96, res[1]+2880);
   /* #231: output[1][31] = @71 */
-  if (res[1]) casadi_copy(w071, 84, res[1]+2604);
+  if (res[1]) casadi_copy(w071, 96, res[1]+2976);
   /* #232: output[1][32] = @73 */
-  if (res[1]) casadi_copy(w073, 84, res[1]+2688);
+  if (res[1]) casadi_copy(w073, 96, res[1]+3072);
   /* #233: output[1][33] = @75 */
-  if (res[1]) casadi_copy(w075, 84, res[1]+2772);
+  if (res[1]) casadi_copy(w075, 96, res[1]+3168);
   /* #234: output[1][34] = @77 */
-  if (res[1]) casadi_copy(w077, 84, res[1]+2856);
+  if (res[1]) casadi_copy(w077, 96, res[1]+3264);
   /* #235: output[1][35] = @79 */
-  if (res[1]) casadi_copy(w079, 84, res[1]+2940);
+  if (res[1]) casadi_copy(w079, 96, res[1]+3360);
   /* #236: output[1][36] = @81 */
-  if (res[1]) casadi_copy(w081, 84, res[1]+3024);
+  if (res[1]) casadi_copy(w081, 96, res[1]+3456);
   /* #237: output[1][37] = @83 */
-  if (res[1]) casadi_copy(w083, 84, res[1]+3108);
+  if (res[1]) casadi_copy(w083, 96, res[1]+3552);
   /* #238: output[1][38] = @85 */
-  if (res[1]) casadi_copy(w085, 84, res[1]+3192);
+  if (res[1]) casadi_copy(w085, 96, res[1]+3648);
   /* #239: output[1][39] = @87 */
-  if (res[1]) casadi_copy(w087, 84, res[1]+3276);
+  if (res[1]) casadi_copy(w087, 96, res[1]+3744);
   /* #240: output[1][40] = @89 */
-  if (res[1]) casadi_copy(w089, 84, res[1]+3360);
+  if (res[1]) casadi_copy(w089, 96, res[1]+3840);
   /* #241: output[1][41] = @91 */
-  if (res[1]) casadi_copy(w091, 84, res[1]+3444);
+  if (res[1]) casadi_copy(w091, 96, res[1]+3936);
   /* #242: output[1][42] = @93 */
-  if (res[1]) casadi_copy(w093, 84, res[1]+3528);
+  if (res[1]) casadi_copy(w093, 96, res[1]+4032);
   /* #243: output[1][43] = @95 */
-  if (res[1]) casadi_copy(w095, 84, res[1]+3612);
+  if (res[1]) casadi_copy(w095, 96, res[1]+4128);
   /* #244: output[1][44] = @97 */
-  if (res[1]) casadi_copy(w097, 84, res[1]+3696);
+  if (res[1]) casadi_copy(w097, 96, res[1]+4224);
   /* #245: output[1][45] = @99 */
-  if (res[1]) casadi_copy(w099, 84, res[1]+3780);
+  if (res[1]) casadi_copy(w099, 96, res[1]+4320);
   /* #246: output[1][46] = @101 */
-  if (res[1]) casadi_copy(w101, 84, res[1]+3864);
+  if (res[1]) casadi_copy(w101, 96, res[1]+4416);
   /* #247: output[1][47] = @103 */
-  if (res[1]) casadi_copy(w103, 84, res[1]+3948);
+  if (res[1]) casadi_copy(w103, 96, res[1]+4512);
   /* #248: {@105, @106} = observe(@2, @1, @4) */
   arg1[0]=(&w002);
   arg1[1]=w001;
@@ -20227,105 +20229,105 @@ static int casadi_f96(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w106;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #249: output[1][48] = @105 */
-  if (res[1]) casadi_copy(w105, 7, res[1]+4032);
+  if (res[1]) casadi_copy(w105, 8, res[1]+4608);
   /* #250: output[2][0] = @10 */
-  casadi_copy(w010, 84, res[2]);
+  casadi_copy(w010, 96, res[2]);
   /* #251: output[2][1] = @12 */
-  if (res[2]) casadi_copy(w012, 84, res[2]+84);
+  if (res[2]) casadi_copy(w012, 96, res[2]+96);
   /* #252: output[2][2] = @14 */
-  if (res[2]) casadi_copy(w014, 84, res[2]+168);
+  if (res[2]) casadi_copy(w014, 96, res[2]+192);
   /* #253: output[2][3] = @16 */
-  if (res[2]) casadi_copy(w016, 84, res[2]+252);
+  if (res[2]) casadi_copy(w016, 96, res[2]+288);
   /* #254: output[2][4] = @18 */
-  if (res[2]) casadi_copy(w018, 84, res[2]+336);
+  if (res[2]) casadi_copy(w018, 96, res[2]+384);
   /* #255: output[2][5] = @20 */
-  if (res[2]) casadi_copy(w020, 84, res[2]+420);
+  if (res[2]) casadi_copy(w020, 96, res[2]+480);
   /* #256: output[2][6] = @22 */
-  if (res[2]) casadi_copy(w022, 84, res[2]+504);
+  if (res[2]) casadi_copy(w022, 96, res[2]+576);
   /* #257: output[2][7] = @24 */
-  if (res[2]) casadi_copy(w024, 84, res[2]+588);
+  if (res[2]) casadi_copy(w024, 96, res[2]+672);
   /* #258: output[2][8] = @26 */
-  if (res[2]) casadi_copy(w026, 84, res[2]+672);
+  if (res[2]) casadi_copy(w026, 96, res[2]+768);
   /* #259: output[2][9] = @28 */
-  if (res[2]) casadi_copy(w028, 84, res[2]+756);
+  if (res[2]) casadi_copy(w028, 96, res[2]+864);
   /* #260: output[2][10] = @30 */
-  if (res[2]) casadi_copy(w030, 84, res[2]+840);
+  if (res[2]) casadi_copy(w030, 96, res[2]+960);
   /* #261: output[2][11] = @32 */
-  if (res[2]) casadi_copy(w032, 84, res[2]+924);
+  if (res[2]) casadi_copy(w032, 96, res[2]+1056);
   /* #262: output[2][12] = @34 */
-  if (res[2]) casadi_copy(w034, 84, res[2]+1008);
+  if (res[2]) casadi_copy(w034, 96, res[2]+1152);
   /* #263: output[2][13] = @36 */
-  if (res[2]) casadi_copy(w036, 84, res[2]+1092);
+  if (res[2]) casadi_copy(w036, 96, res[2]+1248);
   /* #264: output[2][14] = @38 */
-  if (res[2]) casadi_copy(w038, 84, res[2]+1176);
+  if (res[2]) casadi_copy(w038, 96, res[2]+1344);
   /* #265: output[2][15] = @40 */
-  if (res[2]) casadi_copy(w040, 84, res[2]+1260);
+  if (res[2]) casadi_copy(w040, 96, res[2]+1440);
   /* #266: output[2][16] = @42 */
-  if (res[2]) casadi_copy(w042, 84, res[2]+1344);
+  if (res[2]) casadi_copy(w042, 96, res[2]+1536);
   /* #267: output[2][17] = @44 */
-  if (res[2]) casadi_copy(w044, 84, res[2]+1428);
+  if (res[2]) casadi_copy(w044, 96, res[2]+1632);
   /* #268: output[2][18] = @46 */
-  if (res[2]) casadi_copy(w046, 84, res[2]+1512);
+  if (res[2]) casadi_copy(w046, 96, res[2]+1728);
   /* #269: output[2][19] = @48 */
-  if (res[2]) casadi_copy(w048, 84, res[2]+1596);
+  if (res[2]) casadi_copy(w048, 96, res[2]+1824);
   /* #270: output[2][20] = @50 */
-  if (res[2]) casadi_copy(w050, 84, res[2]+1680);
+  if (res[2]) casadi_copy(w050, 96, res[2]+1920);
   /* #271: output[2][21] = @52 */
-  if (res[2]) casadi_copy(w052, 84, res[2]+1764);
+  if (res[2]) casadi_copy(w052, 96, res[2]+2016);
   /* #272: output[2][22] = @54 */
-  if (res[2]) casadi_copy(w054, 84, res[2]+1848);
+  if (res[2]) casadi_copy(w054, 96, res[2]+2112);
   /* #273: output[2][23] = @56 */
-  if (res[2]) casadi_copy(w056, 84, res[2]+1932);
+  if (res[2]) casadi_copy(w056, 96, res[2]+2208);
   /* #274: output[2][24] = @58 */
-  if (res[2]) casadi_copy(w058, 84, res[2]+2016);
+  if (res[2]) casadi_copy(w058, 96, res[2]+2304);
   /* #275: output[2][25] = @60 */
-  if (res[2]) casadi_copy(w060, 84, res[2]+2100);
+  if (res[2]) casadi_copy(w060, 96, res[2]+2400);
   /* #276: output[2][26] = @62 */
-  if (res[2]) casadi_copy(w062, 84, res[2]+2184);
+  if (res[2]) casadi_copy(w062, 96, res[2]+2496);
   /* #277: output[2][27] = @64 */
-  if (res[2]) casadi_copy(w064, 84, res[2]+2268);
+  if (res[2]) casadi_copy(w064, 96, res[2]+2592);
   /* #278: output[2][28] = @66 */
-  if (res[2]) casadi_copy(w066, 84, res[2]+2352);
+  if (res[2]) casadi_copy(w066, 96, res[2]+2688);
   /* #279: output[2][29] = @68 */
-  if (res[2]) casadi_copy(w068, 84, res[2]+2436);
+  if (res[2]) casadi_copy(w068, 96, res[2]+2784);
   /* #280: output[2][30] = @70 */
-  if (res[2]) casadi_copy(w070, 84, res[2]+2520);
+  if (res[2]) casadi_copy(w070, 96, res[2]+2880);
   /* #281: output[2][31] = @72 */
-  if (res[2]) casadi_copy(w072, 84, res[2]+2604);
+  if (res[2]) casadi_copy(w072, 96, res[2]+2976);
   /* #282: output[2][32] = @74 */
-  if (res[2]) casadi_copy(w074, 84, res[2]+2688);
+  if (res[2]) casadi_copy(w074, 96, res[2]+3072);
   /* #283: output[2][33] = @76 */
-  if (res[2]) casadi_copy(w076, 84, res[2]+2772);
+  if (res[2]) casadi_copy(w076, 96, res[2]+3168);
   /* #284: output[2][34] = @78 */
-  if (res[2]) casadi_copy(w078, 84, res[2]+2856);
+  if (res[2]) casadi_copy(w078, 96, res[2]+3264);
   /* #285: output[2][35] = @80 */
-  if (res[2]) casadi_copy(w080, 84, res[2]+2940);
+  if (res[2]) casadi_copy(w080, 96, res[2]+3360);
   /* #286: output[2][36] = @82 */
-  if (res[2]) casadi_copy(w082, 84, res[2]+3024);
+  if (res[2]) casadi_copy(w082, 96, res[2]+3456);
   /* #287: output[2][37] = @84 */
-  if (res[2]) casadi_copy(w084, 84, res[2]+3108);
+  if (res[2]) casadi_copy(w084, 96, res[2]+3552);
   /* #288: output[2][38] = @86 */
-  if (res[2]) casadi_copy(w086, 84, res[2]+3192);
+  if (res[2]) casadi_copy(w086, 96, res[2]+3648);
   /* #289: output[2][39] = @88 */
-  if (res[2]) casadi_copy(w088, 84, res[2]+3276);
+  if (res[2]) casadi_copy(w088, 96, res[2]+3744);
   /* #290: output[2][40] = @90 */
-  if (res[2]) casadi_copy(w090, 84, res[2]+3360);
+  if (res[2]) casadi_copy(w090, 96, res[2]+3840);
   /* #291: output[2][41] = @92 */
-  if (res[2]) casadi_copy(w092, 84, res[2]+3444);
+  if (res[2]) casadi_copy(w092, 96, res[2]+3936);
   /* #292: output[2][42] = @94 */
-  if (res[2]) casadi_copy(w094, 84, res[2]+3528);
+  if (res[2]) casadi_copy(w094, 96, res[2]+4032);
   /* #293: output[2][43] = @96 */
-  if (res[2]) casadi_copy(w096, 84, res[2]+3612);
+  if (res[2]) casadi_copy(w096, 96, res[2]+4128);
   /* #294: output[2][44] = @98 */
-  if (res[2]) casadi_copy(w098, 84, res[2]+3696);
+  if (res[2]) casadi_copy(w098, 96, res[2]+4224);
   /* #295: output[2][45] = @100 */
-  if (res[2]) casadi_copy(w100, 84, res[2]+3780);
+  if (res[2]) casadi_copy(w100, 96, res[2]+4320);
   /* #296: output[2][46] = @102 */
-  if (res[2]) casadi_copy(w102, 84, res[2]+3864);
+  if (res[2]) casadi_copy(w102, 96, res[2]+4416);
   /* #297: output[2][47] = @104 */
-  if (res[2]) casadi_copy(w104, 84, res[2]+3948);
+  if (res[2]) casadi_copy(w104, 96, res[2]+4512);
   /* #298: output[2][48] = @106 */
-  if (res[2]) casadi_copy(w106, 7, res[2]+4032);
+  if (res[2]) casadi_copy(w106, 8, res[2]+4608);
   /* #299: @7 = landing(@1, @6, @4) */
   arg1[0]=w001;
   arg1[1]=w006;
@@ -20404,7 +20406,7 @@ CASADI_SYMBOL_EXPORT int goswami_compass_trace_576_work(casadi_int *sz_arg, casa
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 8418;
+  if (sz_w) *sz_w = 9585;
   return 0;
 }
 
@@ -20412,24 +20414,24 @@ CASADI_SYMBOL_EXPORT int goswami_compass_trace_576_work_bytes(casadi_int *sz_arg
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 8418*sizeof(casadi_real);
+  if (sz_w) *sz_w = 9585*sizeof(casadi_real);
   return 0;
 }
 
-/* goswami_compass_trace_768:(u[4],p[3])->(w[4x769],g[7x769],dg[7x769],R[4]) */
+/* goswami_compass_trace_768:(u[4],p[3])->(w[4x769],g[8x769],dg[8x769],R[4]) */
 static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+4, *rr, w000, *w001=w+254, w002, w003, *w004=w+258, *w005=w+261, *w006=w+285, *w007=w+288, *w008=w+292, *w009=w+340;
-  casadi_real *w010=w+424, *w011=w+508, *w012=w+592, *w013=w+676, *w014=w+760, *w015=w+844, *w016=w+928, *w017=w+1012, *w018=w+1096, *w019=w+1180, *w020=w+1264, *w021=w+1348;
-  casadi_real *w022=w+1432, *w023=w+1516, *w024=w+1600, *w025=w+1684, *w026=w+1768, *w027=w+1852, *w028=w+1936, *w029=w+2020, *w030=w+2104, *w031=w+2188, *w032=w+2272, *w033=w+2356;
-  casadi_real *w034=w+2440, *w035=w+2524, *w036=w+2608, *w037=w+2692, *w038=w+2776, *w039=w+2860, *w040=w+2944, *w041=w+3028, *w042=w+3112, *w043=w+3196, *w044=w+3280, *w045=w+3364;
-  casadi_real *w046=w+3448, *w047=w+3532, *w048=w+3616, *w049=w+3700, *w050=w+3784, *w051=w+3868, *w052=w+3952, *w053=w+4036, *w054=w+4120, *w055=w+4204, *w056=w+4288, *w057=w+4372;
-  casadi_real *w058=w+4456, *w059=w+4540, *w060=w+4624, *w061=w+4708, *w062=w+4792, *w063=w+4876, *w064=w+4960, *w065=w+5044, *w066=w+5128, *w067=w+5212, *w068=w+5296, *w069=w+5380;
-  casadi_real *w070=w+5464, *w071=w+5548, *w072=w+5632, *w073=w+5716, *w074=w+5800, *w075=w+5884, *w076=w+5968, *w077=w+6052, *w078=w+6136, *w079=w+6220, *w080=w+6304, *w081=w+6388;
-  casadi_real *w082=w+6472, *w083=w+6556, *w084=w+6640, *w085=w+6724, *w086=w+6808, *w087=w+6892, *w088=w+6976, *w089=w+7060, *w090=w+7144, *w091=w+7228, *w092=w+7312, *w093=w+7396;
-  casadi_real *w094=w+7480, *w095=w+7564, *w096=w+7648, *w097=w+7732, *w098=w+7816, *w099=w+7900, *w100=w+7984, *w101=w+8068, *w102=w+8152, *w103=w+8236, *w104=w+8320, *w105=w+8404;
-  casadi_real *w106=w+8488, *w107=w+8572, *w108=w+8656, *w109=w+8740, *w110=w+8824, *w111=w+8908, *w112=w+8992, *w113=w+9076, *w114=w+9160, *w115=w+9244, *w116=w+9328, *w117=w+9412;
-  casadi_real *w118=w+9496, *w119=w+9580, *w120=w+9664, *w121=w+9748, *w122=w+9832, *w123=w+9916, *w124=w+10000, *w125=w+10084, *w126=w+10168, *w127=w+10252, *w128=w+10336, *w129=w+10420;
-  casadi_real *w130=w+10504, *w131=w+10588, *w132=w+10672, *w133=w+10756, *w134=w+10840, *w135=w+10924, *w136=w+11008, *w137=w+11092, *w138=w+11099;
+  casadi_real **res1=res+4, *rr, w000, *w001=w+267, w002, w003, *w004=w+271, *w005=w+274, *w006=w+298, *w007=w+301, *w008=w+305, *w009=w+353;
+  casadi_real *w010=w+449, *w011=w+545, *w012=w+641, *w013=w+737, *w014=w+833, *w015=w+929, *w016=w+1025, *w017=w+1121, *w018=w+1217, *w019=w+1313, *w020=w+1409, *w021=w+1505;
+  casadi_real *w022=w+1601, *w023=w+1697, *w024=w+1793, *w025=w+1889, *w026=w+1985, *w027=w+2081, *w028=w+2177, *w029=w+2273, *w030=w+2369, *w031=w+2465, *w032=w+2561, *w033=w+2657;
+  casadi_real *w034=w+2753, *w035=w+2849, *w036=w+2945, *w037=w+3041, *w038=w+3137, *w039=w+3233, *w040=w+3329, *w041=w+3425, *w042=w+3521, *w043=w+3617, *w044=w+3713, *w045=w+3809;
+  casadi_real *w046=w+3905, *w047=w+4001, *w048=w+4097, *w049=w+4193, *w050=w+4289, *w051=w+4385, *w052=w+4481, *w053=w+4577, *w054=w+4673, *w055=w+4769, *w056=w+4865, *w057=w+4961;
+  casadi_real *w058=w+5057, *w059=w+5153, *w060=w+5249, *w061=w+5345, *w062=w+5441, *w063=w+5537, *w064=w+5633, *w065=w+5729, *w066=w+5825, *w067=w+5921, *w068=w+6017, *w069=w+6113;
+  casadi_real *w070=w+6209, *w071=w+6305, *w072=w+6401, *w073=w+6497, *w074=w+6593, *w075=w+6689, *w076=w+6785, *w077=w+6881, *w078=w+6977, *w079=w+7073, *w080=w+7169, *w081=w+7265;
+  casadi_real *w082=w+7361, *w083=w+7457, *w084=w+7553, *w085=w+7649, *w086=w+7745, *w087=w+7841, *w088=w+7937, *w089=w+8033, *w090=w+8129, *w091=w+8225, *w092=w+8321, *w093=w+8417;
+  casadi_real *w094=w+8513, *w095=w+8609, *w096=w+8705, *w097=w+8801, *w098=w+8897, *w099=w+8993, *w100=w+9089, *w101=w+9185, *w102=w+9281, *w103=w+9377, *w104=w+9473, *w105=w+9569;
+  casadi_real *w106=w+9665, *w107=w+9761, *w108=w+9857, *w109=w+9953, *w110=w+10049, *w111=w+10145, *w112=w+10241, *w113=w+10337, *w114=w+10433, *w115=w+10529, *w116=w+10625, *w117=w+10721;
+  casadi_real *w118=w+10817, *w119=w+10913, *w120=w+11009, *w121=w+11105, *w122=w+11201, *w123=w+11297, *w124=w+11393, *w125=w+11489, *w126=w+11585, *w127=w+11681, *w128=w+11777, *w129=w+11873;
+  casadi_real *w130=w+11969, *w131=w+12065, *w132=w+12161, *w133=w+12257, *w134=w+12353, *w135=w+12449, *w136=w+12545, *w137=w+12641, *w138=w+12649;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = 0 */
   w000 = 0.;
@@ -21543,133 +21545,133 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   /* #263: output[0][64] = @1 */
   if (res[0]) casadi_copy(w001, 4, res[0]+3072);
   /* #264: output[1][0] = @9 */
-  casadi_copy(w009, 84, res[1]);
+  casadi_copy(w009, 96, res[1]);
   /* #265: output[1][1] = @11 */
-  if (res[1]) casadi_copy(w011, 84, res[1]+84);
+  if (res[1]) casadi_copy(w011, 96, res[1]+96);
   /* #266: output[1][2] = @13 */
-  if (res[1]) casadi_copy(w013, 84, res[1]+168);
+  if (res[1]) casadi_copy(w013, 96, res[1]+192);
   /* #267: output[1][3] = @15 */
-  if (res[1]) casadi_copy(w015, 84, res[1]+252);
+  if (res[1]) casadi_copy(w015, 96, res[1]+288);
   /* #268: output[1][4] = @17 */
-  if (res[1]) casadi_copy(w017, 84, res[1]+336);
+  if (res[1]) casadi_copy(w017, 96, res[1]+384);
   /* #269: output[1][5] = @19 */
-  if (res[1]) casadi_copy(w019, 84, res[1]+420);
+  if (res[1]) casadi_copy(w019, 96, res[1]+480);
   /* #270: output[1][6] = @21 */
-  if (res[1]) casadi_copy(w021, 84, res[1]+504);
+  if (res[1]) casadi_copy(w021, 96, res[1]+576);
   /* #271: output[1][7] = @23 */
-  if (res[1]) casadi_copy(w023, 84, res[1]+588);
+  if (res[1]) casadi_copy(w023, 96, res[1]+672);
   /* #272: output[1][8] = @25 */
-  if (res[1]) casadi_copy(w025, 84, res[1]+672);
+  if (res[1]) casadi_copy(w025, 96, res[1]+768);
   /* #273: output[1][9] = @27 */
-  if (res[1]) casadi_copy(w027, 84, res[1]+756);
+  if (res[1]) casadi_copy(w027, 96, res[1]+864);
   /* #274: output[1][10] = @29 */
-  if (res[1]) casadi_copy(w029, 84, res[1]+840);
+  if (res[1]) casadi_copy(w029, 96, res[1]+960);
   /* #275: output[1][11] = @31 */
-  if (res[1]) casadi_copy(w031, 84, res[1]+924);
+  if (res[1]) casadi_copy(w031, 96, res[1]+1056);
   /* #276: output[1][12] = @33 */
-  if (res[1]) casadi_copy(w033, 84, res[1]+1008);
+  if (res[1]) casadi_copy(w033, 96, res[1]+1152);
   /* #277: output[1][13] = @35 */
-  if (res[1]) casadi_copy(w035, 84, res[1]+1092);
+  if (res[1]) casadi_copy(w035, 96, res[1]+1248);
   /* #278: output[1][14] = @37 */
-  if (res[1]) casadi_copy(w037, 84, res[1]+1176);
+  if (res[1]) casadi_copy(w037, 96, res[1]+1344);
   /* #279: output[1][15] = @39 */
-  if (res[1]) casadi_copy(w039, 84, res[1]+1260);
+  if (res[1]) casadi_copy(w039, 96, res[1]+1440);
   /* #280: output[1][16] = @41 */
-  if (res[1]) casadi_copy(w041, 84, res[1]+1344);
+  if (res[1]) casadi_copy(w041, 96, res[1]+1536);
   /* #281: output[1][17] = @43 */
-  if (res[1]) casadi_copy(w043, 84, res[1]+1428);
+  if (res[1]) casadi_copy(w043, 96, res[1]+1632);
   /* #282: output[1][18] = @45 */
-  if (res[1]) casadi_copy(w045, 84, res[1]+1512);
+  if (res[1]) casadi_copy(w045, 96, res[1]+1728);
   /* #283: output[1][19] = @47 */
-  if (res[1]) casadi_copy(w047, 84, res[1]+1596);
+  if (res[1]) casadi_copy(w047, 96, res[1]+1824);
   /* #284: output[1][20] = @49 */
-  if (res[1]) casadi_copy(w049, 84, res[1]+1680);
+  if (res[1]) casadi_copy(w049, 96, res[1]+1920);
   /* #285: output[1][21] = @51 */
-  if (res[1]) casadi_copy(w051, 84, res[1]+1764);
+  if (res[1]) casadi_copy(w051, 96, res[1]+2016);
   /* #286: output[1][22] = @53 */
-  if (res[1]) casadi_copy(w053, 84, res[1]+1848);
+  if (res[1]) casadi_copy(w053, 96, res[1]+2112);
   /* #287: output[1][23] = @55 */
-  if (res[1]) casadi_copy(w055, 84, res[1]+1932);
+  if (res[1]) casadi_copy(w055, 96, res[1]+2208);
   /* #288: output[1][24] = @57 */
-  if (res[1]) casadi_copy(w057, 84, res[1]+2016);
+  if (res[1]) casadi_copy(w057, 96, res[1]+2304);
   /* #289: output[1][25] = @59 */
-  if (res[1]) casadi_copy(w059, 84, res[1]+2100);
+  if (res[1]) casadi_copy(w059, 96, res[1]+2400);
   /* #290: output[1][26] = @61 */
-  if (res[1]) casadi_copy(w061, 84, res[1]+2184);
+  if (res[1]) casadi_copy(w061, 96, res[1]+2496);
   /* #291: output[1][27] = @63 */
-  if (res[1]) casadi_copy(w063, 84, res[1]+2268);
+  if (res[1]) casadi_copy(w063, 96, res[1]+2592);
   /* #292: output[1][28] = @65 */
-  if (res[1]) casadi_copy(w065, 84, res[1]+2352);
+  if (res[1]) casadi_copy(w065, 96, res[1]+2688);
   /* #293: output[1][29] = @67 */
-  if (res[1]) casadi_copy(w067, 84, res[1]+2436);
+  if (res[1]) casadi_copy(w067, 96, res[1]+2784);
   /* #294: output[1][30] = @69 */
-  if (res[1]) casadi_copy(w069, 84, res[1]+2520);
+  if (res[1]) casadi_copy(w069, 96, res[1]+2880);
   /* #295: output[1][31] = @71 */
-  if (res[1]) casadi_copy(w071, 84, res[1]+2604);
+  if (res[1]) casadi_copy(w071, 96, res[1]+2976);
   /* #296: output[1][32] = @73 */
-  if (res[1]) casadi_copy(w073, 84, res[1]+2688);
+  if (res[1]) casadi_copy(w073, 96, res[1]+3072);
   /* #297: output[1][33] = @75 */
-  if (res[1]) casadi_copy(w075, 84, res[1]+2772);
+  if (res[1]) casadi_copy(w075, 96, res[1]+3168);
   /* #298: output[1][34] = @77 */
-  if (res[1]) casadi_copy(w077, 84, res[1]+2856);
+  if (res[1]) casadi_copy(w077, 96, res[1]+3264);
   /* #299: output[1][35] = @79 */
-  if (res[1]) casadi_copy(w079, 84, res[1]+2940);
+  if (res[1]) casadi_copy(w079, 96, res[1]+3360);
   /* #300: output[1][36] = @81 */
-  if (res[1]) casadi_copy(w081, 84, res[1]+3024);
+  if (res[1]) casadi_copy(w081, 96, res[1]+3456);
   /* #301: output[1][37] = @83 */
-  if (res[1]) casadi_copy(w083, 84, res[1]+3108);
+  if (res[1]) casadi_copy(w083, 96, res[1]+3552);
   /* #302: output[1][38] = @85 */
-  if (res[1]) casadi_copy(w085, 84, res[1]+3192);
+  if (res[1]) casadi_copy(w085, 96, res[1]+3648);
   /* #303: output[1][39] = @87 */
-  if (res[1]) casadi_copy(w087, 84, res[1]+3276);
+  if (res[1]) casadi_copy(w087, 96, res[1]+3744);
   /* #304: output[1][40] = @89 */
-  if (res[1]) casadi_copy(w089, 84, res[1]+3360);
+  if (res[1]) casadi_copy(w089, 96, res[1]+3840);
   /* #305: output[1][41] = @91 */
-  if (res[1]) casadi_copy(w091, 84, res[1]+3444);
+  if (res[1]) casadi_copy(w091, 96, res[1]+3936);
   /* #306: output[1][42] = @93 */
-  if (res[1]) casadi_copy(w093, 84, res[1]+3528);
+  if (res[1]) casadi_copy(w093, 96, res[1]+4032);
   /* #307: output[1][43] = @95 */
-  if (res[1]) casadi_copy(w095, 84, res[1]+3612);
+  if (res[1]) casadi_copy(w095, 96, res[1]+4128);
   /* #308: output[1][44] = @97 */
-  if (res[1]) casadi_copy(w097, 84, res[1]+3696);
+  if (res[1]) casadi_copy(w097, 96, res[1]+4224);
   /* #309: output[1][45] = @99 */
-  if (res[1]) casadi_copy(w099, 84, res[1]+3780);
+  if (res[1]) casadi_copy(w099, 96, res[1]+4320);
   /* #310: output[1][46] = @101 */
-  if (res[1]) casadi_copy(w101, 84, res[1]+3864);
+  if (res[1]) casadi_copy(w101, 96, res[1]+4416);
   /* #311: output[1][47] = @103 */
-  if (res[1]) casadi_copy(w103, 84, res[1]+3948);
+  if (res[1]) casadi_copy(w103, 96, res[1]+4512);
   /* #312: output[1][48] = @105 */
-  if (res[1]) casadi_copy(w105, 84, res[1]+4032);
+  if (res[1]) casadi_copy(w105, 96, res[1]+4608);
   /* #313: output[1][49] = @107 */
-  if (res[1]) casadi_copy(w107, 84, res[1]+4116);
+  if (res[1]) casadi_copy(w107, 96, res[1]+4704);
   /* #314: output[1][50] = @109 */
-  if (res[1]) casadi_copy(w109, 84, res[1]+4200);
+  if (res[1]) casadi_copy(w109, 96, res[1]+4800);
   /* #315: output[1][51] = @111 */
-  if (res[1]) casadi_copy(w111, 84, res[1]+4284);
+  if (res[1]) casadi_copy(w111, 96, res[1]+4896);
   /* #316: output[1][52] = @113 */
-  if (res[1]) casadi_copy(w113, 84, res[1]+4368);
+  if (res[1]) casadi_copy(w113, 96, res[1]+4992);
   /* #317: output[1][53] = @115 */
-  if (res[1]) casadi_copy(w115, 84, res[1]+4452);
+  if (res[1]) casadi_copy(w115, 96, res[1]+5088);
   /* #318: output[1][54] = @117 */
-  if (res[1]) casadi_copy(w117, 84, res[1]+4536);
+  if (res[1]) casadi_copy(w117, 96, res[1]+5184);
   /* #319: output[1][55] = @119 */
-  if (res[1]) casadi_copy(w119, 84, res[1]+4620);
+  if (res[1]) casadi_copy(w119, 96, res[1]+5280);
   /* #320: output[1][56] = @121 */
-  if (res[1]) casadi_copy(w121, 84, res[1]+4704);
+  if (res[1]) casadi_copy(w121, 96, res[1]+5376);
   /* #321: output[1][57] = @123 */
-  if (res[1]) casadi_copy(w123, 84, res[1]+4788);
+  if (res[1]) casadi_copy(w123, 96, res[1]+5472);
   /* #322: output[1][58] = @125 */
-  if (res[1]) casadi_copy(w125, 84, res[1]+4872);
+  if (res[1]) casadi_copy(w125, 96, res[1]+5568);
   /* #323: output[1][59] = @127 */
-  if (res[1]) casadi_copy(w127, 84, res[1]+4956);
+  if (res[1]) casadi_copy(w127, 96, res[1]+5664);
   /* #324: output[1][60] = @129 */
-  if (res[1]) casadi_copy(w129, 84, res[1]+5040);
+  if (res[1]) casadi_copy(w129, 96, res[1]+5760);
   /* #325: output[1][61] = @131 */
-  if (res[1]) casadi_copy(w131, 84, res[1]+5124);
+  if (res[1]) casadi_copy(w131, 96, res[1]+5856);
   /* #326: output[1][62] = @133 */
-  if (res[1]) casadi_copy(w133, 84, res[1]+5208);
+  if (res[1]) casadi_copy(w133, 96, res[1]+5952);
   /* #327: output[1][63] = @135 */
-  if (res[1]) casadi_copy(w135, 84, res[1]+5292);
+  if (res[1]) casadi_copy(w135, 96, res[1]+6048);
   /* #328: {@137, @138} = observe(@2, @1, @4) */
   arg1[0]=(&w002);
   arg1[1]=w001;
@@ -21678,137 +21680,137 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w138;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #329: output[1][64] = @137 */
-  if (res[1]) casadi_copy(w137, 7, res[1]+5376);
+  if (res[1]) casadi_copy(w137, 8, res[1]+6144);
   /* #330: output[2][0] = @10 */
-  casadi_copy(w010, 84, res[2]);
+  casadi_copy(w010, 96, res[2]);
   /* #331: output[2][1] = @12 */
-  if (res[2]) casadi_copy(w012, 84, res[2]+84);
+  if (res[2]) casadi_copy(w012, 96, res[2]+96);
   /* #332: output[2][2] = @14 */
-  if (res[2]) casadi_copy(w014, 84, res[2]+168);
+  if (res[2]) casadi_copy(w014, 96, res[2]+192);
   /* #333: output[2][3] = @16 */
-  if (res[2]) casadi_copy(w016, 84, res[2]+252);
+  if (res[2]) casadi_copy(w016, 96, res[2]+288);
   /* #334: output[2][4] = @18 */
-  if (res[2]) casadi_copy(w018, 84, res[2]+336);
+  if (res[2]) casadi_copy(w018, 96, res[2]+384);
   /* #335: output[2][5] = @20 */
-  if (res[2]) casadi_copy(w020, 84, res[2]+420);
+  if (res[2]) casadi_copy(w020, 96, res[2]+480);
   /* #336: output[2][6] = @22 */
-  if (res[2]) casadi_copy(w022, 84, res[2]+504);
+  if (res[2]) casadi_copy(w022, 96, res[2]+576);
   /* #337: output[2][7] = @24 */
-  if (res[2]) casadi_copy(w024, 84, res[2]+588);
+  if (res[2]) casadi_copy(w024, 96, res[2]+672);
   /* #338: output[2][8] = @26 */
-  if (res[2]) casadi_copy(w026, 84, res[2]+672);
+  if (res[2]) casadi_copy(w026, 96, res[2]+768);
   /* #339: output[2][9] = @28 */
-  if (res[2]) casadi_copy(w028, 84, res[2]+756);
+  if (res[2]) casadi_copy(w028, 96, res[2]+864);
   /* #340: output[2][10] = @30 */
-  if (res[2]) casadi_copy(w030, 84, res[2]+840);
+  if (res[2]) casadi_copy(w030, 96, res[2]+960);
   /* #341: output[2][11] = @32 */
-  if (res[2]) casadi_copy(w032, 84, res[2]+924);
+  if (res[2]) casadi_copy(w032, 96, res[2]+1056);
   /* #342: output[2][12] = @34 */
-  if (res[2]) casadi_copy(w034, 84, res[2]+1008);
+  if (res[2]) casadi_copy(w034, 96, res[2]+1152);
   /* #343: output[2][13] = @36 */
-  if (res[2]) casadi_copy(w036, 84, res[2]+1092);
+  if (res[2]) casadi_copy(w036, 96, res[2]+1248);
   /* #344: output[2][14] = @38 */
-  if (res[2]) casadi_copy(w038, 84, res[2]+1176);
+  if (res[2]) casadi_copy(w038, 96, res[2]+1344);
   /* #345: output[2][15] = @40 */
-  if (res[2]) casadi_copy(w040, 84, res[2]+1260);
+  if (res[2]) casadi_copy(w040, 96, res[2]+1440);
   /* #346: output[2][16] = @42 */
-  if (res[2]) casadi_copy(w042, 84, res[2]+1344);
+  if (res[2]) casadi_copy(w042, 96, res[2]+1536);
   /* #347: output[2][17] = @44 */
-  if (res[2]) casadi_copy(w044, 84, res[2]+1428);
+  if (res[2]) casadi_copy(w044, 96, res[2]+1632);
   /* #348: output[2][18] = @46 */
-  if (res[2]) casadi_copy(w046, 84, res[2]+1512);
+  if (res[2]) casadi_copy(w046, 96, res[2]+1728);
   /* #349: output[2][19] = @48 */
-  if (res[2]) casadi_copy(w048, 84, res[2]+1596);
+  if (res[2]) casadi_copy(w048, 96, res[2]+1824);
   /* #350: output[2][20] = @50 */
-  if (res[2]) casadi_copy(w050, 84, res[2]+1680);
+  if (res[2]) casadi_copy(w050, 96, res[2]+1920);
   /* #351: output[2][21] = @52 */
-  if (res[2]) casadi_copy(w052, 84, res[2]+1764);
+  if (res[2]) casadi_copy(w052, 96, res[2]+2016);
   /* #352: output[2][22] = @54 */
-  if (res[2]) casadi_copy(w054, 84, res[2]+1848);
+  if (res[2]) casadi_copy(w054, 96, res[2]+2112);
   /* #353: output[2][23] = @56 */
-  if (res[2]) casadi_copy(w056, 84, res[2]+1932);
+  if (res[2]) casadi_copy(w056, 96, res[2]+2208);
   /* #354: output[2][24] = @58 */
-  if (res[2]) casadi_copy(w058, 84, res[2]+2016);
+  if (res[2]) casadi_copy(w058, 96, res[2]+2304);
   /* #355: output[2][25] = @60 */
-  if (res[2]) casadi_copy(w060, 84, res[2]+2100);
+  if (res[2]) casadi_copy(w060, 96, res[2]+2400);
   /* #356: output[2][26] = @62 */
-  if (res[2]) casadi_copy(w062, 84, res[2]+2184);
+  if (res[2]) casadi_copy(w062, 96, res[2]+2496);
   /* #357: output[2][27] = @64 */
-  if (res[2]) casadi_copy(w064, 84, res[2]+2268);
+  if (res[2]) casadi_copy(w064, 96, res[2]+2592);
   /* #358: output[2][28] = @66 */
-  if (res[2]) casadi_copy(w066, 84, res[2]+2352);
+  if (res[2]) casadi_copy(w066, 96, res[2]+2688);
   /* #359: output[2][29] = @68 */
-  if (res[2]) casadi_copy(w068, 84, res[2]+2436);
+  if (res[2]) casadi_copy(w068, 96, res[2]+2784);
   /* #360: output[2][30] = @70 */
-  if (res[2]) casadi_copy(w070, 84, res[2]+2520);
+  if (res[2]) casadi_copy(w070, 96, res[2]+2880);
   /* #361: output[2][31] = @72 */
-  if (res[2]) casadi_copy(w072, 84, res[2]+2604);
+  if (res[2]) casadi_copy(w072, 96, res[2]+2976);
   /* #362: output[2][32] = @74 */
-  if (res[2]) casadi_copy(w074, 84, res[2]+2688);
+  if (res[2]) casadi_copy(w074, 96, res[2]+3072);
   /* #363: output[2][33] = @76 */
-  if (res[2]) casadi_copy(w076, 84, res[2]+2772);
+  if (res[2]) casadi_copy(w076, 96, res[2]+3168);
   /* #364: output[2][34] = @78 */
-  if (res[2]) casadi_copy(w078, 84, res[2]+2856);
+  if (res[2]) casadi_copy(w078, 96, res[2]+3264);
   /* #365: output[2][35] = @80 */
-  if (res[2]) casadi_copy(w080, 84, res[2]+2940);
+  if (res[2]) casadi_copy(w080, 96, res[2]+3360);
   /* #366: output[2][36] = @82 */
-  if (res[2]) casadi_copy(w082, 84, res[2]+3024);
+  if (res[2]) casadi_copy(w082, 96, res[2]+3456);
   /* #367: output[2][37] = @84 */
-  if (res[2]) casadi_copy(w084, 84, res[2]+3108);
+  if (res[2]) casadi_copy(w084, 96, res[2]+3552);
   /* #368: output[2][38] = @86 */
-  if (res[2]) casadi_copy(w086, 84, res[2]+3192);
+  if (res[2]) casadi_copy(w086, 96, res[2]+3648);
   /* #369: output[2][39] = @88 */
-  if (res[2]) casadi_copy(w088, 84, res[2]+3276);
+  if (res[2]) casadi_copy(w088, 96, res[2]+3744);
   /* #370: output[2][40] = @90 */
-  if (res[2]) casadi_copy(w090, 84, res[2]+3360);
+  if (res[2]) casadi_copy(w090, 96, res[2]+3840);
   /* #371: output[2][41] = @92 */
-  if (res[2]) casadi_copy(w092, 84, res[2]+3444);
+  if (res[2]) casadi_copy(w092, 96, res[2]+3936);
   /* #372: output[2][42] = @94 */
-  if (res[2]) casadi_copy(w094, 84, res[2]+3528);
+  if (res[2]) casadi_copy(w094, 96, res[2]+4032);
   /* #373: output[2][43] = @96 */
-  if (res[2]) casadi_copy(w096, 84, res[2]+3612);
+  if (res[2]) casadi_copy(w096, 96, res[2]+4128);
   /* #374: output[2][44] = @98 */
-  if (res[2]) casadi_copy(w098, 84, res[2]+3696);
+  if (res[2]) casadi_copy(w098, 96, res[2]+4224);
   /* #375: output[2][45] = @100 */
-  if (res[2]) casadi_copy(w100, 84, res[2]+3780);
+  if (res[2]) casadi_copy(w100, 96, res[2]+4320);
   /* #376: output[2][46] = @102 */
-  if (res[2]) casadi_copy(w102, 84, res[2]+3864);
+  if (res[2]) casadi_copy(w102, 96, res[2]+4416);
   /* #377: output[2][47] = @104 */
-  if (res[2]) casadi_copy(w104, 84, res[2]+3948);
+  if (res[2]) casadi_copy(w104, 96, res[2]+4512);
   /* #378: output[2][48] = @106 */
-  if (res[2]) casadi_copy(w106, 84, res[2]+4032);
+  if (res[2]) casadi_copy(w106, 96, res[2]+4608);
   /* #379: output[2][49] = @108 */
-  if (res[2]) casadi_copy(w108, 84, res[2]+4116);
+  if (res[2]) casadi_copy(w108, 96, res[2]+4704);
   /* #380: output[2][50] = @110 */
-  if (res[2]) casadi_copy(w110, 84, res[2]+4200);
+  if (res[2]) casadi_copy(w110, 96, res[2]+4800);
   /* #381: output[2][51] = @112 */
-  if (res[2]) casadi_copy(w112, 84, res[2]+4284);
+  if (res[2]) casadi_copy(w112, 96, res[2]+4896);
   /* #382: output[2][52] = @114 */
-  if (res[2]) casadi_copy(w114, 84, res[2]+4368);
+  if (res[2]) casadi_copy(w114, 96, res[2]+4992);
   /* #383: output[2][53] = @116 */
-  if (res[2]) casadi_copy(w116, 84, res[2]+4452);
+  if (res[2]) casadi_copy(w116, 96, res[2]+5088);
   /* #384: output[2][54] = @118 */
-  if (res[2]) casadi_copy(w118, 84, res[2]+4536);
+  if (res[2]) casadi_copy(w118, 96, res[2]+5184);
   /* #385: output[2][55] = @120 */
-  if (res[2]) casadi_copy(w120, 84, res[2]+4620);
+  if (res[2]) casadi_copy(w120, 96, res[2]+5280);
   /* #386: output[2][56] = @122 */
-  if (res[2]) casadi_copy(w122, 84, res[2]+4704);
+  if (res[2]) casadi_copy(w122, 96, res[2]+5376);
   /* #387: output[2][57] = @124 */
-  if (res[2]) casadi_copy(w124, 84, res[2]+4788);
+  if (res[2]) casadi_copy(w124, 96, res[2]+5472);
   /* #388: output[2][58] = @126 */
-  if (res[2]) casadi_copy(w126, 84, res[2]+4872);
+  if (res[2]) casadi_copy(w126, 96, res[2]+5568);
   /* #389: output[2][59] = @128 */
-  if (res[2]) casadi_copy(w128, 84, res[2]+4956);
+  if (res[2]) casadi_copy(w128, 96, res[2]+5664);
   /* #390: output[2][60] = @130 */
-  if (res[2]) casadi_copy(w130, 84, res[2]+5040);
+  if (res[2]) casadi_copy(w130, 96, res[2]+5760);
   /* #391: output[2][61] = @132 */
-  if (res[2]) casadi_copy(w132, 84, res[2]+5124);
+  if (res[2]) casadi_copy(w132, 96, res[2]+5856);
   /* #392: output[2][62] = @134 */
-  if (res[2]) casadi_copy(w134, 84, res[2]+5208);
+  if (res[2]) casadi_copy(w134, 96, res[2]+5952);
   /* #393: output[2][63] = @136 */
-  if (res[2]) casadi_copy(w136, 84, res[2]+5292);
+  if (res[2]) casadi_copy(w136, 96, res[2]+6048);
   /* #394: output[2][64] = @138 */
-  if (res[2]) casadi_copy(w138, 7, res[2]+5376);
+  if (res[2]) casadi_copy(w138, 8, res[2]+6144);
   /* #395: @7 = landing(@1, @6, @4) */
   arg1[0]=w001;
   arg1[1]=w006;
@@ -21887,7 +21889,7 @@ CASADI_SYMBOL_EXPORT int goswami_compass_trace_768_work(casadi_int *sz_arg, casa
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 11106;
+  if (sz_w) *sz_w = 12657;
   return 0;
 }
 
@@ -21895,13 +21897,13 @@ CASADI_SYMBOL_EXPORT int goswami_compass_trace_768_work_bytes(casadi_int *sz_arg
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 11106*sizeof(casadi_real);
+  if (sz_w) *sz_w = 12657*sizeof(casadi_real);
   return 0;
 }
 
-/* goswami_compass_advance:(t,w[4],h,p[3])->(w_end[4],g[7],dg[7]) */
+/* goswami_compass_advance:(t,w[4],h,p[3])->(w_end[4],g[8],dg[8]) */
 static int casadi_f98(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+3, *w0=w+79, w1, *w2=w+83, *w3=w+86, w4, *w5=w+88, *w6=w+112, *w7=w+116, *w8=w+123;
+  casadi_real **res1=res+3, *w0=w+79, w1, *w2=w+83, *w3=w+86, w4, *w5=w+88, *w6=w+112, *w7=w+116, *w8=w+124;
   const casadi_real **arg1=arg+4;
   /* #0: @0 = input[1][0] */
   casadi_copy(arg[1], 4, w0);
@@ -21941,9 +21943,9 @@ static int casadi_f98(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w8;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #10: output[1][0] = @7 */
-  casadi_copy(w7, 7, res[1]);
+  casadi_copy(w7, 8, res[1]);
   /* #11: output[2][0] = @8 */
-  casadi_copy(w8, 7, res[2]);
+  casadi_copy(w8, 8, res[2]);
   return 0;
 }
 
@@ -22016,7 +22018,7 @@ CASADI_SYMBOL_EXPORT int goswami_compass_advance_work(casadi_int *sz_arg, casadi
   if (sz_arg) *sz_arg = 9;
   if (sz_res) *sz_res = 5;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 130;
+  if (sz_w) *sz_w = 132;
   return 0;
 }
 
@@ -22024,7 +22026,7 @@ CASADI_SYMBOL_EXPORT int goswami_compass_advance_work_bytes(casadi_int *sz_arg, 
   if (sz_arg) *sz_arg = 9*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 5*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 130*sizeof(casadi_real);
+  if (sz_w) *sz_w = 132*sizeof(casadi_real);
   return 0;
 }
 
@@ -22337,9 +22339,9 @@ CASADI_SYMBOL_EXPORT int goswami_compass_end_work_bytes(casadi_int *sz_arg, casa
   return 0;
 }
 
-/* goswami_compass_observed_swing:(t,h,w[4],p[3])->(w_end[4],nodes[4x12],g[7x12],dg[7x12]) */
+/* goswami_compass_observed_swing:(t,h,w[4],p[3])->(w_end[4],nodes[4x12],g[8x12],dg[8x12]) */
 static int casadi_f102(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+4, w0, w1, *w2=w+254, *w3=w+257, *w4=w+281, *w5=w+285, *w6=w+289, *w7=w+337, *w8=w+421;
+  casadi_real **res1=res+4, w0, w1, *w2=w+267, *w3=w+270, *w4=w+294, *w5=w+298, *w6=w+302, *w7=w+350, *w8=w+446;
   const casadi_real **arg1=arg+4;
   /* #0: @0 = input[0][0] */
   w0 = arg[0] ? arg[0][0] : 0;
@@ -22370,9 +22372,9 @@ static int casadi_f102(const casadi_real** arg, casadi_real** res, casadi_int* i
   /* #7: output[1][0] = @6 */
   casadi_copy(w6, 48, res[1]);
   /* #8: output[2][0] = @7 */
-  casadi_copy(w7, 84, res[2]);
+  casadi_copy(w7, 96, res[2]);
   /* #9: output[3][0] = @8 */
-  casadi_copy(w8, 84, res[3]);
+  casadi_copy(w8, 96, res[3]);
   return 0;
 }
 
@@ -22447,7 +22449,7 @@ CASADI_SYMBOL_EXPORT int goswami_compass_observed_swing_work(casadi_int *sz_arg,
   if (sz_arg) *sz_arg = 14;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 505;
+  if (sz_w) *sz_w = 542;
   return 0;
 }
 
@@ -22455,7 +22457,7 @@ CASADI_SYMBOL_EXPORT int goswami_compass_observed_swing_work_bytes(casadi_int *s
   if (sz_arg) *sz_arg = 14*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 505*sizeof(casadi_real);
+  if (sz_w) *sz_w = 542*sizeof(casadi_real);
   return 0;
 }
 

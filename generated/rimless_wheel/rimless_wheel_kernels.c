@@ -1,5 +1,5 @@
 /* Rimless wheel: kernels of the solver
- * Printed by CasADi 3.8.2 from equations c91341447e79d438.
+ * Printed by CasADi 3.8.2 from equations bb330f6f1464b943.
  * Do not edit: run `make derive`.
  * SPDX-License-Identifier: BSD-3-Clause
  */
@@ -448,29 +448,29 @@ static const casadi_int casadi_s3[3] = {0, 1, 2};
 static const casadi_int casadi_s4[3] = {3, 1, 1};
 static const casadi_int casadi_s5[3] = {3, 3, 1};
 static const casadi_int casadi_s6[3] = {2, 49, 1};
-static const casadi_int casadi_s7[3] = {7, 49, 1};
+static const casadi_int casadi_s7[3] = {8, 49, 1};
 static const casadi_int casadi_s8[3] = {2, 73, 1};
-static const casadi_int casadi_s9[3] = {7, 73, 1};
+static const casadi_int casadi_s9[3] = {8, 73, 1};
 static const casadi_int casadi_s10[3] = {2, 97, 1};
-static const casadi_int casadi_s11[3] = {7, 97, 1};
+static const casadi_int casadi_s11[3] = {8, 97, 1};
 static const casadi_int casadi_s12[3] = {2, 145, 1};
-static const casadi_int casadi_s13[3] = {7, 145, 1};
+static const casadi_int casadi_s13[3] = {8, 145, 1};
 static const casadi_int casadi_s14[3] = {2, 193, 1};
-static const casadi_int casadi_s15[3] = {7, 193, 1};
+static const casadi_int casadi_s15[3] = {8, 193, 1};
 static const casadi_int casadi_s16[3] = {2, 289, 1};
-static const casadi_int casadi_s17[3] = {7, 289, 1};
+static const casadi_int casadi_s17[3] = {8, 289, 1};
 static const casadi_int casadi_s18[3] = {2, 385, 1};
-static const casadi_int casadi_s19[3] = {7, 385, 1};
+static const casadi_int casadi_s19[3] = {8, 385, 1};
 static const casadi_int casadi_s20[3] = {2, 577, 1};
-static const casadi_int casadi_s21[3] = {7, 577, 1};
+static const casadi_int casadi_s21[3] = {8, 577, 1};
 static const casadi_int casadi_s22[3] = {2, 769, 1};
-static const casadi_int casadi_s23[3] = {7, 769, 1};
+static const casadi_int casadi_s23[3] = {8, 769, 1};
 static const casadi_int casadi_s24[3] = {1, 1, 1};
 static const casadi_int casadi_s25[3] = {2, 1, 1};
-static const casadi_int casadi_s26[3] = {7, 1, 1};
+static const casadi_int casadi_s26[3] = {8, 1, 1};
 static const casadi_int casadi_s27[3] = {2, 3, 1};
 static const casadi_int casadi_s28[3] = {2, 12, 1};
-static const casadi_int casadi_s29[3] = {7, 12, 1};
+static const casadi_int casadi_s29[3] = {8, 12, 1};
 
 static const casadi_real casadi_zeros[24] = 
   {0.};
@@ -9610,7 +9610,7 @@ static int casadi_f64(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* observe:(t,y[2],p[3])->(g[7],dg[7]) */
+/* observe:(t,y[2],p[3])->(g[8],dg[8]) */
 static int casadi_f65(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15;
@@ -9640,24 +9640,25 @@ static int casadi_f65(const casadi_real** arg, casadi_real** res, casadi_int* iw
   a12=(a01-a10);
   a12=(-a12);
   if (res[0]!=0) res[0][0]=a12;
-  if (res[0]!=0) res[0][1]=a03;
-  a12=(a07/a03);
-  if (res[0]!=0) res[0][2]=a12;
-  a13=6.2831853071795862e+00;
-  a14=arg[2]? arg[2][1] : 0;
-  a13=(a13/a14);
-  a00=(a00-a13);
-  a13=cos(a00);
-  a13=(a02-a13);
+  a12=0.;
+  if (res[0]!=0) res[0][1]=a12;
+  if (res[0]!=0) res[0][2]=a03;
+  a13=(a07/a03);
   if (res[0]!=0) res[0][3]=a13;
-  if (res[0]!=0) res[0][4]=a05;
-  a13=3.1415926535897931e+00;
-  a13=(a13/a14);
-  a13=cos(a13);
-  a13=(a13-a02);
-  if (res[0]!=0) res[0][5]=a13;
-  a13=0.;
-  if (res[0]!=0) res[0][6]=a13;
+  a14=6.2831853071795862e+00;
+  a15=arg[2]? arg[2][1] : 0;
+  a14=(a14/a15);
+  a00=(a00-a14);
+  a14=cos(a00);
+  a14=(a02-a14);
+  if (res[0]!=0) res[0][4]=a14;
+  if (res[0]!=0) res[0][5]=a05;
+  a14=3.1415926535897931e+00;
+  a14=(a14/a15);
+  a14=cos(a14);
+  a14=(a14-a02);
+  if (res[0]!=0) res[0][6]=a14;
+  if (res[0]!=0) res[0][7]=a12;
   a04=cos(a04);
   a04=(a04*a08);
   a06=(a06*a04);
@@ -9691,28 +9692,29 @@ static int casadi_f65(const casadi_real** arg, casadi_real** res, casadi_int* iw
   a11=(a11-a15);
   a11=(-a11);
   if (res[1]!=0) res[1][0]=a11;
+  if (res[1]!=0) res[1][1]=a12;
   a11=(-a01);
-  if (res[1]!=0) res[1][1]=a11;
+  if (res[1]!=0) res[1][2]=a11;
   a04=(a04/a03);
-  a12=(a12/a03);
-  a12=(a12*a01);
-  a04=(a04+a12);
-  if (res[1]!=0) res[1][2]=a04;
+  a13=(a13/a03);
+  a13=(a13*a01);
+  a04=(a04+a13);
+  if (res[1]!=0) res[1][3]=a04;
   a00=sin(a00);
   a00=(a00*a08);
   a00=(a00-a14);
-  if (res[1]!=0) res[1][3]=a00;
-  if (res[1]!=0) res[1][4]=a06;
-  if (res[1]!=0) res[1][5]=a14;
-  if (res[1]!=0) res[1][6]=a13;
+  if (res[1]!=0) res[1][4]=a00;
+  if (res[1]!=0) res[1][5]=a06;
+  if (res[1]!=0) res[1][6]=a14;
+  if (res[1]!=0) res[1][7]=a12;
   return 0;
 }
 
-/* working_steps:(t,turns[2x12],w[2],h,p[3])->(w_end[2],nodes[2x12],g[7x12],dg[7x12]) */
+/* working_steps:(t,turns[2x12],w[2],h,p[3])->(w_end[2],nodes[2x12],g[8x12],dg[8x12]) */
 static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+4, *w00=w+46, w01, *w02=w+48, *w03=w+51, w05, *w06=w+53, w07, *w08=w+55, *w09=w+57, *w10=w+59, *w11=w+61;
-  casadi_real *w12=w+63, *w13=w+65, *w14=w+67, *w15=w+69, *w16=w+71, *w17=w+73, *w18=w+75, *w19=w+77, *w20=w+84, *w21=w+91, *w22=w+98, *w23=w+105;
-  casadi_real *w24=w+112, *w25=w+119, *w26=w+126, *w27=w+133, *w28=w+140, *w29=w+147, *w30=w+154, *w31=w+161;
+  casadi_real *w12=w+63, *w13=w+65, *w14=w+67, *w15=w+69, *w16=w+71, *w17=w+73, *w18=w+75, *w19=w+77, *w20=w+85, *w21=w+93, *w22=w+101, *w23=w+109;
+  casadi_real *w24=w+117, *w25=w+125, *w26=w+133, *w27=w+141, *w28=w+149, *w29=w+157, *w30=w+165, *w31=w+173;
   const casadi_real **arg1=arg+5, *wr04;
   /* #0: @0 = input[2][0] */
   casadi_copy(arg[2], 2, w00);
@@ -9974,7 +9976,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w20;
   if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #73: output[2][0] = @19 */
-  casadi_copy(w19, 7, res[2]);
+  casadi_copy(w19, 8, res[2]);
   /* #74: @7 = (@1+@5) */
   w07  = (w01+w05);
   /* #75: {@19, @21} = observe(@7, @6, @2) */
@@ -9985,7 +9987,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w21;
   if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #76: output[2][1] = @19 */
-  if (res[2]) casadi_copy(w19, 7, res[2]+7);
+  if (res[2]) casadi_copy(w19, 8, res[2]+8);
   /* #77: @7 = (2.*@5) */
   w07 = (2.* w05 );
   /* #78: @7 = (@1+@7) */
@@ -9998,7 +10000,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w22;
   if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #80: output[2][2] = @19 */
-  if (res[2]) casadi_copy(w19, 7, res[2]+14);
+  if (res[2]) casadi_copy(w19, 8, res[2]+16);
   /* #81: @7 = 3 */
   w07 = 3.;
   /* #82: @7 = (@7*@5) */
@@ -10013,7 +10015,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w23;
   if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #85: output[2][3] = @19 */
-  if (res[2]) casadi_copy(w19, 7, res[2]+21);
+  if (res[2]) casadi_copy(w19, 8, res[2]+24);
   /* #86: @7 = 4 */
   w07 = 4.;
   /* #87: @7 = (@7*@5) */
@@ -10028,7 +10030,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w24;
   if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #90: output[2][4] = @19 */
-  if (res[2]) casadi_copy(w19, 7, res[2]+28);
+  if (res[2]) casadi_copy(w19, 8, res[2]+32);
   /* #91: @7 = 5 */
   w07 = 5.;
   /* #92: @7 = (@7*@5) */
@@ -10043,7 +10045,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w25;
   if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #95: output[2][5] = @19 */
-  if (res[2]) casadi_copy(w19, 7, res[2]+35);
+  if (res[2]) casadi_copy(w19, 8, res[2]+40);
   /* #96: @7 = 6 */
   w07 = 6.;
   /* #97: @7 = (@7*@5) */
@@ -10058,7 +10060,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w26;
   if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #100: output[2][6] = @19 */
-  if (res[2]) casadi_copy(w19, 7, res[2]+42);
+  if (res[2]) casadi_copy(w19, 8, res[2]+48);
   /* #101: @7 = 7 */
   w07 = 7.;
   /* #102: @7 = (@7*@5) */
@@ -10073,7 +10075,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w27;
   if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #105: output[2][7] = @19 */
-  if (res[2]) casadi_copy(w19, 7, res[2]+49);
+  if (res[2]) casadi_copy(w19, 8, res[2]+56);
   /* #106: @7 = 8 */
   w07 = 8.;
   /* #107: @7 = (@7*@5) */
@@ -10088,7 +10090,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w28;
   if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #110: output[2][8] = @19 */
-  if (res[2]) casadi_copy(w19, 7, res[2]+56);
+  if (res[2]) casadi_copy(w19, 8, res[2]+64);
   /* #111: @7 = 9 */
   w07 = 9.;
   /* #112: @7 = (@7*@5) */
@@ -10103,7 +10105,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w29;
   if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #115: output[2][9] = @19 */
-  if (res[2]) casadi_copy(w19, 7, res[2]+63);
+  if (res[2]) casadi_copy(w19, 8, res[2]+72);
   /* #116: @7 = 10 */
   w07 = 10.;
   /* #117: @7 = (@7*@5) */
@@ -10118,7 +10120,7 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w30;
   if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #120: output[2][10] = @19 */
-  if (res[2]) casadi_copy(w19, 7, res[2]+70);
+  if (res[2]) casadi_copy(w19, 8, res[2]+80);
   /* #121: @7 = 11 */
   w07 = 11.;
   /* #122: @7 = (@7*@5) */
@@ -10133,38 +10135,38 @@ static int casadi_f63(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w31;
   if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #125: output[2][11] = @19 */
-  if (res[2]) casadi_copy(w19, 7, res[2]+77);
+  if (res[2]) casadi_copy(w19, 8, res[2]+88);
   /* #126: output[3][0] = @20 */
-  casadi_copy(w20, 7, res[3]);
+  casadi_copy(w20, 8, res[3]);
   /* #127: output[3][1] = @21 */
-  if (res[3]) casadi_copy(w21, 7, res[3]+7);
+  if (res[3]) casadi_copy(w21, 8, res[3]+8);
   /* #128: output[3][2] = @22 */
-  if (res[3]) casadi_copy(w22, 7, res[3]+14);
+  if (res[3]) casadi_copy(w22, 8, res[3]+16);
   /* #129: output[3][3] = @23 */
-  if (res[3]) casadi_copy(w23, 7, res[3]+21);
+  if (res[3]) casadi_copy(w23, 8, res[3]+24);
   /* #130: output[3][4] = @24 */
-  if (res[3]) casadi_copy(w24, 7, res[3]+28);
+  if (res[3]) casadi_copy(w24, 8, res[3]+32);
   /* #131: output[3][5] = @25 */
-  if (res[3]) casadi_copy(w25, 7, res[3]+35);
+  if (res[3]) casadi_copy(w25, 8, res[3]+40);
   /* #132: output[3][6] = @26 */
-  if (res[3]) casadi_copy(w26, 7, res[3]+42);
+  if (res[3]) casadi_copy(w26, 8, res[3]+48);
   /* #133: output[3][7] = @27 */
-  if (res[3]) casadi_copy(w27, 7, res[3]+49);
+  if (res[3]) casadi_copy(w27, 8, res[3]+56);
   /* #134: output[3][8] = @28 */
-  if (res[3]) casadi_copy(w28, 7, res[3]+56);
+  if (res[3]) casadi_copy(w28, 8, res[3]+64);
   /* #135: output[3][9] = @29 */
-  if (res[3]) casadi_copy(w29, 7, res[3]+63);
+  if (res[3]) casadi_copy(w29, 8, res[3]+72);
   /* #136: output[3][10] = @30 */
-  if (res[3]) casadi_copy(w30, 7, res[3]+70);
+  if (res[3]) casadi_copy(w30, 8, res[3]+80);
   /* #137: output[3][11] = @31 */
-  if (res[3]) casadi_copy(w31, 7, res[3]+77);
+  if (res[3]) casadi_copy(w31, 8, res[3]+88);
   return 0;
 }
 
-/* rimless_wheel_trace_48:(u[3],p[3])->(w[2x49],g[7x49],dg[7x49],R[3]) */
+/* rimless_wheel_trace_48:(u[3],p[3])->(w[2x49],g[8x49],dg[8x49],R[3]) */
 static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+4, *rr, w00, *w01=w+195, w02, w03, *w04=w+198, *w05=w+201, *w06=w+225, *w07=w+227, *w08=w+229, *w09=w+231;
-  casadi_real *w10=w+255, *w11=w+339, *w12=w+423, *w13=w+507, *w14=w+591, *w15=w+675, *w16=w+759, *w17=w+843, *w18=w+927, *w19=w+934;
+  casadi_real **res1=res+4, *rr, w00, *w01=w+208, w02, w03, *w04=w+211, *w05=w+214, *w06=w+238, *w07=w+240, *w08=w+242, *w09=w+244;
+  casadi_real *w10=w+268, *w11=w+364, *w12=w+460, *w13=w+556, *w14=w+652, *w15=w+748, *w16=w+844, *w17=w+940, *w18=w+1036, *w19=w+1044;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = 0 */
   w00 = 0.;
@@ -10258,13 +10260,13 @@ static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw
   /* #23: output[0][4] = @7 */
   if (res[0]) casadi_copy(w07, 2, res[0]+96);
   /* #24: output[1][0] = @10 */
-  casadi_copy(w10, 84, res[1]);
+  casadi_copy(w10, 96, res[1]);
   /* #25: output[1][1] = @12 */
-  if (res[1]) casadi_copy(w12, 84, res[1]+84);
+  if (res[1]) casadi_copy(w12, 96, res[1]+96);
   /* #26: output[1][2] = @14 */
-  if (res[1]) casadi_copy(w14, 84, res[1]+168);
+  if (res[1]) casadi_copy(w14, 96, res[1]+192);
   /* #27: output[1][3] = @16 */
-  if (res[1]) casadi_copy(w16, 84, res[1]+252);
+  if (res[1]) casadi_copy(w16, 96, res[1]+288);
   /* #28: {@18, @19} = observe(@2, @7, @4) */
   arg1[0]=(&w02);
   arg1[1]=w07;
@@ -10273,17 +10275,17 @@ static int casadi_f62(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w19;
   if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #29: output[1][4] = @18 */
-  if (res[1]) casadi_copy(w18, 7, res[1]+336);
+  if (res[1]) casadi_copy(w18, 8, res[1]+384);
   /* #30: output[2][0] = @11 */
-  casadi_copy(w11, 84, res[2]);
+  casadi_copy(w11, 96, res[2]);
   /* #31: output[2][1] = @13 */
-  if (res[2]) casadi_copy(w13, 84, res[2]+84);
+  if (res[2]) casadi_copy(w13, 96, res[2]+96);
   /* #32: output[2][2] = @15 */
-  if (res[2]) casadi_copy(w15, 84, res[2]+168);
+  if (res[2]) casadi_copy(w15, 96, res[2]+192);
   /* #33: output[2][3] = @17 */
-  if (res[2]) casadi_copy(w17, 84, res[2]+252);
+  if (res[2]) casadi_copy(w17, 96, res[2]+288);
   /* #34: output[2][4] = @19 */
-  if (res[2]) casadi_copy(w19, 7, res[2]+336);
+  if (res[2]) casadi_copy(w19, 8, res[2]+384);
   /* #35: @1 = landing(@7, @6, @4) */
   arg1[0]=w07;
   arg1[1]=w06;
@@ -10362,7 +10364,7 @@ CASADI_SYMBOL_EXPORT int rimless_wheel_trace_48_work(casadi_int *sz_arg, casadi_
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 941;
+  if (sz_w) *sz_w = 1052;
   return 0;
 }
 
@@ -10370,15 +10372,15 @@ CASADI_SYMBOL_EXPORT int rimless_wheel_trace_48_work_bytes(casadi_int *sz_arg, c
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 941*sizeof(casadi_real);
+  if (sz_w) *sz_w = 1052*sizeof(casadi_real);
   return 0;
 }
 
-/* rimless_wheel_trace_72:(u[3],p[3])->(w[2x73],g[7x73],dg[7x73],R[3]) */
+/* rimless_wheel_trace_72:(u[3],p[3])->(w[2x73],g[8x73],dg[8x73],R[3]) */
 static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+4, *rr, w00, *w01=w+195, w02, w03, *w04=w+198, *w05=w+201, *w06=w+225, *w07=w+227, *w08=w+229, *w09=w+231;
-  casadi_real *w10=w+255, *w11=w+339, *w12=w+423, *w13=w+507, *w14=w+591, *w15=w+675, *w16=w+759, *w17=w+843, *w18=w+927, *w19=w+1011, *w20=w+1095, *w21=w+1179;
-  casadi_real *w22=w+1263, *w23=w+1270;
+  casadi_real **res1=res+4, *rr, w00, *w01=w+208, w02, w03, *w04=w+211, *w05=w+214, *w06=w+238, *w07=w+240, *w08=w+242, *w09=w+244;
+  casadi_real *w10=w+268, *w11=w+364, *w12=w+460, *w13=w+556, *w14=w+652, *w15=w+748, *w16=w+844, *w17=w+940, *w18=w+1036, *w19=w+1132, *w20=w+1228, *w21=w+1324;
+  casadi_real *w22=w+1420, *w23=w+1428;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = 0 */
   w00 = 0.;
@@ -10506,17 +10508,17 @@ static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw
   /* #31: output[0][6] = @7 */
   if (res[0]) casadi_copy(w07, 2, res[0]+144);
   /* #32: output[1][0] = @10 */
-  casadi_copy(w10, 84, res[1]);
+  casadi_copy(w10, 96, res[1]);
   /* #33: output[1][1] = @12 */
-  if (res[1]) casadi_copy(w12, 84, res[1]+84);
+  if (res[1]) casadi_copy(w12, 96, res[1]+96);
   /* #34: output[1][2] = @14 */
-  if (res[1]) casadi_copy(w14, 84, res[1]+168);
+  if (res[1]) casadi_copy(w14, 96, res[1]+192);
   /* #35: output[1][3] = @16 */
-  if (res[1]) casadi_copy(w16, 84, res[1]+252);
+  if (res[1]) casadi_copy(w16, 96, res[1]+288);
   /* #36: output[1][4] = @18 */
-  if (res[1]) casadi_copy(w18, 84, res[1]+336);
+  if (res[1]) casadi_copy(w18, 96, res[1]+384);
   /* #37: output[1][5] = @20 */
-  if (res[1]) casadi_copy(w20, 84, res[1]+420);
+  if (res[1]) casadi_copy(w20, 96, res[1]+480);
   /* #38: {@22, @23} = observe(@2, @7, @4) */
   arg1[0]=(&w02);
   arg1[1]=w07;
@@ -10525,21 +10527,21 @@ static int casadi_f66(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w23;
   if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #39: output[1][6] = @22 */
-  if (res[1]) casadi_copy(w22, 7, res[1]+504);
+  if (res[1]) casadi_copy(w22, 8, res[1]+576);
   /* #40: output[2][0] = @11 */
-  casadi_copy(w11, 84, res[2]);
+  casadi_copy(w11, 96, res[2]);
   /* #41: output[2][1] = @13 */
-  if (res[2]) casadi_copy(w13, 84, res[2]+84);
+  if (res[2]) casadi_copy(w13, 96, res[2]+96);
   /* #42: output[2][2] = @15 */
-  if (res[2]) casadi_copy(w15, 84, res[2]+168);
+  if (res[2]) casadi_copy(w15, 96, res[2]+192);
   /* #43: output[2][3] = @17 */
-  if (res[2]) casadi_copy(w17, 84, res[2]+252);
+  if (res[2]) casadi_copy(w17, 96, res[2]+288);
   /* #44: output[2][4] = @19 */
-  if (res[2]) casadi_copy(w19, 84, res[2]+336);
+  if (res[2]) casadi_copy(w19, 96, res[2]+384);
   /* #45: output[2][5] = @21 */
-  if (res[2]) casadi_copy(w21, 84, res[2]+420);
+  if (res[2]) casadi_copy(w21, 96, res[2]+480);
   /* #46: output[2][6] = @23 */
-  if (res[2]) casadi_copy(w23, 7, res[2]+504);
+  if (res[2]) casadi_copy(w23, 8, res[2]+576);
   /* #47: @1 = landing(@7, @6, @4) */
   arg1[0]=w07;
   arg1[1]=w06;
@@ -10618,7 +10620,7 @@ CASADI_SYMBOL_EXPORT int rimless_wheel_trace_72_work(casadi_int *sz_arg, casadi_
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 1277;
+  if (sz_w) *sz_w = 1436;
   return 0;
 }
 
@@ -10626,15 +10628,15 @@ CASADI_SYMBOL_EXPORT int rimless_wheel_trace_72_work_bytes(casadi_int *sz_arg, c
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 1277*sizeof(casadi_real);
+  if (sz_w) *sz_w = 1436*sizeof(casadi_real);
   return 0;
 }
 
-/* rimless_wheel_trace_96:(u[3],p[3])->(w[2x97],g[7x97],dg[7x97],R[3]) */
+/* rimless_wheel_trace_96:(u[3],p[3])->(w[2x97],g[8x97],dg[8x97],R[3]) */
 static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+4, *rr, w00, *w01=w+195, w02, w03, *w04=w+198, *w05=w+201, *w06=w+225, *w07=w+227, *w08=w+229, *w09=w+231;
-  casadi_real *w10=w+255, *w11=w+339, *w12=w+423, *w13=w+507, *w14=w+591, *w15=w+675, *w16=w+759, *w17=w+843, *w18=w+927, *w19=w+1011, *w20=w+1095, *w21=w+1179;
-  casadi_real *w22=w+1263, *w23=w+1347, *w24=w+1431, *w25=w+1515, *w26=w+1599, *w27=w+1606;
+  casadi_real **res1=res+4, *rr, w00, *w01=w+208, w02, w03, *w04=w+211, *w05=w+214, *w06=w+238, *w07=w+240, *w08=w+242, *w09=w+244;
+  casadi_real *w10=w+268, *w11=w+364, *w12=w+460, *w13=w+556, *w14=w+652, *w15=w+748, *w16=w+844, *w17=w+940, *w18=w+1036, *w19=w+1132, *w20=w+1228, *w21=w+1324;
+  casadi_real *w22=w+1420, *w23=w+1516, *w24=w+1612, *w25=w+1708, *w26=w+1804, *w27=w+1812;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = 0 */
   w00 = 0.;
@@ -10796,21 +10798,21 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
   /* #39: output[0][8] = @7 */
   if (res[0]) casadi_copy(w07, 2, res[0]+192);
   /* #40: output[1][0] = @10 */
-  casadi_copy(w10, 84, res[1]);
+  casadi_copy(w10, 96, res[1]);
   /* #41: output[1][1] = @12 */
-  if (res[1]) casadi_copy(w12, 84, res[1]+84);
+  if (res[1]) casadi_copy(w12, 96, res[1]+96);
   /* #42: output[1][2] = @14 */
-  if (res[1]) casadi_copy(w14, 84, res[1]+168);
+  if (res[1]) casadi_copy(w14, 96, res[1]+192);
   /* #43: output[1][3] = @16 */
-  if (res[1]) casadi_copy(w16, 84, res[1]+252);
+  if (res[1]) casadi_copy(w16, 96, res[1]+288);
   /* #44: output[1][4] = @18 */
-  if (res[1]) casadi_copy(w18, 84, res[1]+336);
+  if (res[1]) casadi_copy(w18, 96, res[1]+384);
   /* #45: output[1][5] = @20 */
-  if (res[1]) casadi_copy(w20, 84, res[1]+420);
+  if (res[1]) casadi_copy(w20, 96, res[1]+480);
   /* #46: output[1][6] = @22 */
-  if (res[1]) casadi_copy(w22, 84, res[1]+504);
+  if (res[1]) casadi_copy(w22, 96, res[1]+576);
   /* #47: output[1][7] = @24 */
-  if (res[1]) casadi_copy(w24, 84, res[1]+588);
+  if (res[1]) casadi_copy(w24, 96, res[1]+672);
   /* #48: {@26, @27} = observe(@2, @7, @4) */
   arg1[0]=(&w02);
   arg1[1]=w07;
@@ -10819,25 +10821,25 @@ static int casadi_f67(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w27;
   if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #49: output[1][8] = @26 */
-  if (res[1]) casadi_copy(w26, 7, res[1]+672);
+  if (res[1]) casadi_copy(w26, 8, res[1]+768);
   /* #50: output[2][0] = @11 */
-  casadi_copy(w11, 84, res[2]);
+  casadi_copy(w11, 96, res[2]);
   /* #51: output[2][1] = @13 */
-  if (res[2]) casadi_copy(w13, 84, res[2]+84);
+  if (res[2]) casadi_copy(w13, 96, res[2]+96);
   /* #52: output[2][2] = @15 */
-  if (res[2]) casadi_copy(w15, 84, res[2]+168);
+  if (res[2]) casadi_copy(w15, 96, res[2]+192);
   /* #53: output[2][3] = @17 */
-  if (res[2]) casadi_copy(w17, 84, res[2]+252);
+  if (res[2]) casadi_copy(w17, 96, res[2]+288);
   /* #54: output[2][4] = @19 */
-  if (res[2]) casadi_copy(w19, 84, res[2]+336);
+  if (res[2]) casadi_copy(w19, 96, res[2]+384);
   /* #55: output[2][5] = @21 */
-  if (res[2]) casadi_copy(w21, 84, res[2]+420);
+  if (res[2]) casadi_copy(w21, 96, res[2]+480);
   /* #56: output[2][6] = @23 */
-  if (res[2]) casadi_copy(w23, 84, res[2]+504);
+  if (res[2]) casadi_copy(w23, 96, res[2]+576);
   /* #57: output[2][7] = @25 */
-  if (res[2]) casadi_copy(w25, 84, res[2]+588);
+  if (res[2]) casadi_copy(w25, 96, res[2]+672);
   /* #58: output[2][8] = @27 */
-  if (res[2]) casadi_copy(w27, 7, res[2]+672);
+  if (res[2]) casadi_copy(w27, 8, res[2]+768);
   /* #59: @1 = landing(@7, @6, @4) */
   arg1[0]=w07;
   arg1[1]=w06;
@@ -10916,7 +10918,7 @@ CASADI_SYMBOL_EXPORT int rimless_wheel_trace_96_work(casadi_int *sz_arg, casadi_
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 1613;
+  if (sz_w) *sz_w = 1820;
   return 0;
 }
 
@@ -10924,16 +10926,16 @@ CASADI_SYMBOL_EXPORT int rimless_wheel_trace_96_work_bytes(casadi_int *sz_arg, c
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 1613*sizeof(casadi_real);
+  if (sz_w) *sz_w = 1820*sizeof(casadi_real);
   return 0;
 }
 
-/* rimless_wheel_trace_144:(u[3],p[3])->(w[2x145],g[7x145],dg[7x145],R[3]) */
+/* rimless_wheel_trace_144:(u[3],p[3])->(w[2x145],g[8x145],dg[8x145],R[3]) */
 static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+4, *rr, w00, *w01=w+195, w02, w03, *w04=w+198, *w05=w+201, *w06=w+225, *w07=w+227, *w08=w+229, *w09=w+231;
-  casadi_real *w10=w+255, *w11=w+339, *w12=w+423, *w13=w+507, *w14=w+591, *w15=w+675, *w16=w+759, *w17=w+843, *w18=w+927, *w19=w+1011, *w20=w+1095, *w21=w+1179;
-  casadi_real *w22=w+1263, *w23=w+1347, *w24=w+1431, *w25=w+1515, *w26=w+1599, *w27=w+1683, *w28=w+1767, *w29=w+1851, *w30=w+1935, *w31=w+2019, *w32=w+2103, *w33=w+2187;
-  casadi_real *w34=w+2271, *w35=w+2278;
+  casadi_real **res1=res+4, *rr, w00, *w01=w+208, w02, w03, *w04=w+211, *w05=w+214, *w06=w+238, *w07=w+240, *w08=w+242, *w09=w+244;
+  casadi_real *w10=w+268, *w11=w+364, *w12=w+460, *w13=w+556, *w14=w+652, *w15=w+748, *w16=w+844, *w17=w+940, *w18=w+1036, *w19=w+1132, *w20=w+1228, *w21=w+1324;
+  casadi_real *w22=w+1420, *w23=w+1516, *w24=w+1612, *w25=w+1708, *w26=w+1804, *w27=w+1900, *w28=w+1996, *w29=w+2092, *w30=w+2188, *w31=w+2284, *w32=w+2380, *w33=w+2476;
+  casadi_real *w34=w+2572, *w35=w+2580;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = 0 */
   w00 = 0.;
@@ -11163,29 +11165,29 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   /* #55: output[0][12] = @7 */
   if (res[0]) casadi_copy(w07, 2, res[0]+288);
   /* #56: output[1][0] = @10 */
-  casadi_copy(w10, 84, res[1]);
+  casadi_copy(w10, 96, res[1]);
   /* #57: output[1][1] = @12 */
-  if (res[1]) casadi_copy(w12, 84, res[1]+84);
+  if (res[1]) casadi_copy(w12, 96, res[1]+96);
   /* #58: output[1][2] = @14 */
-  if (res[1]) casadi_copy(w14, 84, res[1]+168);
+  if (res[1]) casadi_copy(w14, 96, res[1]+192);
   /* #59: output[1][3] = @16 */
-  if (res[1]) casadi_copy(w16, 84, res[1]+252);
+  if (res[1]) casadi_copy(w16, 96, res[1]+288);
   /* #60: output[1][4] = @18 */
-  if (res[1]) casadi_copy(w18, 84, res[1]+336);
+  if (res[1]) casadi_copy(w18, 96, res[1]+384);
   /* #61: output[1][5] = @20 */
-  if (res[1]) casadi_copy(w20, 84, res[1]+420);
+  if (res[1]) casadi_copy(w20, 96, res[1]+480);
   /* #62: output[1][6] = @22 */
-  if (res[1]) casadi_copy(w22, 84, res[1]+504);
+  if (res[1]) casadi_copy(w22, 96, res[1]+576);
   /* #63: output[1][7] = @24 */
-  if (res[1]) casadi_copy(w24, 84, res[1]+588);
+  if (res[1]) casadi_copy(w24, 96, res[1]+672);
   /* #64: output[1][8] = @26 */
-  if (res[1]) casadi_copy(w26, 84, res[1]+672);
+  if (res[1]) casadi_copy(w26, 96, res[1]+768);
   /* #65: output[1][9] = @28 */
-  if (res[1]) casadi_copy(w28, 84, res[1]+756);
+  if (res[1]) casadi_copy(w28, 96, res[1]+864);
   /* #66: output[1][10] = @30 */
-  if (res[1]) casadi_copy(w30, 84, res[1]+840);
+  if (res[1]) casadi_copy(w30, 96, res[1]+960);
   /* #67: output[1][11] = @32 */
-  if (res[1]) casadi_copy(w32, 84, res[1]+924);
+  if (res[1]) casadi_copy(w32, 96, res[1]+1056);
   /* #68: {@34, @35} = observe(@2, @7, @4) */
   arg1[0]=(&w02);
   arg1[1]=w07;
@@ -11194,33 +11196,33 @@ static int casadi_f68(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w35;
   if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #69: output[1][12] = @34 */
-  if (res[1]) casadi_copy(w34, 7, res[1]+1008);
+  if (res[1]) casadi_copy(w34, 8, res[1]+1152);
   /* #70: output[2][0] = @11 */
-  casadi_copy(w11, 84, res[2]);
+  casadi_copy(w11, 96, res[2]);
   /* #71: output[2][1] = @13 */
-  if (res[2]) casadi_copy(w13, 84, res[2]+84);
+  if (res[2]) casadi_copy(w13, 96, res[2]+96);
   /* #72: output[2][2] = @15 */
-  if (res[2]) casadi_copy(w15, 84, res[2]+168);
+  if (res[2]) casadi_copy(w15, 96, res[2]+192);
   /* #73: output[2][3] = @17 */
-  if (res[2]) casadi_copy(w17, 84, res[2]+252);
+  if (res[2]) casadi_copy(w17, 96, res[2]+288);
   /* #74: output[2][4] = @19 */
-  if (res[2]) casadi_copy(w19, 84, res[2]+336);
+  if (res[2]) casadi_copy(w19, 96, res[2]+384);
   /* #75: output[2][5] = @21 */
-  if (res[2]) casadi_copy(w21, 84, res[2]+420);
+  if (res[2]) casadi_copy(w21, 96, res[2]+480);
   /* #76: output[2][6] = @23 */
-  if (res[2]) casadi_copy(w23, 84, res[2]+504);
+  if (res[2]) casadi_copy(w23, 96, res[2]+576);
   /* #77: output[2][7] = @25 */
-  if (res[2]) casadi_copy(w25, 84, res[2]+588);
+  if (res[2]) casadi_copy(w25, 96, res[2]+672);
   /* #78: output[2][8] = @27 */
-  if (res[2]) casadi_copy(w27, 84, res[2]+672);
+  if (res[2]) casadi_copy(w27, 96, res[2]+768);
   /* #79: output[2][9] = @29 */
-  if (res[2]) casadi_copy(w29, 84, res[2]+756);
+  if (res[2]) casadi_copy(w29, 96, res[2]+864);
   /* #80: output[2][10] = @31 */
-  if (res[2]) casadi_copy(w31, 84, res[2]+840);
+  if (res[2]) casadi_copy(w31, 96, res[2]+960);
   /* #81: output[2][11] = @33 */
-  if (res[2]) casadi_copy(w33, 84, res[2]+924);
+  if (res[2]) casadi_copy(w33, 96, res[2]+1056);
   /* #82: output[2][12] = @35 */
-  if (res[2]) casadi_copy(w35, 7, res[2]+1008);
+  if (res[2]) casadi_copy(w35, 8, res[2]+1152);
   /* #83: @1 = landing(@7, @6, @4) */
   arg1[0]=w07;
   arg1[1]=w06;
@@ -11299,7 +11301,7 @@ CASADI_SYMBOL_EXPORT int rimless_wheel_trace_144_work(casadi_int *sz_arg, casadi
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 2285;
+  if (sz_w) *sz_w = 2588;
   return 0;
 }
 
@@ -11307,16 +11309,16 @@ CASADI_SYMBOL_EXPORT int rimless_wheel_trace_144_work_bytes(casadi_int *sz_arg, 
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 2285*sizeof(casadi_real);
+  if (sz_w) *sz_w = 2588*sizeof(casadi_real);
   return 0;
 }
 
-/* rimless_wheel_trace_192:(u[3],p[3])->(w[2x193],g[7x193],dg[7x193],R[3]) */
+/* rimless_wheel_trace_192:(u[3],p[3])->(w[2x193],g[8x193],dg[8x193],R[3]) */
 static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+4, *rr, w00, *w01=w+195, w02, w03, *w04=w+198, *w05=w+201, *w06=w+225, *w07=w+227, *w08=w+229, *w09=w+231;
-  casadi_real *w10=w+255, *w11=w+339, *w12=w+423, *w13=w+507, *w14=w+591, *w15=w+675, *w16=w+759, *w17=w+843, *w18=w+927, *w19=w+1011, *w20=w+1095, *w21=w+1179;
-  casadi_real *w22=w+1263, *w23=w+1347, *w24=w+1431, *w25=w+1515, *w26=w+1599, *w27=w+1683, *w28=w+1767, *w29=w+1851, *w30=w+1935, *w31=w+2019, *w32=w+2103, *w33=w+2187;
-  casadi_real *w34=w+2271, *w35=w+2355, *w36=w+2439, *w37=w+2523, *w38=w+2607, *w39=w+2691, *w40=w+2775, *w41=w+2859, *w42=w+2943, *w43=w+2950;
+  casadi_real **res1=res+4, *rr, w00, *w01=w+208, w02, w03, *w04=w+211, *w05=w+214, *w06=w+238, *w07=w+240, *w08=w+242, *w09=w+244;
+  casadi_real *w10=w+268, *w11=w+364, *w12=w+460, *w13=w+556, *w14=w+652, *w15=w+748, *w16=w+844, *w17=w+940, *w18=w+1036, *w19=w+1132, *w20=w+1228, *w21=w+1324;
+  casadi_real *w22=w+1420, *w23=w+1516, *w24=w+1612, *w25=w+1708, *w26=w+1804, *w27=w+1900, *w28=w+1996, *w29=w+2092, *w30=w+2188, *w31=w+2284, *w32=w+2380, *w33=w+2476;
+  casadi_real *w34=w+2572, *w35=w+2668, *w36=w+2764, *w37=w+2860, *w38=w+2956, *w39=w+3052, *w40=w+3148, *w41=w+3244, *w42=w+3340, *w43=w+3348;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = 0 */
   w00 = 0.;
@@ -11614,37 +11616,37 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   /* #71: output[0][16] = @7 */
   if (res[0]) casadi_copy(w07, 2, res[0]+384);
   /* #72: output[1][0] = @10 */
-  casadi_copy(w10, 84, res[1]);
+  casadi_copy(w10, 96, res[1]);
   /* #73: output[1][1] = @12 */
-  if (res[1]) casadi_copy(w12, 84, res[1]+84);
+  if (res[1]) casadi_copy(w12, 96, res[1]+96);
   /* #74: output[1][2] = @14 */
-  if (res[1]) casadi_copy(w14, 84, res[1]+168);
+  if (res[1]) casadi_copy(w14, 96, res[1]+192);
   /* #75: output[1][3] = @16 */
-  if (res[1]) casadi_copy(w16, 84, res[1]+252);
+  if (res[1]) casadi_copy(w16, 96, res[1]+288);
   /* #76: output[1][4] = @18 */
-  if (res[1]) casadi_copy(w18, 84, res[1]+336);
+  if (res[1]) casadi_copy(w18, 96, res[1]+384);
   /* #77: output[1][5] = @20 */
-  if (res[1]) casadi_copy(w20, 84, res[1]+420);
+  if (res[1]) casadi_copy(w20, 96, res[1]+480);
   /* #78: output[1][6] = @22 */
-  if (res[1]) casadi_copy(w22, 84, res[1]+504);
+  if (res[1]) casadi_copy(w22, 96, res[1]+576);
   /* #79: output[1][7] = @24 */
-  if (res[1]) casadi_copy(w24, 84, res[1]+588);
+  if (res[1]) casadi_copy(w24, 96, res[1]+672);
   /* #80: output[1][8] = @26 */
-  if (res[1]) casadi_copy(w26, 84, res[1]+672);
+  if (res[1]) casadi_copy(w26, 96, res[1]+768);
   /* #81: output[1][9] = @28 */
-  if (res[1]) casadi_copy(w28, 84, res[1]+756);
+  if (res[1]) casadi_copy(w28, 96, res[1]+864);
   /* #82: output[1][10] = @30 */
-  if (res[1]) casadi_copy(w30, 84, res[1]+840);
+  if (res[1]) casadi_copy(w30, 96, res[1]+960);
   /* #83: output[1][11] = @32 */
-  if (res[1]) casadi_copy(w32, 84, res[1]+924);
+  if (res[1]) casadi_copy(w32, 96, res[1]+1056);
   /* #84: output[1][12] = @34 */
-  if (res[1]) casadi_copy(w34, 84, res[1]+1008);
+  if (res[1]) casadi_copy(w34, 96, res[1]+1152);
   /* #85: output[1][13] = @36 */
-  if (res[1]) casadi_copy(w36, 84, res[1]+1092);
+  if (res[1]) casadi_copy(w36, 96, res[1]+1248);
   /* #86: output[1][14] = @38 */
-  if (res[1]) casadi_copy(w38, 84, res[1]+1176);
+  if (res[1]) casadi_copy(w38, 96, res[1]+1344);
   /* #87: output[1][15] = @40 */
-  if (res[1]) casadi_copy(w40, 84, res[1]+1260);
+  if (res[1]) casadi_copy(w40, 96, res[1]+1440);
   /* #88: {@42, @43} = observe(@2, @7, @4) */
   arg1[0]=(&w02);
   arg1[1]=w07;
@@ -11653,41 +11655,41 @@ static int casadi_f69(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w43;
   if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #89: output[1][16] = @42 */
-  if (res[1]) casadi_copy(w42, 7, res[1]+1344);
+  if (res[1]) casadi_copy(w42, 8, res[1]+1536);
   /* #90: output[2][0] = @11 */
-  casadi_copy(w11, 84, res[2]);
+  casadi_copy(w11, 96, res[2]);
   /* #91: output[2][1] = @13 */
-  if (res[2]) casadi_copy(w13, 84, res[2]+84);
+  if (res[2]) casadi_copy(w13, 96, res[2]+96);
   /* #92: output[2][2] = @15 */
-  if (res[2]) casadi_copy(w15, 84, res[2]+168);
+  if (res[2]) casadi_copy(w15, 96, res[2]+192);
   /* #93: output[2][3] = @17 */
-  if (res[2]) casadi_copy(w17, 84, res[2]+252);
+  if (res[2]) casadi_copy(w17, 96, res[2]+288);
   /* #94: output[2][4] = @19 */
-  if (res[2]) casadi_copy(w19, 84, res[2]+336);
+  if (res[2]) casadi_copy(w19, 96, res[2]+384);
   /* #95: output[2][5] = @21 */
-  if (res[2]) casadi_copy(w21, 84, res[2]+420);
+  if (res[2]) casadi_copy(w21, 96, res[2]+480);
   /* #96: output[2][6] = @23 */
-  if (res[2]) casadi_copy(w23, 84, res[2]+504);
+  if (res[2]) casadi_copy(w23, 96, res[2]+576);
   /* #97: output[2][7] = @25 */
-  if (res[2]) casadi_copy(w25, 84, res[2]+588);
+  if (res[2]) casadi_copy(w25, 96, res[2]+672);
   /* #98: output[2][8] = @27 */
-  if (res[2]) casadi_copy(w27, 84, res[2]+672);
+  if (res[2]) casadi_copy(w27, 96, res[2]+768);
   /* #99: output[2][9] = @29 */
-  if (res[2]) casadi_copy(w29, 84, res[2]+756);
+  if (res[2]) casadi_copy(w29, 96, res[2]+864);
   /* #100: output[2][10] = @31 */
-  if (res[2]) casadi_copy(w31, 84, res[2]+840);
+  if (res[2]) casadi_copy(w31, 96, res[2]+960);
   /* #101: output[2][11] = @33 */
-  if (res[2]) casadi_copy(w33, 84, res[2]+924);
+  if (res[2]) casadi_copy(w33, 96, res[2]+1056);
   /* #102: output[2][12] = @35 */
-  if (res[2]) casadi_copy(w35, 84, res[2]+1008);
+  if (res[2]) casadi_copy(w35, 96, res[2]+1152);
   /* #103: output[2][13] = @37 */
-  if (res[2]) casadi_copy(w37, 84, res[2]+1092);
+  if (res[2]) casadi_copy(w37, 96, res[2]+1248);
   /* #104: output[2][14] = @39 */
-  if (res[2]) casadi_copy(w39, 84, res[2]+1176);
+  if (res[2]) casadi_copy(w39, 96, res[2]+1344);
   /* #105: output[2][15] = @41 */
-  if (res[2]) casadi_copy(w41, 84, res[2]+1260);
+  if (res[2]) casadi_copy(w41, 96, res[2]+1440);
   /* #106: output[2][16] = @43 */
-  if (res[2]) casadi_copy(w43, 7, res[2]+1344);
+  if (res[2]) casadi_copy(w43, 8, res[2]+1536);
   /* #107: @1 = landing(@7, @6, @4) */
   arg1[0]=w07;
   arg1[1]=w06;
@@ -11766,7 +11768,7 @@ CASADI_SYMBOL_EXPORT int rimless_wheel_trace_192_work(casadi_int *sz_arg, casadi
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 2957;
+  if (sz_w) *sz_w = 3356;
   return 0;
 }
 
@@ -11774,18 +11776,18 @@ CASADI_SYMBOL_EXPORT int rimless_wheel_trace_192_work_bytes(casadi_int *sz_arg, 
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 2957*sizeof(casadi_real);
+  if (sz_w) *sz_w = 3356*sizeof(casadi_real);
   return 0;
 }
 
-/* rimless_wheel_trace_288:(u[3],p[3])->(w[2x289],g[7x289],dg[7x289],R[3]) */
+/* rimless_wheel_trace_288:(u[3],p[3])->(w[2x289],g[8x289],dg[8x289],R[3]) */
 static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+4, *rr, w00, *w01=w+195, w02, w03, *w04=w+198, *w05=w+201, *w06=w+225, *w07=w+227, *w08=w+229, *w09=w+231;
-  casadi_real *w10=w+255, *w11=w+339, *w12=w+423, *w13=w+507, *w14=w+591, *w15=w+675, *w16=w+759, *w17=w+843, *w18=w+927, *w19=w+1011, *w20=w+1095, *w21=w+1179;
-  casadi_real *w22=w+1263, *w23=w+1347, *w24=w+1431, *w25=w+1515, *w26=w+1599, *w27=w+1683, *w28=w+1767, *w29=w+1851, *w30=w+1935, *w31=w+2019, *w32=w+2103, *w33=w+2187;
-  casadi_real *w34=w+2271, *w35=w+2355, *w36=w+2439, *w37=w+2523, *w38=w+2607, *w39=w+2691, *w40=w+2775, *w41=w+2859, *w42=w+2943, *w43=w+3027, *w44=w+3111, *w45=w+3195;
-  casadi_real *w46=w+3279, *w47=w+3363, *w48=w+3447, *w49=w+3531, *w50=w+3615, *w51=w+3699, *w52=w+3783, *w53=w+3867, *w54=w+3951, *w55=w+4035, *w56=w+4119, *w57=w+4203;
-  casadi_real *w58=w+4287, *w59=w+4294;
+  casadi_real **res1=res+4, *rr, w00, *w01=w+208, w02, w03, *w04=w+211, *w05=w+214, *w06=w+238, *w07=w+240, *w08=w+242, *w09=w+244;
+  casadi_real *w10=w+268, *w11=w+364, *w12=w+460, *w13=w+556, *w14=w+652, *w15=w+748, *w16=w+844, *w17=w+940, *w18=w+1036, *w19=w+1132, *w20=w+1228, *w21=w+1324;
+  casadi_real *w22=w+1420, *w23=w+1516, *w24=w+1612, *w25=w+1708, *w26=w+1804, *w27=w+1900, *w28=w+1996, *w29=w+2092, *w30=w+2188, *w31=w+2284, *w32=w+2380, *w33=w+2476;
+  casadi_real *w34=w+2572, *w35=w+2668, *w36=w+2764, *w37=w+2860, *w38=w+2956, *w39=w+3052, *w40=w+3148, *w41=w+3244, *w42=w+3340, *w43=w+3436, *w44=w+3532, *w45=w+3628;
+  casadi_real *w46=w+3724, *w47=w+3820, *w48=w+3916, *w49=w+4012, *w50=w+4108, *w51=w+4204, *w52=w+4300, *w53=w+4396, *w54=w+4492, *w55=w+4588, *w56=w+4684, *w57=w+4780;
+  casadi_real *w58=w+4876, *w59=w+4884;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = 0 */
   w00 = 0.;
@@ -12219,53 +12221,53 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   /* #103: output[0][24] = @7 */
   if (res[0]) casadi_copy(w07, 2, res[0]+576);
   /* #104: output[1][0] = @10 */
-  casadi_copy(w10, 84, res[1]);
+  casadi_copy(w10, 96, res[1]);
   /* #105: output[1][1] = @12 */
-  if (res[1]) casadi_copy(w12, 84, res[1]+84);
+  if (res[1]) casadi_copy(w12, 96, res[1]+96);
   /* #106: output[1][2] = @14 */
-  if (res[1]) casadi_copy(w14, 84, res[1]+168);
+  if (res[1]) casadi_copy(w14, 96, res[1]+192);
   /* #107: output[1][3] = @16 */
-  if (res[1]) casadi_copy(w16, 84, res[1]+252);
+  if (res[1]) casadi_copy(w16, 96, res[1]+288);
   /* #108: output[1][4] = @18 */
-  if (res[1]) casadi_copy(w18, 84, res[1]+336);
+  if (res[1]) casadi_copy(w18, 96, res[1]+384);
   /* #109: output[1][5] = @20 */
-  if (res[1]) casadi_copy(w20, 84, res[1]+420);
+  if (res[1]) casadi_copy(w20, 96, res[1]+480);
   /* #110: output[1][6] = @22 */
-  if (res[1]) casadi_copy(w22, 84, res[1]+504);
+  if (res[1]) casadi_copy(w22, 96, res[1]+576);
   /* #111: output[1][7] = @24 */
-  if (res[1]) casadi_copy(w24, 84, res[1]+588);
+  if (res[1]) casadi_copy(w24, 96, res[1]+672);
   /* #112: output[1][8] = @26 */
-  if (res[1]) casadi_copy(w26, 84, res[1]+672);
+  if (res[1]) casadi_copy(w26, 96, res[1]+768);
   /* #113: output[1][9] = @28 */
-  if (res[1]) casadi_copy(w28, 84, res[1]+756);
+  if (res[1]) casadi_copy(w28, 96, res[1]+864);
   /* #114: output[1][10] = @30 */
-  if (res[1]) casadi_copy(w30, 84, res[1]+840);
+  if (res[1]) casadi_copy(w30, 96, res[1]+960);
   /* #115: output[1][11] = @32 */
-  if (res[1]) casadi_copy(w32, 84, res[1]+924);
+  if (res[1]) casadi_copy(w32, 96, res[1]+1056);
   /* #116: output[1][12] = @34 */
-  if (res[1]) casadi_copy(w34, 84, res[1]+1008);
+  if (res[1]) casadi_copy(w34, 96, res[1]+1152);
   /* #117: output[1][13] = @36 */
-  if (res[1]) casadi_copy(w36, 84, res[1]+1092);
+  if (res[1]) casadi_copy(w36, 96, res[1]+1248);
   /* #118: output[1][14] = @38 */
-  if (res[1]) casadi_copy(w38, 84, res[1]+1176);
+  if (res[1]) casadi_copy(w38, 96, res[1]+1344);
   /* #119: output[1][15] = @40 */
-  if (res[1]) casadi_copy(w40, 84, res[1]+1260);
+  if (res[1]) casadi_copy(w40, 96, res[1]+1440);
   /* #120: output[1][16] = @42 */
-  if (res[1]) casadi_copy(w42, 84, res[1]+1344);
+  if (res[1]) casadi_copy(w42, 96, res[1]+1536);
   /* #121: output[1][17] = @44 */
-  if (res[1]) casadi_copy(w44, 84, res[1]+1428);
+  if (res[1]) casadi_copy(w44, 96, res[1]+1632);
   /* #122: output[1][18] = @46 */
-  if (res[1]) casadi_copy(w46, 84, res[1]+1512);
+  if (res[1]) casadi_copy(w46, 96, res[1]+1728);
   /* #123: output[1][19] = @48 */
-  if (res[1]) casadi_copy(w48, 84, res[1]+1596);
+  if (res[1]) casadi_copy(w48, 96, res[1]+1824);
   /* #124: output[1][20] = @50 */
-  if (res[1]) casadi_copy(w50, 84, res[1]+1680);
+  if (res[1]) casadi_copy(w50, 96, res[1]+1920);
   /* #125: output[1][21] = @52 */
-  if (res[1]) casadi_copy(w52, 84, res[1]+1764);
+  if (res[1]) casadi_copy(w52, 96, res[1]+2016);
   /* #126: output[1][22] = @54 */
-  if (res[1]) casadi_copy(w54, 84, res[1]+1848);
+  if (res[1]) casadi_copy(w54, 96, res[1]+2112);
   /* #127: output[1][23] = @56 */
-  if (res[1]) casadi_copy(w56, 84, res[1]+1932);
+  if (res[1]) casadi_copy(w56, 96, res[1]+2208);
   /* #128: {@58, @59} = observe(@2, @7, @4) */
   arg1[0]=(&w02);
   arg1[1]=w07;
@@ -12274,57 +12276,57 @@ static int casadi_f70(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w59;
   if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #129: output[1][24] = @58 */
-  if (res[1]) casadi_copy(w58, 7, res[1]+2016);
+  if (res[1]) casadi_copy(w58, 8, res[1]+2304);
   /* #130: output[2][0] = @11 */
-  casadi_copy(w11, 84, res[2]);
+  casadi_copy(w11, 96, res[2]);
   /* #131: output[2][1] = @13 */
-  if (res[2]) casadi_copy(w13, 84, res[2]+84);
+  if (res[2]) casadi_copy(w13, 96, res[2]+96);
   /* #132: output[2][2] = @15 */
-  if (res[2]) casadi_copy(w15, 84, res[2]+168);
+  if (res[2]) casadi_copy(w15, 96, res[2]+192);
   /* #133: output[2][3] = @17 */
-  if (res[2]) casadi_copy(w17, 84, res[2]+252);
+  if (res[2]) casadi_copy(w17, 96, res[2]+288);
   /* #134: output[2][4] = @19 */
-  if (res[2]) casadi_copy(w19, 84, res[2]+336);
+  if (res[2]) casadi_copy(w19, 96, res[2]+384);
   /* #135: output[2][5] = @21 */
-  if (res[2]) casadi_copy(w21, 84, res[2]+420);
+  if (res[2]) casadi_copy(w21, 96, res[2]+480);
   /* #136: output[2][6] = @23 */
-  if (res[2]) casadi_copy(w23, 84, res[2]+504);
+  if (res[2]) casadi_copy(w23, 96, res[2]+576);
   /* #137: output[2][7] = @25 */
-  if (res[2]) casadi_copy(w25, 84, res[2]+588);
+  if (res[2]) casadi_copy(w25, 96, res[2]+672);
   /* #138: output[2][8] = @27 */
-  if (res[2]) casadi_copy(w27, 84, res[2]+672);
+  if (res[2]) casadi_copy(w27, 96, res[2]+768);
   /* #139: output[2][9] = @29 */
-  if (res[2]) casadi_copy(w29, 84, res[2]+756);
+  if (res[2]) casadi_copy(w29, 96, res[2]+864);
   /* #140: output[2][10] = @31 */
-  if (res[2]) casadi_copy(w31, 84, res[2]+840);
+  if (res[2]) casadi_copy(w31, 96, res[2]+960);
   /* #141: output[2][11] = @33 */
-  if (res[2]) casadi_copy(w33, 84, res[2]+924);
+  if (res[2]) casadi_copy(w33, 96, res[2]+1056);
   /* #142: output[2][12] = @35 */
-  if (res[2]) casadi_copy(w35, 84, res[2]+1008);
+  if (res[2]) casadi_copy(w35, 96, res[2]+1152);
   /* #143: output[2][13] = @37 */
-  if (res[2]) casadi_copy(w37, 84, res[2]+1092);
+  if (res[2]) casadi_copy(w37, 96, res[2]+1248);
   /* #144: output[2][14] = @39 */
-  if (res[2]) casadi_copy(w39, 84, res[2]+1176);
+  if (res[2]) casadi_copy(w39, 96, res[2]+1344);
   /* #145: output[2][15] = @41 */
-  if (res[2]) casadi_copy(w41, 84, res[2]+1260);
+  if (res[2]) casadi_copy(w41, 96, res[2]+1440);
   /* #146: output[2][16] = @43 */
-  if (res[2]) casadi_copy(w43, 84, res[2]+1344);
+  if (res[2]) casadi_copy(w43, 96, res[2]+1536);
   /* #147: output[2][17] = @45 */
-  if (res[2]) casadi_copy(w45, 84, res[2]+1428);
+  if (res[2]) casadi_copy(w45, 96, res[2]+1632);
   /* #148: output[2][18] = @47 */
-  if (res[2]) casadi_copy(w47, 84, res[2]+1512);
+  if (res[2]) casadi_copy(w47, 96, res[2]+1728);
   /* #149: output[2][19] = @49 */
-  if (res[2]) casadi_copy(w49, 84, res[2]+1596);
+  if (res[2]) casadi_copy(w49, 96, res[2]+1824);
   /* #150: output[2][20] = @51 */
-  if (res[2]) casadi_copy(w51, 84, res[2]+1680);
+  if (res[2]) casadi_copy(w51, 96, res[2]+1920);
   /* #151: output[2][21] = @53 */
-  if (res[2]) casadi_copy(w53, 84, res[2]+1764);
+  if (res[2]) casadi_copy(w53, 96, res[2]+2016);
   /* #152: output[2][22] = @55 */
-  if (res[2]) casadi_copy(w55, 84, res[2]+1848);
+  if (res[2]) casadi_copy(w55, 96, res[2]+2112);
   /* #153: output[2][23] = @57 */
-  if (res[2]) casadi_copy(w57, 84, res[2]+1932);
+  if (res[2]) casadi_copy(w57, 96, res[2]+2208);
   /* #154: output[2][24] = @59 */
-  if (res[2]) casadi_copy(w59, 7, res[2]+2016);
+  if (res[2]) casadi_copy(w59, 8, res[2]+2304);
   /* #155: @1 = landing(@7, @6, @4) */
   arg1[0]=w07;
   arg1[1]=w06;
@@ -12403,7 +12405,7 @@ CASADI_SYMBOL_EXPORT int rimless_wheel_trace_288_work(casadi_int *sz_arg, casadi
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 4301;
+  if (sz_w) *sz_w = 4892;
   return 0;
 }
 
@@ -12411,19 +12413,19 @@ CASADI_SYMBOL_EXPORT int rimless_wheel_trace_288_work_bytes(casadi_int *sz_arg, 
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 4301*sizeof(casadi_real);
+  if (sz_w) *sz_w = 4892*sizeof(casadi_real);
   return 0;
 }
 
-/* rimless_wheel_trace_384:(u[3],p[3])->(w[2x385],g[7x385],dg[7x385],R[3]) */
+/* rimless_wheel_trace_384:(u[3],p[3])->(w[2x385],g[8x385],dg[8x385],R[3]) */
 static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+4, *rr, w00, *w01=w+195, w02, w03, *w04=w+198, *w05=w+201, *w06=w+225, *w07=w+227, *w08=w+229, *w09=w+231;
-  casadi_real *w10=w+255, *w11=w+339, *w12=w+423, *w13=w+507, *w14=w+591, *w15=w+675, *w16=w+759, *w17=w+843, *w18=w+927, *w19=w+1011, *w20=w+1095, *w21=w+1179;
-  casadi_real *w22=w+1263, *w23=w+1347, *w24=w+1431, *w25=w+1515, *w26=w+1599, *w27=w+1683, *w28=w+1767, *w29=w+1851, *w30=w+1935, *w31=w+2019, *w32=w+2103, *w33=w+2187;
-  casadi_real *w34=w+2271, *w35=w+2355, *w36=w+2439, *w37=w+2523, *w38=w+2607, *w39=w+2691, *w40=w+2775, *w41=w+2859, *w42=w+2943, *w43=w+3027, *w44=w+3111, *w45=w+3195;
-  casadi_real *w46=w+3279, *w47=w+3363, *w48=w+3447, *w49=w+3531, *w50=w+3615, *w51=w+3699, *w52=w+3783, *w53=w+3867, *w54=w+3951, *w55=w+4035, *w56=w+4119, *w57=w+4203;
-  casadi_real *w58=w+4287, *w59=w+4371, *w60=w+4455, *w61=w+4539, *w62=w+4623, *w63=w+4707, *w64=w+4791, *w65=w+4875, *w66=w+4959, *w67=w+5043, *w68=w+5127, *w69=w+5211;
-  casadi_real *w70=w+5295, *w71=w+5379, *w72=w+5463, *w73=w+5547, *w74=w+5631, *w75=w+5638;
+  casadi_real **res1=res+4, *rr, w00, *w01=w+208, w02, w03, *w04=w+211, *w05=w+214, *w06=w+238, *w07=w+240, *w08=w+242, *w09=w+244;
+  casadi_real *w10=w+268, *w11=w+364, *w12=w+460, *w13=w+556, *w14=w+652, *w15=w+748, *w16=w+844, *w17=w+940, *w18=w+1036, *w19=w+1132, *w20=w+1228, *w21=w+1324;
+  casadi_real *w22=w+1420, *w23=w+1516, *w24=w+1612, *w25=w+1708, *w26=w+1804, *w27=w+1900, *w28=w+1996, *w29=w+2092, *w30=w+2188, *w31=w+2284, *w32=w+2380, *w33=w+2476;
+  casadi_real *w34=w+2572, *w35=w+2668, *w36=w+2764, *w37=w+2860, *w38=w+2956, *w39=w+3052, *w40=w+3148, *w41=w+3244, *w42=w+3340, *w43=w+3436, *w44=w+3532, *w45=w+3628;
+  casadi_real *w46=w+3724, *w47=w+3820, *w48=w+3916, *w49=w+4012, *w50=w+4108, *w51=w+4204, *w52=w+4300, *w53=w+4396, *w54=w+4492, *w55=w+4588, *w56=w+4684, *w57=w+4780;
+  casadi_real *w58=w+4876, *w59=w+4972, *w60=w+5068, *w61=w+5164, *w62=w+5260, *w63=w+5356, *w64=w+5452, *w65=w+5548, *w66=w+5644, *w67=w+5740, *w68=w+5836, *w69=w+5932;
+  casadi_real *w70=w+6028, *w71=w+6124, *w72=w+6220, *w73=w+6316, *w74=w+6412, *w75=w+6420;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = 0 */
   w00 = 0.;
@@ -12993,69 +12995,69 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   /* #135: output[0][32] = @7 */
   if (res[0]) casadi_copy(w07, 2, res[0]+768);
   /* #136: output[1][0] = @10 */
-  casadi_copy(w10, 84, res[1]);
+  casadi_copy(w10, 96, res[1]);
   /* #137: output[1][1] = @12 */
-  if (res[1]) casadi_copy(w12, 84, res[1]+84);
+  if (res[1]) casadi_copy(w12, 96, res[1]+96);
   /* #138: output[1][2] = @14 */
-  if (res[1]) casadi_copy(w14, 84, res[1]+168);
+  if (res[1]) casadi_copy(w14, 96, res[1]+192);
   /* #139: output[1][3] = @16 */
-  if (res[1]) casadi_copy(w16, 84, res[1]+252);
+  if (res[1]) casadi_copy(w16, 96, res[1]+288);
   /* #140: output[1][4] = @18 */
-  if (res[1]) casadi_copy(w18, 84, res[1]+336);
+  if (res[1]) casadi_copy(w18, 96, res[1]+384);
   /* #141: output[1][5] = @20 */
-  if (res[1]) casadi_copy(w20, 84, res[1]+420);
+  if (res[1]) casadi_copy(w20, 96, res[1]+480);
   /* #142: output[1][6] = @22 */
-  if (res[1]) casadi_copy(w22, 84, res[1]+504);
+  if (res[1]) casadi_copy(w22, 96, res[1]+576);
   /* #143: output[1][7] = @24 */
-  if (res[1]) casadi_copy(w24, 84, res[1]+588);
+  if (res[1]) casadi_copy(w24, 96, res[1]+672);
   /* #144: output[1][8] = @26 */
-  if (res[1]) casadi_copy(w26, 84, res[1]+672);
+  if (res[1]) casadi_copy(w26, 96, res[1]+768);
   /* #145: output[1][9] = @28 */
-  if (res[1]) casadi_copy(w28, 84, res[1]+756);
+  if (res[1]) casadi_copy(w28, 96, res[1]+864);
   /* #146: output[1][10] = @30 */
-  if (res[1]) casadi_copy(w30, 84, res[1]+840);
+  if (res[1]) casadi_copy(w30, 96, res[1]+960);
   /* #147: output[1][11] = @32 */
-  if (res[1]) casadi_copy(w32, 84, res[1]+924);
+  if (res[1]) casadi_copy(w32, 96, res[1]+1056);
   /* #148: output[1][12] = @34 */
-  if (res[1]) casadi_copy(w34, 84, res[1]+1008);
+  if (res[1]) casadi_copy(w34, 96, res[1]+1152);
   /* #149: output[1][13] = @36 */
-  if (res[1]) casadi_copy(w36, 84, res[1]+1092);
+  if (res[1]) casadi_copy(w36, 96, res[1]+1248);
   /* #150: output[1][14] = @38 */
-  if (res[1]) casadi_copy(w38, 84, res[1]+1176);
+  if (res[1]) casadi_copy(w38, 96, res[1]+1344);
   /* #151: output[1][15] = @40 */
-  if (res[1]) casadi_copy(w40, 84, res[1]+1260);
+  if (res[1]) casadi_copy(w40, 96, res[1]+1440);
   /* #152: output[1][16] = @42 */
-  if (res[1]) casadi_copy(w42, 84, res[1]+1344);
+  if (res[1]) casadi_copy(w42, 96, res[1]+1536);
   /* #153: output[1][17] = @44 */
-  if (res[1]) casadi_copy(w44, 84, res[1]+1428);
+  if (res[1]) casadi_copy(w44, 96, res[1]+1632);
   /* #154: output[1][18] = @46 */
-  if (res[1]) casadi_copy(w46, 84, res[1]+1512);
+  if (res[1]) casadi_copy(w46, 96, res[1]+1728);
   /* #155: output[1][19] = @48 */
-  if (res[1]) casadi_copy(w48, 84, res[1]+1596);
+  if (res[1]) casadi_copy(w48, 96, res[1]+1824);
   /* #156: output[1][20] = @50 */
-  if (res[1]) casadi_copy(w50, 84, res[1]+1680);
+  if (res[1]) casadi_copy(w50, 96, res[1]+1920);
   /* #157: output[1][21] = @52 */
-  if (res[1]) casadi_copy(w52, 84, res[1]+1764);
+  if (res[1]) casadi_copy(w52, 96, res[1]+2016);
   /* #158: output[1][22] = @54 */
-  if (res[1]) casadi_copy(w54, 84, res[1]+1848);
+  if (res[1]) casadi_copy(w54, 96, res[1]+2112);
   /* #159: output[1][23] = @56 */
-  if (res[1]) casadi_copy(w56, 84, res[1]+1932);
+  if (res[1]) casadi_copy(w56, 96, res[1]+2208);
   /* #160: output[1][24] = @58 */
-  if (res[1]) casadi_copy(w58, 84, res[1]+2016);
+  if (res[1]) casadi_copy(w58, 96, res[1]+2304);
   /* #161: output[1][25] = @60 */
-  if (res[1]) casadi_copy(w60, 84, res[1]+2100);
+  if (res[1]) casadi_copy(w60, 96, res[1]+2400);
   /* #162: output[1][26] = @62 */
-  if (res[1]) casadi_copy(w62, 84, res[1]+2184);
+  if (res[1]) casadi_copy(w62, 96, res[1]+2496);
   /* #163: output[1][27] = @64 */
-  if (res[1]) casadi_copy(w64, 84, res[1]+2268);
+  if (res[1]) casadi_copy(w64, 96, res[1]+2592);
   /* #164: output[1][28] = @66 */
-  if (res[1]) casadi_copy(w66, 84, res[1]+2352);
+  if (res[1]) casadi_copy(w66, 96, res[1]+2688);
   /* #165: output[1][29] = @68 */
-  if (res[1]) casadi_copy(w68, 84, res[1]+2436);
+  if (res[1]) casadi_copy(w68, 96, res[1]+2784);
   /* #166: output[1][30] = @70 */
-  if (res[1]) casadi_copy(w70, 84, res[1]+2520);
+  if (res[1]) casadi_copy(w70, 96, res[1]+2880);
   /* #167: output[1][31] = @72 */
-  if (res[1]) casadi_copy(w72, 84, res[1]+2604);
+  if (res[1]) casadi_copy(w72, 96, res[1]+2976);
   /* #168: {@74, @75} = observe(@2, @7, @4) */
   arg1[0]=(&w02);
   arg1[1]=w07;
@@ -13064,73 +13066,73 @@ static int casadi_f71(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w75;
   if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #169: output[1][32] = @74 */
-  if (res[1]) casadi_copy(w74, 7, res[1]+2688);
+  if (res[1]) casadi_copy(w74, 8, res[1]+3072);
   /* #170: output[2][0] = @11 */
-  casadi_copy(w11, 84, res[2]);
+  casadi_copy(w11, 96, res[2]);
   /* #171: output[2][1] = @13 */
-  if (res[2]) casadi_copy(w13, 84, res[2]+84);
+  if (res[2]) casadi_copy(w13, 96, res[2]+96);
   /* #172: output[2][2] = @15 */
-  if (res[2]) casadi_copy(w15, 84, res[2]+168);
+  if (res[2]) casadi_copy(w15, 96, res[2]+192);
   /* #173: output[2][3] = @17 */
-  if (res[2]) casadi_copy(w17, 84, res[2]+252);
+  if (res[2]) casadi_copy(w17, 96, res[2]+288);
   /* #174: output[2][4] = @19 */
-  if (res[2]) casadi_copy(w19, 84, res[2]+336);
+  if (res[2]) casadi_copy(w19, 96, res[2]+384);
   /* #175: output[2][5] = @21 */
-  if (res[2]) casadi_copy(w21, 84, res[2]+420);
+  if (res[2]) casadi_copy(w21, 96, res[2]+480);
   /* #176: output[2][6] = @23 */
-  if (res[2]) casadi_copy(w23, 84, res[2]+504);
+  if (res[2]) casadi_copy(w23, 96, res[2]+576);
   /* #177: output[2][7] = @25 */
-  if (res[2]) casadi_copy(w25, 84, res[2]+588);
+  if (res[2]) casadi_copy(w25, 96, res[2]+672);
   /* #178: output[2][8] = @27 */
-  if (res[2]) casadi_copy(w27, 84, res[2]+672);
+  if (res[2]) casadi_copy(w27, 96, res[2]+768);
   /* #179: output[2][9] = @29 */
-  if (res[2]) casadi_copy(w29, 84, res[2]+756);
+  if (res[2]) casadi_copy(w29, 96, res[2]+864);
   /* #180: output[2][10] = @31 */
-  if (res[2]) casadi_copy(w31, 84, res[2]+840);
+  if (res[2]) casadi_copy(w31, 96, res[2]+960);
   /* #181: output[2][11] = @33 */
-  if (res[2]) casadi_copy(w33, 84, res[2]+924);
+  if (res[2]) casadi_copy(w33, 96, res[2]+1056);
   /* #182: output[2][12] = @35 */
-  if (res[2]) casadi_copy(w35, 84, res[2]+1008);
+  if (res[2]) casadi_copy(w35, 96, res[2]+1152);
   /* #183: output[2][13] = @37 */
-  if (res[2]) casadi_copy(w37, 84, res[2]+1092);
+  if (res[2]) casadi_copy(w37, 96, res[2]+1248);
   /* #184: output[2][14] = @39 */
-  if (res[2]) casadi_copy(w39, 84, res[2]+1176);
+  if (res[2]) casadi_copy(w39, 96, res[2]+1344);
   /* #185: output[2][15] = @41 */
-  if (res[2]) casadi_copy(w41, 84, res[2]+1260);
+  if (res[2]) casadi_copy(w41, 96, res[2]+1440);
   /* #186: output[2][16] = @43 */
-  if (res[2]) casadi_copy(w43, 84, res[2]+1344);
+  if (res[2]) casadi_copy(w43, 96, res[2]+1536);
   /* #187: output[2][17] = @45 */
-  if (res[2]) casadi_copy(w45, 84, res[2]+1428);
+  if (res[2]) casadi_copy(w45, 96, res[2]+1632);
   /* #188: output[2][18] = @47 */
-  if (res[2]) casadi_copy(w47, 84, res[2]+1512);
+  if (res[2]) casadi_copy(w47, 96, res[2]+1728);
   /* #189: output[2][19] = @49 */
-  if (res[2]) casadi_copy(w49, 84, res[2]+1596);
+  if (res[2]) casadi_copy(w49, 96, res[2]+1824);
   /* #190: output[2][20] = @51 */
-  if (res[2]) casadi_copy(w51, 84, res[2]+1680);
+  if (res[2]) casadi_copy(w51, 96, res[2]+1920);
   /* #191: output[2][21] = @53 */
-  if (res[2]) casadi_copy(w53, 84, res[2]+1764);
+  if (res[2]) casadi_copy(w53, 96, res[2]+2016);
   /* #192: output[2][22] = @55 */
-  if (res[2]) casadi_copy(w55, 84, res[2]+1848);
+  if (res[2]) casadi_copy(w55, 96, res[2]+2112);
   /* #193: output[2][23] = @57 */
-  if (res[2]) casadi_copy(w57, 84, res[2]+1932);
+  if (res[2]) casadi_copy(w57, 96, res[2]+2208);
   /* #194: output[2][24] = @59 */
-  if (res[2]) casadi_copy(w59, 84, res[2]+2016);
+  if (res[2]) casadi_copy(w59, 96, res[2]+2304);
   /* #195: output[2][25] = @61 */
-  if (res[2]) casadi_copy(w61, 84, res[2]+2100);
+  if (res[2]) casadi_copy(w61, 96, res[2]+2400);
   /* #196: output[2][26] = @63 */
-  if (res[2]) casadi_copy(w63, 84, res[2]+2184);
+  if (res[2]) casadi_copy(w63, 96, res[2]+2496);
   /* #197: output[2][27] = @65 */
-  if (res[2]) casadi_copy(w65, 84, res[2]+2268);
+  if (res[2]) casadi_copy(w65, 96, res[2]+2592);
   /* #198: output[2][28] = @67 */
-  if (res[2]) casadi_copy(w67, 84, res[2]+2352);
+  if (res[2]) casadi_copy(w67, 96, res[2]+2688);
   /* #199: output[2][29] = @69 */
-  if (res[2]) casadi_copy(w69, 84, res[2]+2436);
+  if (res[2]) casadi_copy(w69, 96, res[2]+2784);
   /* #200: output[2][30] = @71 */
-  if (res[2]) casadi_copy(w71, 84, res[2]+2520);
+  if (res[2]) casadi_copy(w71, 96, res[2]+2880);
   /* #201: output[2][31] = @73 */
-  if (res[2]) casadi_copy(w73, 84, res[2]+2604);
+  if (res[2]) casadi_copy(w73, 96, res[2]+2976);
   /* #202: output[2][32] = @75 */
-  if (res[2]) casadi_copy(w75, 7, res[2]+2688);
+  if (res[2]) casadi_copy(w75, 8, res[2]+3072);
   /* #203: @1 = landing(@7, @6, @4) */
   arg1[0]=w07;
   arg1[1]=w06;
@@ -13209,7 +13211,7 @@ CASADI_SYMBOL_EXPORT int rimless_wheel_trace_384_work(casadi_int *sz_arg, casadi
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 5645;
+  if (sz_w) *sz_w = 6428;
   return 0;
 }
 
@@ -13217,22 +13219,22 @@ CASADI_SYMBOL_EXPORT int rimless_wheel_trace_384_work_bytes(casadi_int *sz_arg, 
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 5645*sizeof(casadi_real);
+  if (sz_w) *sz_w = 6428*sizeof(casadi_real);
   return 0;
 }
 
-/* rimless_wheel_trace_576:(u[3],p[3])->(w[2x577],g[7x577],dg[7x577],R[3]) */
+/* rimless_wheel_trace_576:(u[3],p[3])->(w[2x577],g[8x577],dg[8x577],R[3]) */
 static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+4, *rr, w000, *w001=w+195, w002, w003, *w004=w+198, *w005=w+201, *w006=w+225, *w007=w+227, *w008=w+229, *w009=w+231;
-  casadi_real *w010=w+255, *w011=w+339, *w012=w+423, *w013=w+507, *w014=w+591, *w015=w+675, *w016=w+759, *w017=w+843, *w018=w+927, *w019=w+1011, *w020=w+1095, *w021=w+1179;
-  casadi_real *w022=w+1263, *w023=w+1347, *w024=w+1431, *w025=w+1515, *w026=w+1599, *w027=w+1683, *w028=w+1767, *w029=w+1851, *w030=w+1935, *w031=w+2019, *w032=w+2103, *w033=w+2187;
-  casadi_real *w034=w+2271, *w035=w+2355, *w036=w+2439, *w037=w+2523, *w038=w+2607, *w039=w+2691, *w040=w+2775, *w041=w+2859, *w042=w+2943, *w043=w+3027, *w044=w+3111, *w045=w+3195;
-  casadi_real *w046=w+3279, *w047=w+3363, *w048=w+3447, *w049=w+3531, *w050=w+3615, *w051=w+3699, *w052=w+3783, *w053=w+3867, *w054=w+3951, *w055=w+4035, *w056=w+4119, *w057=w+4203;
-  casadi_real *w058=w+4287, *w059=w+4371, *w060=w+4455, *w061=w+4539, *w062=w+4623, *w063=w+4707, *w064=w+4791, *w065=w+4875, *w066=w+4959, *w067=w+5043, *w068=w+5127, *w069=w+5211;
-  casadi_real *w070=w+5295, *w071=w+5379, *w072=w+5463, *w073=w+5547, *w074=w+5631, *w075=w+5715, *w076=w+5799, *w077=w+5883, *w078=w+5967, *w079=w+6051, *w080=w+6135, *w081=w+6219;
-  casadi_real *w082=w+6303, *w083=w+6387, *w084=w+6471, *w085=w+6555, *w086=w+6639, *w087=w+6723, *w088=w+6807, *w089=w+6891, *w090=w+6975, *w091=w+7059, *w092=w+7143, *w093=w+7227;
-  casadi_real *w094=w+7311, *w095=w+7395, *w096=w+7479, *w097=w+7563, *w098=w+7647, *w099=w+7731, *w100=w+7815, *w101=w+7899, *w102=w+7983, *w103=w+8067, *w104=w+8151, *w105=w+8235;
-  casadi_real *w106=w+8319, *w107=w+8326;
+  casadi_real **res1=res+4, *rr, w000, *w001=w+208, w002, w003, *w004=w+211, *w005=w+214, *w006=w+238, *w007=w+240, *w008=w+242, *w009=w+244;
+  casadi_real *w010=w+268, *w011=w+364, *w012=w+460, *w013=w+556, *w014=w+652, *w015=w+748, *w016=w+844, *w017=w+940, *w018=w+1036, *w019=w+1132, *w020=w+1228, *w021=w+1324;
+  casadi_real *w022=w+1420, *w023=w+1516, *w024=w+1612, *w025=w+1708, *w026=w+1804, *w027=w+1900, *w028=w+1996, *w029=w+2092, *w030=w+2188, *w031=w+2284, *w032=w+2380, *w033=w+2476;
+  casadi_real *w034=w+2572, *w035=w+2668, *w036=w+2764, *w037=w+2860, *w038=w+2956, *w039=w+3052, *w040=w+3148, *w041=w+3244, *w042=w+3340, *w043=w+3436, *w044=w+3532, *w045=w+3628;
+  casadi_real *w046=w+3724, *w047=w+3820, *w048=w+3916, *w049=w+4012, *w050=w+4108, *w051=w+4204, *w052=w+4300, *w053=w+4396, *w054=w+4492, *w055=w+4588, *w056=w+4684, *w057=w+4780;
+  casadi_real *w058=w+4876, *w059=w+4972, *w060=w+5068, *w061=w+5164, *w062=w+5260, *w063=w+5356, *w064=w+5452, *w065=w+5548, *w066=w+5644, *w067=w+5740, *w068=w+5836, *w069=w+5932;
+  casadi_real *w070=w+6028, *w071=w+6124, *w072=w+6220, *w073=w+6316, *w074=w+6412, *w075=w+6508, *w076=w+6604, *w077=w+6700, *w078=w+6796, *w079=w+6892, *w080=w+6988, *w081=w+7084;
+  casadi_real *w082=w+7180, *w083=w+7276, *w084=w+7372, *w085=w+7468, *w086=w+7564, *w087=w+7660, *w088=w+7756, *w089=w+7852, *w090=w+7948, *w091=w+8044, *w092=w+8140, *w093=w+8236;
+  casadi_real *w094=w+8332, *w095=w+8428, *w096=w+8524, *w097=w+8620, *w098=w+8716, *w099=w+8812, *w100=w+8908, *w101=w+9004, *w102=w+9100, *w103=w+9196, *w104=w+9292, *w105=w+9388;
+  casadi_real *w106=w+9484, *w107=w+9492;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = 0 */
   w000 = 0.;
@@ -14074,101 +14076,101 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   /* #199: output[0][48] = @7 */
   if (res[0]) casadi_copy(w007, 2, res[0]+1152);
   /* #200: output[1][0] = @10 */
-  casadi_copy(w010, 84, res[1]);
+  casadi_copy(w010, 96, res[1]);
   /* #201: output[1][1] = @12 */
-  if (res[1]) casadi_copy(w012, 84, res[1]+84);
+  if (res[1]) casadi_copy(w012, 96, res[1]+96);
   /* #202: output[1][2] = @14 */
-  if (res[1]) casadi_copy(w014, 84, res[1]+168);
+  if (res[1]) casadi_copy(w014, 96, res[1]+192);
   /* #203: output[1][3] = @16 */
-  if (res[1]) casadi_copy(w016, 84, res[1]+252);
+  if (res[1]) casadi_copy(w016, 96, res[1]+288);
   /* #204: output[1][4] = @18 */
-  if (res[1]) casadi_copy(w018, 84, res[1]+336);
+  if (res[1]) casadi_copy(w018, 96, res[1]+384);
   /* #205: output[1][5] = @20 */
-  if (res[1]) casadi_copy(w020, 84, res[1]+420);
+  if (res[1]) casadi_copy(w020, 96, res[1]+480);
   /* #206: output[1][6] = @22 */
-  if (res[1]) casadi_copy(w022, 84, res[1]+504);
+  if (res[1]) casadi_copy(w022, 96, res[1]+576);
   /* #207: output[1][7] = @24 */
-  if (res[1]) casadi_copy(w024, 84, res[1]+588);
+  if (res[1]) casadi_copy(w024, 96, res[1]+672);
   /* #208: output[1][8] = @26 */
-  if (res[1]) casadi_copy(w026, 84, res[1]+672);
+  if (res[1]) casadi_copy(w026, 96, res[1]+768);
   /* #209: output[1][9] = @28 */
-  if (res[1]) casadi_copy(w028, 84, res[1]+756);
+  if (res[1]) casadi_copy(w028, 96, res[1]+864);
   /* #210: output[1][10] = @30 */
-  if (res[1]) casadi_copy(w030, 84, res[1]+840);
+  if (res[1]) casadi_copy(w030, 96, res[1]+960);
   /* #211: output[1][11] = @32 */
-  if (res[1]) casadi_copy(w032, 84, res[1]+924);
+  if (res[1]) casadi_copy(w032, 96, res[1]+1056);
   /* #212: output[1][12] = @34 */
-  if (res[1]) casadi_copy(w034, 84, res[1]+1008);
+  if (res[1]) casadi_copy(w034, 96, res[1]+1152);
   /* #213: output[1][13] = @36 */
-  if (res[1]) casadi_copy(w036, 84, res[1]+1092);
+  if (res[1]) casadi_copy(w036, 96, res[1]+1248);
   /* #214: output[1][14] = @38 */
-  if (res[1]) casadi_copy(w038, 84, res[1]+1176);
+  if (res[1]) casadi_copy(w038, 96, res[1]+1344);
   /* #215: output[1][15] = @40 */
-  if (res[1]) casadi_copy(w040, 84, res[1]+1260);
+  if (res[1]) casadi_copy(w040, 96, res[1]+1440);
   /* #216: output[1][16] = @42 */
-  if (res[1]) casadi_copy(w042, 84, res[1]+1344);
+  if (res[1]) casadi_copy(w042, 96, res[1]+1536);
   /* #217: output[1][17] = @44 */
-  if (res[1]) casadi_copy(w044, 84, res[1]+1428);
+  if (res[1]) casadi_copy(w044, 96, res[1]+1632);
   /* #218: output[1][18] = @46 */
-  if (res[1]) casadi_copy(w046, 84, res[1]+1512);
+  if (res[1]) casadi_copy(w046, 96, res[1]+1728);
   /* #219: output[1][19] = @48 */
-  if (res[1]) casadi_copy(w048, 84, res[1]+1596);
+  if (res[1]) casadi_copy(w048, 96, res[1]+1824);
   /* #220: output[1][20] = @50 */
-  if (res[1]) casadi_copy(w050, 84, res[1]+1680);
+  if (res[1]) casadi_copy(w050, 96, res[1]+1920);
   /* #221: output[1][21] = @52 */
-  if (res[1]) casadi_copy(w052, 84, res[1]+1764);
+  if (res[1]) casadi_copy(w052, 96, res[1]+2016);
   /* #222: output[1][22] = @54 */
-  if (res[1]) casadi_copy(w054, 84, res[1]+1848);
+  if (res[1]) casadi_copy(w054, 96, res[1]+2112);
   /* #223: output[1][23] = @56 */
-  if (res[1]) casadi_copy(w056, 84, res[1]+1932);
+  if (res[1]) casadi_copy(w056, 96, res[1]+2208);
   /* #224: output[1][24] = @58 */
-  if (res[1]) casadi_copy(w058, 84, res[1]+2016);
+  if (res[1]) casadi_copy(w058, 96, res[1]+2304);
   /* #225: output[1][25] = @60 */
-  if (res[1]) casadi_copy(w060, 84, res[1]+2100);
+  if (res[1]) casadi_copy(w060, 96, res[1]+2400);
   /* #226: output[1][26] = @62 */
-  if (res[1]) casadi_copy(w062, 84, res[1]+2184);
+  if (res[1]) casadi_copy(w062, 96, res[1]+2496);
   /* #227: output[1][27] = @64 */
-  if (res[1]) casadi_copy(w064, 84, res[1]+2268);
+  if (res[1]) casadi_copy(w064, 96, res[1]+2592);
   /* #228: output[1][28] = @66 */
-  if (res[1]) casadi_copy(w066, 84, res[1]+2352);
+  if (res[1]) casadi_copy(w066, 96, res[1]+2688);
   /* #229: output[1][29] = @68 */
-  if (res[1]) casadi_copy(w068, 84, res[1]+2436);
+  if (res[1]) casadi_copy(w068, 96, res[1]+2784);
   /* #230: output[1][30] = @70 */
-  if (res[1]) casadi_copy(w070, 84, res[1]+2520);
+  if (res[1]) casadi_copy(w070, 96, res[1]+2880);
   /* #231: output[1][31] = @72 */
-  if (res[1]) casadi_copy(w072, 84, res[1]+2604);
+  if (res[1]) casadi_copy(w072, 96, res[1]+2976);
   /* #232: output[1][32] = @74 */
-  if (res[1]) casadi_copy(w074, 84, res[1]+2688);
+  if (res[1]) casadi_copy(w074, 96, res[1]+3072);
   /* #233: output[1][33] = @76 */
-  if (res[1]) casadi_copy(w076, 84, res[1]+2772);
+  if (res[1]) casadi_copy(w076, 96, res[1]+3168);
   /* #234: output[1][34] = @78 */
-  if (res[1]) casadi_copy(w078, 84, res[1]+2856);
+  if (res[1]) casadi_copy(w078, 96, res[1]+3264);
   /* #235: output[1][35] = @80 */
-  if (res[1]) casadi_copy(w080, 84, res[1]+2940);
+  if (res[1]) casadi_copy(w080, 96, res[1]+3360);
   /* #236: output[1][36] = @82 */
-  if (res[1]) casadi_copy(w082, 84, res[1]+3024);
+  if (res[1]) casadi_copy(w082, 96, res[1]+3456);
   /* #237: output[1][37] = @84 */
-  if (res[1]) casadi_copy(w084, 84, res[1]+3108);
+  if (res[1]) casadi_copy(w084, 96, res[1]+3552);
   /* #238: output[1][38] = @86 */
-  if (res[1]) casadi_copy(w086, 84, res[1]+3192);
+  if (res[1]) casadi_copy(w086, 96, res[1]+3648);
   /* #239: output[1][39] = @88 */
-  if (res[1]) casadi_copy(w088, 84, res[1]+3276);
+  if (res[1]) casadi_copy(w088, 96, res[1]+3744);
   /* #240: output[1][40] = @90 */
-  if (res[1]) casadi_copy(w090, 84, res[1]+3360);
+  if (res[1]) casadi_copy(w090, 96, res[1]+3840);
   /* #241: output[1][41] = @92 */
-  if (res[1]) casadi_copy(w092, 84, res[1]+3444);
+  if (res[1]) casadi_copy(w092, 96, res[1]+3936);
   /* #242: output[1][42] = @94 */
-  if (res[1]) casadi_copy(w094, 84, res[1]+3528);
+  if (res[1]) casadi_copy(w094, 96, res[1]+4032);
   /* #243: output[1][43] = @96 */
-  if (res[1]) casadi_copy(w096, 84, res[1]+3612);
+  if (res[1]) casadi_copy(w096, 96, res[1]+4128);
   /* #244: output[1][44] = @98 */
-  if (res[1]) casadi_copy(w098, 84, res[1]+3696);
+  if (res[1]) casadi_copy(w098, 96, res[1]+4224);
   /* #245: output[1][45] = @100 */
-  if (res[1]) casadi_copy(w100, 84, res[1]+3780);
+  if (res[1]) casadi_copy(w100, 96, res[1]+4320);
   /* #246: output[1][46] = @102 */
-  if (res[1]) casadi_copy(w102, 84, res[1]+3864);
+  if (res[1]) casadi_copy(w102, 96, res[1]+4416);
   /* #247: output[1][47] = @104 */
-  if (res[1]) casadi_copy(w104, 84, res[1]+3948);
+  if (res[1]) casadi_copy(w104, 96, res[1]+4512);
   /* #248: {@106, @107} = observe(@2, @7, @4) */
   arg1[0]=(&w002);
   arg1[1]=w007;
@@ -14177,105 +14179,105 @@ static int casadi_f72(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w107;
   if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #249: output[1][48] = @106 */
-  if (res[1]) casadi_copy(w106, 7, res[1]+4032);
+  if (res[1]) casadi_copy(w106, 8, res[1]+4608);
   /* #250: output[2][0] = @11 */
-  casadi_copy(w011, 84, res[2]);
+  casadi_copy(w011, 96, res[2]);
   /* #251: output[2][1] = @13 */
-  if (res[2]) casadi_copy(w013, 84, res[2]+84);
+  if (res[2]) casadi_copy(w013, 96, res[2]+96);
   /* #252: output[2][2] = @15 */
-  if (res[2]) casadi_copy(w015, 84, res[2]+168);
+  if (res[2]) casadi_copy(w015, 96, res[2]+192);
   /* #253: output[2][3] = @17 */
-  if (res[2]) casadi_copy(w017, 84, res[2]+252);
+  if (res[2]) casadi_copy(w017, 96, res[2]+288);
   /* #254: output[2][4] = @19 */
-  if (res[2]) casadi_copy(w019, 84, res[2]+336);
+  if (res[2]) casadi_copy(w019, 96, res[2]+384);
   /* #255: output[2][5] = @21 */
-  if (res[2]) casadi_copy(w021, 84, res[2]+420);
+  if (res[2]) casadi_copy(w021, 96, res[2]+480);
   /* #256: output[2][6] = @23 */
-  if (res[2]) casadi_copy(w023, 84, res[2]+504);
+  if (res[2]) casadi_copy(w023, 96, res[2]+576);
   /* #257: output[2][7] = @25 */
-  if (res[2]) casadi_copy(w025, 84, res[2]+588);
+  if (res[2]) casadi_copy(w025, 96, res[2]+672);
   /* #258: output[2][8] = @27 */
-  if (res[2]) casadi_copy(w027, 84, res[2]+672);
+  if (res[2]) casadi_copy(w027, 96, res[2]+768);
   /* #259: output[2][9] = @29 */
-  if (res[2]) casadi_copy(w029, 84, res[2]+756);
+  if (res[2]) casadi_copy(w029, 96, res[2]+864);
   /* #260: output[2][10] = @31 */
-  if (res[2]) casadi_copy(w031, 84, res[2]+840);
+  if (res[2]) casadi_copy(w031, 96, res[2]+960);
   /* #261: output[2][11] = @33 */
-  if (res[2]) casadi_copy(w033, 84, res[2]+924);
+  if (res[2]) casadi_copy(w033, 96, res[2]+1056);
   /* #262: output[2][12] = @35 */
-  if (res[2]) casadi_copy(w035, 84, res[2]+1008);
+  if (res[2]) casadi_copy(w035, 96, res[2]+1152);
   /* #263: output[2][13] = @37 */
-  if (res[2]) casadi_copy(w037, 84, res[2]+1092);
+  if (res[2]) casadi_copy(w037, 96, res[2]+1248);
   /* #264: output[2][14] = @39 */
-  if (res[2]) casadi_copy(w039, 84, res[2]+1176);
+  if (res[2]) casadi_copy(w039, 96, res[2]+1344);
   /* #265: output[2][15] = @41 */
-  if (res[2]) casadi_copy(w041, 84, res[2]+1260);
+  if (res[2]) casadi_copy(w041, 96, res[2]+1440);
   /* #266: output[2][16] = @43 */
-  if (res[2]) casadi_copy(w043, 84, res[2]+1344);
+  if (res[2]) casadi_copy(w043, 96, res[2]+1536);
   /* #267: output[2][17] = @45 */
-  if (res[2]) casadi_copy(w045, 84, res[2]+1428);
+  if (res[2]) casadi_copy(w045, 96, res[2]+1632);
   /* #268: output[2][18] = @47 */
-  if (res[2]) casadi_copy(w047, 84, res[2]+1512);
+  if (res[2]) casadi_copy(w047, 96, res[2]+1728);
   /* #269: output[2][19] = @49 */
-  if (res[2]) casadi_copy(w049, 84, res[2]+1596);
+  if (res[2]) casadi_copy(w049, 96, res[2]+1824);
   /* #270: output[2][20] = @51 */
-  if (res[2]) casadi_copy(w051, 84, res[2]+1680);
+  if (res[2]) casadi_copy(w051, 96, res[2]+1920);
   /* #271: output[2][21] = @53 */
-  if (res[2]) casadi_copy(w053, 84, res[2]+1764);
+  if (res[2]) casadi_copy(w053, 96, res[2]+2016);
   /* #272: output[2][22] = @55 */
-  if (res[2]) casadi_copy(w055, 84, res[2]+1848);
+  if (res[2]) casadi_copy(w055, 96, res[2]+2112);
   /* #273: output[2][23] = @57 */
-  if (res[2]) casadi_copy(w057, 84, res[2]+1932);
+  if (res[2]) casadi_copy(w057, 96, res[2]+2208);
   /* #274: output[2][24] = @59 */
-  if (res[2]) casadi_copy(w059, 84, res[2]+2016);
+  if (res[2]) casadi_copy(w059, 96, res[2]+2304);
   /* #275: output[2][25] = @61 */
-  if (res[2]) casadi_copy(w061, 84, res[2]+2100);
+  if (res[2]) casadi_copy(w061, 96, res[2]+2400);
   /* #276: output[2][26] = @63 */
-  if (res[2]) casadi_copy(w063, 84, res[2]+2184);
+  if (res[2]) casadi_copy(w063, 96, res[2]+2496);
   /* #277: output[2][27] = @65 */
-  if (res[2]) casadi_copy(w065, 84, res[2]+2268);
+  if (res[2]) casadi_copy(w065, 96, res[2]+2592);
   /* #278: output[2][28] = @67 */
-  if (res[2]) casadi_copy(w067, 84, res[2]+2352);
+  if (res[2]) casadi_copy(w067, 96, res[2]+2688);
   /* #279: output[2][29] = @69 */
-  if (res[2]) casadi_copy(w069, 84, res[2]+2436);
+  if (res[2]) casadi_copy(w069, 96, res[2]+2784);
   /* #280: output[2][30] = @71 */
-  if (res[2]) casadi_copy(w071, 84, res[2]+2520);
+  if (res[2]) casadi_copy(w071, 96, res[2]+2880);
   /* #281: output[2][31] = @73 */
-  if (res[2]) casadi_copy(w073, 84, res[2]+2604);
+  if (res[2]) casadi_copy(w073, 96, res[2]+2976);
   /* #282: output[2][32] = @75 */
-  if (res[2]) casadi_copy(w075, 84, res[2]+2688);
+  if (res[2]) casadi_copy(w075, 96, res[2]+3072);
   /* #283: output[2][33] = @77 */
-  if (res[2]) casadi_copy(w077, 84, res[2]+2772);
+  if (res[2]) casadi_copy(w077, 96, res[2]+3168);
   /* #284: output[2][34] = @79 */
-  if (res[2]) casadi_copy(w079, 84, res[2]+2856);
+  if (res[2]) casadi_copy(w079, 96, res[2]+3264);
   /* #285: output[2][35] = @81 */
-  if (res[2]) casadi_copy(w081, 84, res[2]+2940);
+  if (res[2]) casadi_copy(w081, 96, res[2]+3360);
   /* #286: output[2][36] = @83 */
-  if (res[2]) casadi_copy(w083, 84, res[2]+3024);
+  if (res[2]) casadi_copy(w083, 96, res[2]+3456);
   /* #287: output[2][37] = @85 */
-  if (res[2]) casadi_copy(w085, 84, res[2]+3108);
+  if (res[2]) casadi_copy(w085, 96, res[2]+3552);
   /* #288: output[2][38] = @87 */
-  if (res[2]) casadi_copy(w087, 84, res[2]+3192);
+  if (res[2]) casadi_copy(w087, 96, res[2]+3648);
   /* #289: output[2][39] = @89 */
-  if (res[2]) casadi_copy(w089, 84, res[2]+3276);
+  if (res[2]) casadi_copy(w089, 96, res[2]+3744);
   /* #290: output[2][40] = @91 */
-  if (res[2]) casadi_copy(w091, 84, res[2]+3360);
+  if (res[2]) casadi_copy(w091, 96, res[2]+3840);
   /* #291: output[2][41] = @93 */
-  if (res[2]) casadi_copy(w093, 84, res[2]+3444);
+  if (res[2]) casadi_copy(w093, 96, res[2]+3936);
   /* #292: output[2][42] = @95 */
-  if (res[2]) casadi_copy(w095, 84, res[2]+3528);
+  if (res[2]) casadi_copy(w095, 96, res[2]+4032);
   /* #293: output[2][43] = @97 */
-  if (res[2]) casadi_copy(w097, 84, res[2]+3612);
+  if (res[2]) casadi_copy(w097, 96, res[2]+4128);
   /* #294: output[2][44] = @99 */
-  if (res[2]) casadi_copy(w099, 84, res[2]+3696);
+  if (res[2]) casadi_copy(w099, 96, res[2]+4224);
   /* #295: output[2][45] = @101 */
-  if (res[2]) casadi_copy(w101, 84, res[2]+3780);
+  if (res[2]) casadi_copy(w101, 96, res[2]+4320);
   /* #296: output[2][46] = @103 */
-  if (res[2]) casadi_copy(w103, 84, res[2]+3864);
+  if (res[2]) casadi_copy(w103, 96, res[2]+4416);
   /* #297: output[2][47] = @105 */
-  if (res[2]) casadi_copy(w105, 84, res[2]+3948);
+  if (res[2]) casadi_copy(w105, 96, res[2]+4512);
   /* #298: output[2][48] = @107 */
-  if (res[2]) casadi_copy(w107, 7, res[2]+4032);
+  if (res[2]) casadi_copy(w107, 8, res[2]+4608);
   /* #299: @1 = landing(@7, @6, @4) */
   arg1[0]=w007;
   arg1[1]=w006;
@@ -14354,7 +14356,7 @@ CASADI_SYMBOL_EXPORT int rimless_wheel_trace_576_work(casadi_int *sz_arg, casadi
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 8333;
+  if (sz_w) *sz_w = 9500;
   return 0;
 }
 
@@ -14362,24 +14364,24 @@ CASADI_SYMBOL_EXPORT int rimless_wheel_trace_576_work_bytes(casadi_int *sz_arg, 
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 8333*sizeof(casadi_real);
+  if (sz_w) *sz_w = 9500*sizeof(casadi_real);
   return 0;
 }
 
-/* rimless_wheel_trace_768:(u[3],p[3])->(w[2x769],g[7x769],dg[7x769],R[3]) */
+/* rimless_wheel_trace_768:(u[3],p[3])->(w[2x769],g[8x769],dg[8x769],R[3]) */
 static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+4, *rr, w000, *w001=w+195, w002, w003, *w004=w+198, *w005=w+201, *w006=w+225, *w007=w+227, *w008=w+229, *w009=w+231;
-  casadi_real *w010=w+255, *w011=w+339, *w012=w+423, *w013=w+507, *w014=w+591, *w015=w+675, *w016=w+759, *w017=w+843, *w018=w+927, *w019=w+1011, *w020=w+1095, *w021=w+1179;
-  casadi_real *w022=w+1263, *w023=w+1347, *w024=w+1431, *w025=w+1515, *w026=w+1599, *w027=w+1683, *w028=w+1767, *w029=w+1851, *w030=w+1935, *w031=w+2019, *w032=w+2103, *w033=w+2187;
-  casadi_real *w034=w+2271, *w035=w+2355, *w036=w+2439, *w037=w+2523, *w038=w+2607, *w039=w+2691, *w040=w+2775, *w041=w+2859, *w042=w+2943, *w043=w+3027, *w044=w+3111, *w045=w+3195;
-  casadi_real *w046=w+3279, *w047=w+3363, *w048=w+3447, *w049=w+3531, *w050=w+3615, *w051=w+3699, *w052=w+3783, *w053=w+3867, *w054=w+3951, *w055=w+4035, *w056=w+4119, *w057=w+4203;
-  casadi_real *w058=w+4287, *w059=w+4371, *w060=w+4455, *w061=w+4539, *w062=w+4623, *w063=w+4707, *w064=w+4791, *w065=w+4875, *w066=w+4959, *w067=w+5043, *w068=w+5127, *w069=w+5211;
-  casadi_real *w070=w+5295, *w071=w+5379, *w072=w+5463, *w073=w+5547, *w074=w+5631, *w075=w+5715, *w076=w+5799, *w077=w+5883, *w078=w+5967, *w079=w+6051, *w080=w+6135, *w081=w+6219;
-  casadi_real *w082=w+6303, *w083=w+6387, *w084=w+6471, *w085=w+6555, *w086=w+6639, *w087=w+6723, *w088=w+6807, *w089=w+6891, *w090=w+6975, *w091=w+7059, *w092=w+7143, *w093=w+7227;
-  casadi_real *w094=w+7311, *w095=w+7395, *w096=w+7479, *w097=w+7563, *w098=w+7647, *w099=w+7731, *w100=w+7815, *w101=w+7899, *w102=w+7983, *w103=w+8067, *w104=w+8151, *w105=w+8235;
-  casadi_real *w106=w+8319, *w107=w+8403, *w108=w+8487, *w109=w+8571, *w110=w+8655, *w111=w+8739, *w112=w+8823, *w113=w+8907, *w114=w+8991, *w115=w+9075, *w116=w+9159, *w117=w+9243;
-  casadi_real *w118=w+9327, *w119=w+9411, *w120=w+9495, *w121=w+9579, *w122=w+9663, *w123=w+9747, *w124=w+9831, *w125=w+9915, *w126=w+9999, *w127=w+10083, *w128=w+10167, *w129=w+10251;
-  casadi_real *w130=w+10335, *w131=w+10419, *w132=w+10503, *w133=w+10587, *w134=w+10671, *w135=w+10755, *w136=w+10839, *w137=w+10923, *w138=w+11007, *w139=w+11014;
+  casadi_real **res1=res+4, *rr, w000, *w001=w+208, w002, w003, *w004=w+211, *w005=w+214, *w006=w+238, *w007=w+240, *w008=w+242, *w009=w+244;
+  casadi_real *w010=w+268, *w011=w+364, *w012=w+460, *w013=w+556, *w014=w+652, *w015=w+748, *w016=w+844, *w017=w+940, *w018=w+1036, *w019=w+1132, *w020=w+1228, *w021=w+1324;
+  casadi_real *w022=w+1420, *w023=w+1516, *w024=w+1612, *w025=w+1708, *w026=w+1804, *w027=w+1900, *w028=w+1996, *w029=w+2092, *w030=w+2188, *w031=w+2284, *w032=w+2380, *w033=w+2476;
+  casadi_real *w034=w+2572, *w035=w+2668, *w036=w+2764, *w037=w+2860, *w038=w+2956, *w039=w+3052, *w040=w+3148, *w041=w+3244, *w042=w+3340, *w043=w+3436, *w044=w+3532, *w045=w+3628;
+  casadi_real *w046=w+3724, *w047=w+3820, *w048=w+3916, *w049=w+4012, *w050=w+4108, *w051=w+4204, *w052=w+4300, *w053=w+4396, *w054=w+4492, *w055=w+4588, *w056=w+4684, *w057=w+4780;
+  casadi_real *w058=w+4876, *w059=w+4972, *w060=w+5068, *w061=w+5164, *w062=w+5260, *w063=w+5356, *w064=w+5452, *w065=w+5548, *w066=w+5644, *w067=w+5740, *w068=w+5836, *w069=w+5932;
+  casadi_real *w070=w+6028, *w071=w+6124, *w072=w+6220, *w073=w+6316, *w074=w+6412, *w075=w+6508, *w076=w+6604, *w077=w+6700, *w078=w+6796, *w079=w+6892, *w080=w+6988, *w081=w+7084;
+  casadi_real *w082=w+7180, *w083=w+7276, *w084=w+7372, *w085=w+7468, *w086=w+7564, *w087=w+7660, *w088=w+7756, *w089=w+7852, *w090=w+7948, *w091=w+8044, *w092=w+8140, *w093=w+8236;
+  casadi_real *w094=w+8332, *w095=w+8428, *w096=w+8524, *w097=w+8620, *w098=w+8716, *w099=w+8812, *w100=w+8908, *w101=w+9004, *w102=w+9100, *w103=w+9196, *w104=w+9292, *w105=w+9388;
+  casadi_real *w106=w+9484, *w107=w+9580, *w108=w+9676, *w109=w+9772, *w110=w+9868, *w111=w+9964, *w112=w+10060, *w113=w+10156, *w114=w+10252, *w115=w+10348, *w116=w+10444, *w117=w+10540;
+  casadi_real *w118=w+10636, *w119=w+10732, *w120=w+10828, *w121=w+10924, *w122=w+11020, *w123=w+11116, *w124=w+11212, *w125=w+11308, *w126=w+11404, *w127=w+11500, *w128=w+11596, *w129=w+11692;
+  casadi_real *w130=w+11788, *w131=w+11884, *w132=w+11980, *w133=w+12076, *w134=w+12172, *w135=w+12268, *w136=w+12364, *w137=w+12460, *w138=w+12556, *w139=w+12564;
   const casadi_real **arg1=arg+2, *cs;
   /* #0: @0 = 0 */
   w000 = 0.;
@@ -15493,133 +15495,133 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   /* #263: output[0][64] = @7 */
   if (res[0]) casadi_copy(w007, 2, res[0]+1536);
   /* #264: output[1][0] = @10 */
-  casadi_copy(w010, 84, res[1]);
+  casadi_copy(w010, 96, res[1]);
   /* #265: output[1][1] = @12 */
-  if (res[1]) casadi_copy(w012, 84, res[1]+84);
+  if (res[1]) casadi_copy(w012, 96, res[1]+96);
   /* #266: output[1][2] = @14 */
-  if (res[1]) casadi_copy(w014, 84, res[1]+168);
+  if (res[1]) casadi_copy(w014, 96, res[1]+192);
   /* #267: output[1][3] = @16 */
-  if (res[1]) casadi_copy(w016, 84, res[1]+252);
+  if (res[1]) casadi_copy(w016, 96, res[1]+288);
   /* #268: output[1][4] = @18 */
-  if (res[1]) casadi_copy(w018, 84, res[1]+336);
+  if (res[1]) casadi_copy(w018, 96, res[1]+384);
   /* #269: output[1][5] = @20 */
-  if (res[1]) casadi_copy(w020, 84, res[1]+420);
+  if (res[1]) casadi_copy(w020, 96, res[1]+480);
   /* #270: output[1][6] = @22 */
-  if (res[1]) casadi_copy(w022, 84, res[1]+504);
+  if (res[1]) casadi_copy(w022, 96, res[1]+576);
   /* #271: output[1][7] = @24 */
-  if (res[1]) casadi_copy(w024, 84, res[1]+588);
+  if (res[1]) casadi_copy(w024, 96, res[1]+672);
   /* #272: output[1][8] = @26 */
-  if (res[1]) casadi_copy(w026, 84, res[1]+672);
+  if (res[1]) casadi_copy(w026, 96, res[1]+768);
   /* #273: output[1][9] = @28 */
-  if (res[1]) casadi_copy(w028, 84, res[1]+756);
+  if (res[1]) casadi_copy(w028, 96, res[1]+864);
   /* #274: output[1][10] = @30 */
-  if (res[1]) casadi_copy(w030, 84, res[1]+840);
+  if (res[1]) casadi_copy(w030, 96, res[1]+960);
   /* #275: output[1][11] = @32 */
-  if (res[1]) casadi_copy(w032, 84, res[1]+924);
+  if (res[1]) casadi_copy(w032, 96, res[1]+1056);
   /* #276: output[1][12] = @34 */
-  if (res[1]) casadi_copy(w034, 84, res[1]+1008);
+  if (res[1]) casadi_copy(w034, 96, res[1]+1152);
   /* #277: output[1][13] = @36 */
-  if (res[1]) casadi_copy(w036, 84, res[1]+1092);
+  if (res[1]) casadi_copy(w036, 96, res[1]+1248);
   /* #278: output[1][14] = @38 */
-  if (res[1]) casadi_copy(w038, 84, res[1]+1176);
+  if (res[1]) casadi_copy(w038, 96, res[1]+1344);
   /* #279: output[1][15] = @40 */
-  if (res[1]) casadi_copy(w040, 84, res[1]+1260);
+  if (res[1]) casadi_copy(w040, 96, res[1]+1440);
   /* #280: output[1][16] = @42 */
-  if (res[1]) casadi_copy(w042, 84, res[1]+1344);
+  if (res[1]) casadi_copy(w042, 96, res[1]+1536);
   /* #281: output[1][17] = @44 */
-  if (res[1]) casadi_copy(w044, 84, res[1]+1428);
+  if (res[1]) casadi_copy(w044, 96, res[1]+1632);
   /* #282: output[1][18] = @46 */
-  if (res[1]) casadi_copy(w046, 84, res[1]+1512);
+  if (res[1]) casadi_copy(w046, 96, res[1]+1728);
   /* #283: output[1][19] = @48 */
-  if (res[1]) casadi_copy(w048, 84, res[1]+1596);
+  if (res[1]) casadi_copy(w048, 96, res[1]+1824);
   /* #284: output[1][20] = @50 */
-  if (res[1]) casadi_copy(w050, 84, res[1]+1680);
+  if (res[1]) casadi_copy(w050, 96, res[1]+1920);
   /* #285: output[1][21] = @52 */
-  if (res[1]) casadi_copy(w052, 84, res[1]+1764);
+  if (res[1]) casadi_copy(w052, 96, res[1]+2016);
   /* #286: output[1][22] = @54 */
-  if (res[1]) casadi_copy(w054, 84, res[1]+1848);
+  if (res[1]) casadi_copy(w054, 96, res[1]+2112);
   /* #287: output[1][23] = @56 */
-  if (res[1]) casadi_copy(w056, 84, res[1]+1932);
+  if (res[1]) casadi_copy(w056, 96, res[1]+2208);
   /* #288: output[1][24] = @58 */
-  if (res[1]) casadi_copy(w058, 84, res[1]+2016);
+  if (res[1]) casadi_copy(w058, 96, res[1]+2304);
   /* #289: output[1][25] = @60 */
-  if (res[1]) casadi_copy(w060, 84, res[1]+2100);
+  if (res[1]) casadi_copy(w060, 96, res[1]+2400);
   /* #290: output[1][26] = @62 */
-  if (res[1]) casadi_copy(w062, 84, res[1]+2184);
+  if (res[1]) casadi_copy(w062, 96, res[1]+2496);
   /* #291: output[1][27] = @64 */
-  if (res[1]) casadi_copy(w064, 84, res[1]+2268);
+  if (res[1]) casadi_copy(w064, 96, res[1]+2592);
   /* #292: output[1][28] = @66 */
-  if (res[1]) casadi_copy(w066, 84, res[1]+2352);
+  if (res[1]) casadi_copy(w066, 96, res[1]+2688);
   /* #293: output[1][29] = @68 */
-  if (res[1]) casadi_copy(w068, 84, res[1]+2436);
+  if (res[1]) casadi_copy(w068, 96, res[1]+2784);
   /* #294: output[1][30] = @70 */
-  if (res[1]) casadi_copy(w070, 84, res[1]+2520);
+  if (res[1]) casadi_copy(w070, 96, res[1]+2880);
   /* #295: output[1][31] = @72 */
-  if (res[1]) casadi_copy(w072, 84, res[1]+2604);
+  if (res[1]) casadi_copy(w072, 96, res[1]+2976);
   /* #296: output[1][32] = @74 */
-  if (res[1]) casadi_copy(w074, 84, res[1]+2688);
+  if (res[1]) casadi_copy(w074, 96, res[1]+3072);
   /* #297: output[1][33] = @76 */
-  if (res[1]) casadi_copy(w076, 84, res[1]+2772);
+  if (res[1]) casadi_copy(w076, 96, res[1]+3168);
   /* #298: output[1][34] = @78 */
-  if (res[1]) casadi_copy(w078, 84, res[1]+2856);
+  if (res[1]) casadi_copy(w078, 96, res[1]+3264);
   /* #299: output[1][35] = @80 */
-  if (res[1]) casadi_copy(w080, 84, res[1]+2940);
+  if (res[1]) casadi_copy(w080, 96, res[1]+3360);
   /* #300: output[1][36] = @82 */
-  if (res[1]) casadi_copy(w082, 84, res[1]+3024);
+  if (res[1]) casadi_copy(w082, 96, res[1]+3456);
   /* #301: output[1][37] = @84 */
-  if (res[1]) casadi_copy(w084, 84, res[1]+3108);
+  if (res[1]) casadi_copy(w084, 96, res[1]+3552);
   /* #302: output[1][38] = @86 */
-  if (res[1]) casadi_copy(w086, 84, res[1]+3192);
+  if (res[1]) casadi_copy(w086, 96, res[1]+3648);
   /* #303: output[1][39] = @88 */
-  if (res[1]) casadi_copy(w088, 84, res[1]+3276);
+  if (res[1]) casadi_copy(w088, 96, res[1]+3744);
   /* #304: output[1][40] = @90 */
-  if (res[1]) casadi_copy(w090, 84, res[1]+3360);
+  if (res[1]) casadi_copy(w090, 96, res[1]+3840);
   /* #305: output[1][41] = @92 */
-  if (res[1]) casadi_copy(w092, 84, res[1]+3444);
+  if (res[1]) casadi_copy(w092, 96, res[1]+3936);
   /* #306: output[1][42] = @94 */
-  if (res[1]) casadi_copy(w094, 84, res[1]+3528);
+  if (res[1]) casadi_copy(w094, 96, res[1]+4032);
   /* #307: output[1][43] = @96 */
-  if (res[1]) casadi_copy(w096, 84, res[1]+3612);
+  if (res[1]) casadi_copy(w096, 96, res[1]+4128);
   /* #308: output[1][44] = @98 */
-  if (res[1]) casadi_copy(w098, 84, res[1]+3696);
+  if (res[1]) casadi_copy(w098, 96, res[1]+4224);
   /* #309: output[1][45] = @100 */
-  if (res[1]) casadi_copy(w100, 84, res[1]+3780);
+  if (res[1]) casadi_copy(w100, 96, res[1]+4320);
   /* #310: output[1][46] = @102 */
-  if (res[1]) casadi_copy(w102, 84, res[1]+3864);
+  if (res[1]) casadi_copy(w102, 96, res[1]+4416);
   /* #311: output[1][47] = @104 */
-  if (res[1]) casadi_copy(w104, 84, res[1]+3948);
+  if (res[1]) casadi_copy(w104, 96, res[1]+4512);
   /* #312: output[1][48] = @106 */
-  if (res[1]) casadi_copy(w106, 84, res[1]+4032);
+  if (res[1]) casadi_copy(w106, 96, res[1]+4608);
   /* #313: output[1][49] = @108 */
-  if (res[1]) casadi_copy(w108, 84, res[1]+4116);
+  if (res[1]) casadi_copy(w108, 96, res[1]+4704);
   /* #314: output[1][50] = @110 */
-  if (res[1]) casadi_copy(w110, 84, res[1]+4200);
+  if (res[1]) casadi_copy(w110, 96, res[1]+4800);
   /* #315: output[1][51] = @112 */
-  if (res[1]) casadi_copy(w112, 84, res[1]+4284);
+  if (res[1]) casadi_copy(w112, 96, res[1]+4896);
   /* #316: output[1][52] = @114 */
-  if (res[1]) casadi_copy(w114, 84, res[1]+4368);
+  if (res[1]) casadi_copy(w114, 96, res[1]+4992);
   /* #317: output[1][53] = @116 */
-  if (res[1]) casadi_copy(w116, 84, res[1]+4452);
+  if (res[1]) casadi_copy(w116, 96, res[1]+5088);
   /* #318: output[1][54] = @118 */
-  if (res[1]) casadi_copy(w118, 84, res[1]+4536);
+  if (res[1]) casadi_copy(w118, 96, res[1]+5184);
   /* #319: output[1][55] = @120 */
-  if (res[1]) casadi_copy(w120, 84, res[1]+4620);
+  if (res[1]) casadi_copy(w120, 96, res[1]+5280);
   /* #320: output[1][56] = @122 */
-  if (res[1]) casadi_copy(w122, 84, res[1]+4704);
+  if (res[1]) casadi_copy(w122, 96, res[1]+5376);
   /* #321: output[1][57] = @124 */
-  if (res[1]) casadi_copy(w124, 84, res[1]+4788);
+  if (res[1]) casadi_copy(w124, 96, res[1]+5472);
   /* #322: output[1][58] = @126 */
-  if (res[1]) casadi_copy(w126, 84, res[1]+4872);
+  if (res[1]) casadi_copy(w126, 96, res[1]+5568);
   /* #323: output[1][59] = @128 */
-  if (res[1]) casadi_copy(w128, 84, res[1]+4956);
+  if (res[1]) casadi_copy(w128, 96, res[1]+5664);
   /* #324: output[1][60] = @130 */
-  if (res[1]) casadi_copy(w130, 84, res[1]+5040);
+  if (res[1]) casadi_copy(w130, 96, res[1]+5760);
   /* #325: output[1][61] = @132 */
-  if (res[1]) casadi_copy(w132, 84, res[1]+5124);
+  if (res[1]) casadi_copy(w132, 96, res[1]+5856);
   /* #326: output[1][62] = @134 */
-  if (res[1]) casadi_copy(w134, 84, res[1]+5208);
+  if (res[1]) casadi_copy(w134, 96, res[1]+5952);
   /* #327: output[1][63] = @136 */
-  if (res[1]) casadi_copy(w136, 84, res[1]+5292);
+  if (res[1]) casadi_copy(w136, 96, res[1]+6048);
   /* #328: {@138, @139} = observe(@2, @7, @4) */
   arg1[0]=(&w002);
   arg1[1]=w007;
@@ -15628,137 +15630,137 @@ static int casadi_f73(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w139;
   if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #329: output[1][64] = @138 */
-  if (res[1]) casadi_copy(w138, 7, res[1]+5376);
+  if (res[1]) casadi_copy(w138, 8, res[1]+6144);
   /* #330: output[2][0] = @11 */
-  casadi_copy(w011, 84, res[2]);
+  casadi_copy(w011, 96, res[2]);
   /* #331: output[2][1] = @13 */
-  if (res[2]) casadi_copy(w013, 84, res[2]+84);
+  if (res[2]) casadi_copy(w013, 96, res[2]+96);
   /* #332: output[2][2] = @15 */
-  if (res[2]) casadi_copy(w015, 84, res[2]+168);
+  if (res[2]) casadi_copy(w015, 96, res[2]+192);
   /* #333: output[2][3] = @17 */
-  if (res[2]) casadi_copy(w017, 84, res[2]+252);
+  if (res[2]) casadi_copy(w017, 96, res[2]+288);
   /* #334: output[2][4] = @19 */
-  if (res[2]) casadi_copy(w019, 84, res[2]+336);
+  if (res[2]) casadi_copy(w019, 96, res[2]+384);
   /* #335: output[2][5] = @21 */
-  if (res[2]) casadi_copy(w021, 84, res[2]+420);
+  if (res[2]) casadi_copy(w021, 96, res[2]+480);
   /* #336: output[2][6] = @23 */
-  if (res[2]) casadi_copy(w023, 84, res[2]+504);
+  if (res[2]) casadi_copy(w023, 96, res[2]+576);
   /* #337: output[2][7] = @25 */
-  if (res[2]) casadi_copy(w025, 84, res[2]+588);
+  if (res[2]) casadi_copy(w025, 96, res[2]+672);
   /* #338: output[2][8] = @27 */
-  if (res[2]) casadi_copy(w027, 84, res[2]+672);
+  if (res[2]) casadi_copy(w027, 96, res[2]+768);
   /* #339: output[2][9] = @29 */
-  if (res[2]) casadi_copy(w029, 84, res[2]+756);
+  if (res[2]) casadi_copy(w029, 96, res[2]+864);
   /* #340: output[2][10] = @31 */
-  if (res[2]) casadi_copy(w031, 84, res[2]+840);
+  if (res[2]) casadi_copy(w031, 96, res[2]+960);
   /* #341: output[2][11] = @33 */
-  if (res[2]) casadi_copy(w033, 84, res[2]+924);
+  if (res[2]) casadi_copy(w033, 96, res[2]+1056);
   /* #342: output[2][12] = @35 */
-  if (res[2]) casadi_copy(w035, 84, res[2]+1008);
+  if (res[2]) casadi_copy(w035, 96, res[2]+1152);
   /* #343: output[2][13] = @37 */
-  if (res[2]) casadi_copy(w037, 84, res[2]+1092);
+  if (res[2]) casadi_copy(w037, 96, res[2]+1248);
   /* #344: output[2][14] = @39 */
-  if (res[2]) casadi_copy(w039, 84, res[2]+1176);
+  if (res[2]) casadi_copy(w039, 96, res[2]+1344);
   /* #345: output[2][15] = @41 */
-  if (res[2]) casadi_copy(w041, 84, res[2]+1260);
+  if (res[2]) casadi_copy(w041, 96, res[2]+1440);
   /* #346: output[2][16] = @43 */
-  if (res[2]) casadi_copy(w043, 84, res[2]+1344);
+  if (res[2]) casadi_copy(w043, 96, res[2]+1536);
   /* #347: output[2][17] = @45 */
-  if (res[2]) casadi_copy(w045, 84, res[2]+1428);
+  if (res[2]) casadi_copy(w045, 96, res[2]+1632);
   /* #348: output[2][18] = @47 */
-  if (res[2]) casadi_copy(w047, 84, res[2]+1512);
+  if (res[2]) casadi_copy(w047, 96, res[2]+1728);
   /* #349: output[2][19] = @49 */
-  if (res[2]) casadi_copy(w049, 84, res[2]+1596);
+  if (res[2]) casadi_copy(w049, 96, res[2]+1824);
   /* #350: output[2][20] = @51 */
-  if (res[2]) casadi_copy(w051, 84, res[2]+1680);
+  if (res[2]) casadi_copy(w051, 96, res[2]+1920);
   /* #351: output[2][21] = @53 */
-  if (res[2]) casadi_copy(w053, 84, res[2]+1764);
+  if (res[2]) casadi_copy(w053, 96, res[2]+2016);
   /* #352: output[2][22] = @55 */
-  if (res[2]) casadi_copy(w055, 84, res[2]+1848);
+  if (res[2]) casadi_copy(w055, 96, res[2]+2112);
   /* #353: output[2][23] = @57 */
-  if (res[2]) casadi_copy(w057, 84, res[2]+1932);
+  if (res[2]) casadi_copy(w057, 96, res[2]+2208);
   /* #354: output[2][24] = @59 */
-  if (res[2]) casadi_copy(w059, 84, res[2]+2016);
+  if (res[2]) casadi_copy(w059, 96, res[2]+2304);
   /* #355: output[2][25] = @61 */
-  if (res[2]) casadi_copy(w061, 84, res[2]+2100);
+  if (res[2]) casadi_copy(w061, 96, res[2]+2400);
   /* #356: output[2][26] = @63 */
-  if (res[2]) casadi_copy(w063, 84, res[2]+2184);
+  if (res[2]) casadi_copy(w063, 96, res[2]+2496);
   /* #357: output[2][27] = @65 */
-  if (res[2]) casadi_copy(w065, 84, res[2]+2268);
+  if (res[2]) casadi_copy(w065, 96, res[2]+2592);
   /* #358: output[2][28] = @67 */
-  if (res[2]) casadi_copy(w067, 84, res[2]+2352);
+  if (res[2]) casadi_copy(w067, 96, res[2]+2688);
   /* #359: output[2][29] = @69 */
-  if (res[2]) casadi_copy(w069, 84, res[2]+2436);
+  if (res[2]) casadi_copy(w069, 96, res[2]+2784);
   /* #360: output[2][30] = @71 */
-  if (res[2]) casadi_copy(w071, 84, res[2]+2520);
+  if (res[2]) casadi_copy(w071, 96, res[2]+2880);
   /* #361: output[2][31] = @73 */
-  if (res[2]) casadi_copy(w073, 84, res[2]+2604);
+  if (res[2]) casadi_copy(w073, 96, res[2]+2976);
   /* #362: output[2][32] = @75 */
-  if (res[2]) casadi_copy(w075, 84, res[2]+2688);
+  if (res[2]) casadi_copy(w075, 96, res[2]+3072);
   /* #363: output[2][33] = @77 */
-  if (res[2]) casadi_copy(w077, 84, res[2]+2772);
+  if (res[2]) casadi_copy(w077, 96, res[2]+3168);
   /* #364: output[2][34] = @79 */
-  if (res[2]) casadi_copy(w079, 84, res[2]+2856);
+  if (res[2]) casadi_copy(w079, 96, res[2]+3264);
   /* #365: output[2][35] = @81 */
-  if (res[2]) casadi_copy(w081, 84, res[2]+2940);
+  if (res[2]) casadi_copy(w081, 96, res[2]+3360);
   /* #366: output[2][36] = @83 */
-  if (res[2]) casadi_copy(w083, 84, res[2]+3024);
+  if (res[2]) casadi_copy(w083, 96, res[2]+3456);
   /* #367: output[2][37] = @85 */
-  if (res[2]) casadi_copy(w085, 84, res[2]+3108);
+  if (res[2]) casadi_copy(w085, 96, res[2]+3552);
   /* #368: output[2][38] = @87 */
-  if (res[2]) casadi_copy(w087, 84, res[2]+3192);
+  if (res[2]) casadi_copy(w087, 96, res[2]+3648);
   /* #369: output[2][39] = @89 */
-  if (res[2]) casadi_copy(w089, 84, res[2]+3276);
+  if (res[2]) casadi_copy(w089, 96, res[2]+3744);
   /* #370: output[2][40] = @91 */
-  if (res[2]) casadi_copy(w091, 84, res[2]+3360);
+  if (res[2]) casadi_copy(w091, 96, res[2]+3840);
   /* #371: output[2][41] = @93 */
-  if (res[2]) casadi_copy(w093, 84, res[2]+3444);
+  if (res[2]) casadi_copy(w093, 96, res[2]+3936);
   /* #372: output[2][42] = @95 */
-  if (res[2]) casadi_copy(w095, 84, res[2]+3528);
+  if (res[2]) casadi_copy(w095, 96, res[2]+4032);
   /* #373: output[2][43] = @97 */
-  if (res[2]) casadi_copy(w097, 84, res[2]+3612);
+  if (res[2]) casadi_copy(w097, 96, res[2]+4128);
   /* #374: output[2][44] = @99 */
-  if (res[2]) casadi_copy(w099, 84, res[2]+3696);
+  if (res[2]) casadi_copy(w099, 96, res[2]+4224);
   /* #375: output[2][45] = @101 */
-  if (res[2]) casadi_copy(w101, 84, res[2]+3780);
+  if (res[2]) casadi_copy(w101, 96, res[2]+4320);
   /* #376: output[2][46] = @103 */
-  if (res[2]) casadi_copy(w103, 84, res[2]+3864);
+  if (res[2]) casadi_copy(w103, 96, res[2]+4416);
   /* #377: output[2][47] = @105 */
-  if (res[2]) casadi_copy(w105, 84, res[2]+3948);
+  if (res[2]) casadi_copy(w105, 96, res[2]+4512);
   /* #378: output[2][48] = @107 */
-  if (res[2]) casadi_copy(w107, 84, res[2]+4032);
+  if (res[2]) casadi_copy(w107, 96, res[2]+4608);
   /* #379: output[2][49] = @109 */
-  if (res[2]) casadi_copy(w109, 84, res[2]+4116);
+  if (res[2]) casadi_copy(w109, 96, res[2]+4704);
   /* #380: output[2][50] = @111 */
-  if (res[2]) casadi_copy(w111, 84, res[2]+4200);
+  if (res[2]) casadi_copy(w111, 96, res[2]+4800);
   /* #381: output[2][51] = @113 */
-  if (res[2]) casadi_copy(w113, 84, res[2]+4284);
+  if (res[2]) casadi_copy(w113, 96, res[2]+4896);
   /* #382: output[2][52] = @115 */
-  if (res[2]) casadi_copy(w115, 84, res[2]+4368);
+  if (res[2]) casadi_copy(w115, 96, res[2]+4992);
   /* #383: output[2][53] = @117 */
-  if (res[2]) casadi_copy(w117, 84, res[2]+4452);
+  if (res[2]) casadi_copy(w117, 96, res[2]+5088);
   /* #384: output[2][54] = @119 */
-  if (res[2]) casadi_copy(w119, 84, res[2]+4536);
+  if (res[2]) casadi_copy(w119, 96, res[2]+5184);
   /* #385: output[2][55] = @121 */
-  if (res[2]) casadi_copy(w121, 84, res[2]+4620);
+  if (res[2]) casadi_copy(w121, 96, res[2]+5280);
   /* #386: output[2][56] = @123 */
-  if (res[2]) casadi_copy(w123, 84, res[2]+4704);
+  if (res[2]) casadi_copy(w123, 96, res[2]+5376);
   /* #387: output[2][57] = @125 */
-  if (res[2]) casadi_copy(w125, 84, res[2]+4788);
+  if (res[2]) casadi_copy(w125, 96, res[2]+5472);
   /* #388: output[2][58] = @127 */
-  if (res[2]) casadi_copy(w127, 84, res[2]+4872);
+  if (res[2]) casadi_copy(w127, 96, res[2]+5568);
   /* #389: output[2][59] = @129 */
-  if (res[2]) casadi_copy(w129, 84, res[2]+4956);
+  if (res[2]) casadi_copy(w129, 96, res[2]+5664);
   /* #390: output[2][60] = @131 */
-  if (res[2]) casadi_copy(w131, 84, res[2]+5040);
+  if (res[2]) casadi_copy(w131, 96, res[2]+5760);
   /* #391: output[2][61] = @133 */
-  if (res[2]) casadi_copy(w133, 84, res[2]+5124);
+  if (res[2]) casadi_copy(w133, 96, res[2]+5856);
   /* #392: output[2][62] = @135 */
-  if (res[2]) casadi_copy(w135, 84, res[2]+5208);
+  if (res[2]) casadi_copy(w135, 96, res[2]+5952);
   /* #393: output[2][63] = @137 */
-  if (res[2]) casadi_copy(w137, 84, res[2]+5292);
+  if (res[2]) casadi_copy(w137, 96, res[2]+6048);
   /* #394: output[2][64] = @139 */
-  if (res[2]) casadi_copy(w139, 7, res[2]+5376);
+  if (res[2]) casadi_copy(w139, 8, res[2]+6144);
   /* #395: @1 = landing(@7, @6, @4) */
   arg1[0]=w007;
   arg1[1]=w006;
@@ -15837,7 +15839,7 @@ CASADI_SYMBOL_EXPORT int rimless_wheel_trace_768_work(casadi_int *sz_arg, casadi
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 11021;
+  if (sz_w) *sz_w = 12572;
   return 0;
 }
 
@@ -15845,13 +15847,13 @@ CASADI_SYMBOL_EXPORT int rimless_wheel_trace_768_work_bytes(casadi_int *sz_arg, 
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 11021*sizeof(casadi_real);
+  if (sz_w) *sz_w = 12572*sizeof(casadi_real);
   return 0;
 }
 
-/* rimless_wheel_advance:(t,w[2],h,p[3])->(w_end[2],g[7],dg[7]) */
+/* rimless_wheel_advance:(t,w[2],h,p[3])->(w_end[2],g[8],dg[8]) */
 static int casadi_f74(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+3, *w0=w+46, w1, *w2=w+48, *w3=w+51, w4, *w5=w+53, *w6=w+77, *w7=w+79, *w8=w+86;
+  casadi_real **res1=res+3, *w0=w+46, w1, *w2=w+48, *w3=w+51, w4, *w5=w+53, *w6=w+77, *w7=w+79, *w8=w+87;
   const casadi_real **arg1=arg+4;
   /* #0: @0 = input[1][0] */
   casadi_copy(arg[1], 2, w0);
@@ -15891,9 +15893,9 @@ static int casadi_f74(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w8;
   if (casadi_f65(arg1, res1, iw, w, 0)) return 1;
   /* #10: output[1][0] = @7 */
-  casadi_copy(w7, 7, res[1]);
+  casadi_copy(w7, 8, res[1]);
   /* #11: output[2][0] = @8 */
-  casadi_copy(w8, 7, res[2]);
+  casadi_copy(w8, 8, res[2]);
   return 0;
 }
 
@@ -15966,7 +15968,7 @@ CASADI_SYMBOL_EXPORT int rimless_wheel_advance_work(casadi_int *sz_arg, casadi_i
   if (sz_arg) *sz_arg = 9;
   if (sz_res) *sz_res = 5;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 93;
+  if (sz_w) *sz_w = 95;
   return 0;
 }
 
@@ -15974,7 +15976,7 @@ CASADI_SYMBOL_EXPORT int rimless_wheel_advance_work_bytes(casadi_int *sz_arg, ca
   if (sz_arg) *sz_arg = 9*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 5*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 93*sizeof(casadi_real);
+  if (sz_w) *sz_w = 95*sizeof(casadi_real);
   return 0;
 }
 
@@ -16287,9 +16289,9 @@ CASADI_SYMBOL_EXPORT int rimless_wheel_end_work_bytes(casadi_int *sz_arg, casadi
   return 0;
 }
 
-/* rimless_wheel_observed_swing:(t,h,w[2],p[3])->(w_end[2],nodes[2x12],g[7x12],dg[7x12]) */
+/* rimless_wheel_observed_swing:(t,h,w[2],p[3])->(w_end[2],nodes[2x12],g[8x12],dg[8x12]) */
 static int casadi_f78(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+4, w0, w1, *w2=w+195, *w3=w+198, *w4=w+222, *w5=w+224, *w6=w+226, *w7=w+250, *w8=w+334;
+  casadi_real **res1=res+4, w0, w1, *w2=w+208, *w3=w+211, *w4=w+235, *w5=w+237, *w6=w+239, *w7=w+263, *w8=w+359;
   const casadi_real **arg1=arg+4;
   /* #0: @0 = input[0][0] */
   w0 = arg[0] ? arg[0][0] : 0;
@@ -16320,9 +16322,9 @@ static int casadi_f78(const casadi_real** arg, casadi_real** res, casadi_int* iw
   /* #7: output[1][0] = @6 */
   casadi_copy(w6, 24, res[1]);
   /* #8: output[2][0] = @7 */
-  casadi_copy(w7, 84, res[2]);
+  casadi_copy(w7, 96, res[2]);
   /* #9: output[3][0] = @8 */
-  casadi_copy(w8, 84, res[3]);
+  casadi_copy(w8, 96, res[3]);
   return 0;
 }
 
@@ -16397,7 +16399,7 @@ CASADI_SYMBOL_EXPORT int rimless_wheel_observed_swing_work(casadi_int *sz_arg, c
   if (sz_arg) *sz_arg = 14;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 418;
+  if (sz_w) *sz_w = 455;
   return 0;
 }
 
@@ -16405,7 +16407,7 @@ CASADI_SYMBOL_EXPORT int rimless_wheel_observed_swing_work_bytes(casadi_int *sz_
   if (sz_arg) *sz_arg = 14*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 418*sizeof(casadi_real);
+  if (sz_w) *sz_w = 455*sizeof(casadi_real);
   return 0;
 }
 

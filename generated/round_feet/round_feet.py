@@ -382,7 +382,7 @@ def forward_dynamics_dv(xp, q, v, p):
     """Derivative with respect to v of the accelerations for given torques.
 
     Source: M ddq + h + v = Q with the torques u in Q, differentiated.
-    120 operations.
+    121 operations.
     """
     q1 = q[0]
     q2 = q[1]
@@ -411,21 +411,21 @@ def forward_dynamics_dv(xp, q, v, p):
     M_L21 = M_12*t5
     M_D2 = M_22 - M_11*M_L21*M_L21
     t6 = 1/M_D2
-    t7 = hip_mass + leg_mass*(2 - com_distance)
-    t8 = radius*s_q1*t7
-    t9 = c_q1*com_offset*radius
-    t10 = com_distance*dq2*s_q2
-    t11 = c_q2*com_offset*dq2
-    t12 = c_q1_minus_q2*com_offset*radius
-    t13 = com_distance*radius*s_q1_minus_q2
-    t14 = 2*dq2 - 2*dq1
-    r1_1 = 2*dq1*t8 + leg_mass*(2*t11 - 2*dq1*t9 - 2*t10 + t12*t14 + t13*t14)
+    t7 = hip_mass + 2*leg_mass
+    t8 = c_q1*com_offset*radius
+    t9 = com_distance*dq2*s_q2
+    t10 = c_q2*com_offset*dq2
+    t11 = c_q1_minus_q2*com_offset*radius
+    t12 = com_distance*radius*s_q1_minus_q2
+    t13 = 2*dq1*leg_mass
+    t14 = 2*leg_mass*(dq2 - dq1)
+    r1_1 = 2*dq1*radius*s_q1*(t7 - com_distance*leg_mass) + 2*leg_mass*t10 - 2*leg_mass*t9 + t11*t14 + t12*t14 - t13*t8
     t15 = c_q2*com_offset - com_distance*s_q2
-    r1_2 = -2*dq1*leg_mass*t15
+    r1_2 = -t13*t15
     d1_f2 = r1_2 - M_L21*r1_1
     d1_2 = d1_f2*t6
     d1_1 = r1_1*t5 - M_L21*d1_2
-    r2_1 = 2*leg_mass*(dq1 - dq2)*(t12 + t13 + t15)
+    r2_1 = 2*leg_mass*(dq1 - dq2)*(t11 + t12 + t15)
     d2_f2 = -M_L21*r2_1
     d2_2 = d2_f2*t6
     d2_1 = r2_1*t5 - M_L21*d2_2

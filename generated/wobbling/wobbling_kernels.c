@@ -1,5 +1,5 @@
 /* Compass walker with a horizontally wobbling mass: kernels of the solver
- * Printed by CasADi 3.8.2 from equations 67922ecce6768d02.
+ * Printed by CasADi 3.8.2 from equations a3b89c634070f7cc.
  * Do not edit: run `make derive`.
  * SPDX-License-Identifier: BSD-3-Clause
  */
@@ -483,28 +483,28 @@ static const casadi_int casadi_s4[3] = {6, 1, 1};
 static const casadi_int casadi_s5[3] = {8, 1, 1};
 static const casadi_int casadi_s6[3] = {6, 6, 1};
 static const casadi_int casadi_s7[3] = {7, 49, 1};
-static const casadi_int casadi_s8[3] = {9, 49, 1};
+static const casadi_int casadi_s8[3] = {10, 49, 1};
 static const casadi_int casadi_s9[3] = {7, 73, 1};
-static const casadi_int casadi_s10[3] = {9, 73, 1};
+static const casadi_int casadi_s10[3] = {10, 73, 1};
 static const casadi_int casadi_s11[3] = {7, 97, 1};
-static const casadi_int casadi_s12[3] = {9, 97, 1};
+static const casadi_int casadi_s12[3] = {10, 97, 1};
 static const casadi_int casadi_s13[3] = {7, 145, 1};
-static const casadi_int casadi_s14[3] = {9, 145, 1};
+static const casadi_int casadi_s14[3] = {10, 145, 1};
 static const casadi_int casadi_s15[3] = {7, 193, 1};
-static const casadi_int casadi_s16[3] = {9, 193, 1};
+static const casadi_int casadi_s16[3] = {10, 193, 1};
 static const casadi_int casadi_s17[3] = {7, 289, 1};
-static const casadi_int casadi_s18[3] = {9, 289, 1};
+static const casadi_int casadi_s18[3] = {10, 289, 1};
 static const casadi_int casadi_s19[3] = {7, 385, 1};
-static const casadi_int casadi_s20[3] = {9, 385, 1};
+static const casadi_int casadi_s20[3] = {10, 385, 1};
 static const casadi_int casadi_s21[3] = {7, 577, 1};
-static const casadi_int casadi_s22[3] = {9, 577, 1};
+static const casadi_int casadi_s22[3] = {10, 577, 1};
 static const casadi_int casadi_s23[3] = {7, 769, 1};
-static const casadi_int casadi_s24[3] = {9, 769, 1};
+static const casadi_int casadi_s24[3] = {10, 769, 1};
 static const casadi_int casadi_s25[3] = {1, 1, 1};
 static const casadi_int casadi_s26[3] = {7, 1, 1};
-static const casadi_int casadi_s27[3] = {9, 1, 1};
+static const casadi_int casadi_s27[3] = {10, 1, 1};
 static const casadi_int casadi_s28[3] = {7, 12, 1};
-static const casadi_int casadi_s29[3] = {9, 12, 1};
+static const casadi_int casadi_s29[3] = {10, 12, 1};
 
 static const casadi_real casadi_c0[36] = 
   {1., 1., 1., 1., 1., 5.0000000000000000e-01, 1., 1.,
@@ -21009,7 +21009,7 @@ static int casadi_f88(const casadi_real** arg, casadi_real** res, casadi_int* iw
   return 0;
 }
 
-/* observe:(t,y[6],p[8])->(g[9],dg[9]) */
+/* observe:(t,y[6],p[8])->(g[10],dg[10]) */
 static int casadi_f89(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
@@ -21017,7 +21017,7 @@ static int casadi_f89(const casadi_real** arg, casadi_real** res, casadi_int* iw
   casadi_real a36, a37, a38, a39, a40, a41, a42, a43, a44, a45, a46, a47;
   casadi_real a48, a49, a50, a51, a52, a53, a54, a55, a56, a57, a58, a59;
   casadi_real a60, a61, a62, a63, a64, a65, a66, a67, a68, a69, a70, a71;
-  casadi_real a72, a73, a74, a75, a76, a77, a78;
+  casadi_real a72, a73, a74, a75, a76, a77, a78, a79;
   a00=arg[2]? arg[2][1] : 0;
   a01=arg[1]? arg[1][2] : 0;
   a02=(a00*a01);
@@ -21159,61 +21159,63 @@ static int casadi_f89(const casadi_real** arg, casadi_real** res, casadi_int* iw
   a02=(a02-a64);
   a02=(-a02);
   if (res[0]!=0) res[0][0]=a02;
-  a02=(a08-a07);
-  a02=(a03*a02);
-  a23=(a23+a02);
+  a02=0.;
+  if (res[0]!=0) res[0][1]=a02;
+  a71=(a08-a07);
+  a71=(a03*a71);
+  a23=(a23+a71);
   a23=(a23+a08);
-  a02=(a23/a25);
-  a71=(a28*a23);
-  a30=(a30-a71);
-  a71=(a30/a40);
-  a75=(a43*a23);
-  a75=(a75-a49);
+  a71=(a23/a25);
+  a75=(a28*a23);
+  a30=(a30-a75);
+  a75=(a30/a40);
+  a76=(a43*a23);
+  a76=(a76-a49);
   a49=(a45*a30);
-  a75=(a75-a49);
-  a75=(a75/a51);
-  a49=(a45*a75);
-  a49=(a71-a49);
-  a76=(a28*a49);
-  a76=(a02-a76);
-  a77=(a43*a75);
-  a76=(a76+a77);
-  a77=(a76*a07);
-  a78=(a49*a07);
-  a77=(a77-a78);
-  a77=(a77+a67);
-  a77=(a77+a69);
-  a77=(a77-a70);
-  a70=(a76*a08);
+  a76=(a76-a49);
+  a76=(a76/a51);
+  a49=(a45*a76);
+  a49=(a75-a49);
+  a77=(a28*a49);
+  a77=(a71-a77);
+  a78=(a43*a76);
+  a77=(a77+a78);
+  a78=(a77*a07);
+  a79=(a49*a07);
+  a78=(a78-a79);
+  a78=(a78+a67);
+  a78=(a78+a69);
+  a78=(a78-a70);
+  a70=(a77*a08);
   a70=(a70+a73);
-  a77=(a77-a70);
-  a77=(a77+a74);
-  a77=(a03*a77);
-  a77=(a77-a70);
-  a77=(a77+a11);
-  if (res[0]!=0) res[0][1]=a77;
-  a11=(a76*a54);
+  a78=(a78-a70);
+  a78=(a78+a74);
+  a78=(a03*a78);
+  a78=(a78-a70);
+  a78=(a78+a11);
+  if (res[0]!=0) res[0][2]=a78;
+  a11=(a77*a54);
   a70=(a49*a03);
   a74=(a70*a06);
   a11=(a11-a74);
-  a74=(a75*a00);
+  a74=(a76*a00);
   a11=(a11+a74);
   a11=(a11-a58);
   a11=(a11+a61);
   a11=(a11+a63);
-  a11=(a11/a77);
-  if (res[0]!=0) res[0][2]=a11;
-  if (res[0]!=0) res[0][3]=a14;
-  if (res[0]!=0) res[0][4]=a76;
+  a11=(a11/a78);
+  if (res[0]!=0) res[0][3]=a11;
+  if (res[0]!=0) res[0][4]=a14;
+  if (res[0]!=0) res[0][5]=a77;
   a04=(2.*a04);
   a05=(a05-a04);
-  if (res[0]!=0) res[0][5]=a05;
-  if (res[0]!=0) res[0][6]=a01;
+  if (res[0]!=0) res[0][6]=a05;
+  if (res[0]!=0) res[0][7]=a01;
   a01=(a37*a16);
   a01=(-a01);
-  if (res[0]!=0) res[0][7]=a01;
-  a01=(-a37);
   if (res[0]!=0) res[0][8]=a01;
+  a01=(-a37);
+  if (res[0]!=0) res[0][9]=a01;
   a01=arg[1]? arg[1][5] : 0;
   a05=(a00*a01);
   a04=(a20-a16);
@@ -21236,7 +21238,7 @@ static int casadi_f89(const casadi_real** arg, casadi_real** res, casadi_int* iw
   a73=(a17*a24);
   a12=(a12+a73);
   a12=(a22*a12);
-  a73=(2.*a76);
+  a73=(2.*a77);
   a69=(a49-a73);
   a19=(a19*a69);
   a12=(a12+a19);
@@ -21247,7 +21249,7 @@ static int casadi_f89(const casadi_real** arg, casadi_real** res, casadi_int* iw
   a10=(a10*a69);
   a26=(a26*a10);
   a19=(a19-a26);
-  a26=(a21*a76);
+  a26=(a21*a77);
   a18=(a18*a26);
   a24=(a29*a24);
   a18=(a18+a24);
@@ -21287,9 +21289,9 @@ static int casadi_f89(const casadi_real** arg, casadi_real** res, casadi_int* iw
   a34=(a34+a35);
   a09=(a09*a34);
   a63=(a63-a09);
-  a09=(a00*a76);
+  a09=(a00*a77);
   a09=(a20*a09);
-  a47=(a47*a76);
+  a47=(a47*a77);
   a09=(a09+a47);
   a09=(a08*a09);
   a48=(a48*a72);
@@ -21377,11 +21379,11 @@ static int casadi_f89(const casadi_real** arg, casadi_real** res, casadi_int* iw
   a52=(a52*a14);
   a36=(a36+a52);
   a65=(a65-a36);
-  a36=(a06*a76);
+  a36=(a06*a77);
   a52=(a20*a04);
   a36=(a36-a52);
   a36=(a20*a36);
-  a66=(a66*a76);
+  a66=(a66*a77);
   a36=(a36+a66);
   a65=(a65+a36);
   a66=(a06*a49);
@@ -21398,11 +21400,11 @@ static int casadi_f89(const casadi_real** arg, casadi_real** res, casadi_int* iw
   a19=(a08*a19);
   a53=(a53*a72);
   a19=(a19+a53);
-  a13=(a13*a76);
+  a13=(a13*a77);
   a61=(a20*a61);
   a13=(a13-a61);
   a20=(a20*a13);
-  a13=(a72*a76);
+  a13=(a72*a77);
   a20=(a20+a13);
   a19=(a19+a20);
   a65=(a65-a19);
@@ -21413,22 +21415,23 @@ static int casadi_f89(const casadi_real** arg, casadi_real** res, casadi_int* iw
   a05=(a05-a55);
   a05=(-a05);
   if (res[1]!=0) res[1][0]=a05;
-  a05=(a72-a14);
-  a05=(a03*a05);
-  a12=(a12+a05);
+  if (res[1]!=0) res[1][1]=a02;
+  a02=(a72-a14);
+  a02=(a03*a02);
+  a12=(a12+a02);
   a12=(a12+a72);
-  a05=(a12/a25);
-  a02=(a02/a25);
-  a02=(a02*a10);
-  a05=(a05-a02);
-  a02=(a28*a12);
-  a10=(a23*a32);
-  a02=(a02-a10);
-  a18=(a18-a02);
-  a02=(a18/a40);
-  a71=(a71/a40);
-  a71=(a71*a33);
+  a02=(a12/a25);
+  a71=(a71/a25);
+  a71=(a71*a10);
   a02=(a02-a71);
+  a71=(a28*a12);
+  a10=(a23*a32);
+  a71=(a71-a10);
+  a18=(a18-a71);
+  a71=(a18/a40);
+  a75=(a75/a40);
+  a75=(a75*a33);
+  a71=(a71-a75);
   a12=(a43*a12);
   a23=(a23*a34);
   a12=(a12-a23);
@@ -21438,43 +21441,43 @@ static int casadi_f89(const casadi_real** arg, casadi_real** res, casadi_int* iw
   a18=(a18-a30);
   a12=(a12-a18);
   a12=(a12/a51);
-  a51=(a75/a51);
+  a51=(a76/a51);
   a51=(a51*a41);
   a12=(a12-a51);
   a45=(a45*a12);
-  a27=(a75*a27);
+  a27=(a76*a27);
   a45=(a45-a27);
-  a02=(a02-a45);
-  a28=(a28*a02);
+  a71=(a71-a45);
+  a28=(a28*a71);
   a32=(a49*a32);
   a28=(a28-a32);
-  a05=(a05-a28);
+  a02=(a02-a28);
   a43=(a43*a12);
-  a75=(a75*a34);
-  a43=(a43-a75);
-  a05=(a05+a43);
-  a43=(a07*a05);
-  a75=(a76*a14);
-  a43=(a43+a75);
-  a07=(a07*a02);
+  a76=(a76*a34);
+  a43=(a43-a76);
+  a02=(a02+a43);
+  a43=(a07*a02);
+  a76=(a77*a14);
+  a43=(a43+a76);
+  a07=(a07*a71);
   a14=(a49*a14);
   a07=(a07+a14);
   a43=(a43-a07);
   a43=(a43+a36);
   a43=(a43+a66);
   a43=(a43-a73);
-  a08=(a08*a05);
-  a72=(a76*a72);
+  a08=(a08*a02);
+  a72=(a77*a72);
   a08=(a08+a72);
   a08=(a08+a20);
   a43=(a43-a08);
   a43=(a03*a43);
   a43=(a43-a08);
-  if (res[1]!=0) res[1][1]=a43;
-  a54=(a54*a05);
-  a76=(a76*a46);
-  a54=(a54+a76);
-  a03=(a03*a02);
+  if (res[1]!=0) res[1][2]=a43;
+  a54=(a54*a02);
+  a77=(a77*a46);
+  a54=(a54+a77);
+  a03=(a03*a71);
   a06=(a06*a03);
   a70=(a70*a04);
   a06=(a06-a70);
@@ -21484,30 +21487,30 @@ static int casadi_f89(const casadi_real** arg, casadi_real** res, casadi_int* iw
   a54=(a54-a74);
   a54=(a54+a17);
   a54=(a54+a62);
-  a54=(a54/a77);
-  a11=(a11/a77);
+  a54=(a54/a78);
+  a11=(a11/a78);
   a11=(a11*a43);
   a54=(a54-a11);
-  if (res[1]!=0) res[1][2]=a54;
-  if (res[1]!=0) res[1][3]=a58;
-  if (res[1]!=0) res[1][4]=a05;
-  if (res[1]!=0) res[1][5]=a22;
-  if (res[1]!=0) res[1][6]=a01;
+  if (res[1]!=0) res[1][3]=a54;
+  if (res[1]!=0) res[1][4]=a58;
+  if (res[1]!=0) res[1][5]=a02;
+  if (res[1]!=0) res[1][6]=a22;
+  if (res[1]!=0) res[1][7]=a01;
   a16=(a16*a31);
   a37=(a37*a49);
   a16=(a16+a37);
   a16=(-a16);
-  if (res[1]!=0) res[1][7]=a16;
+  if (res[1]!=0) res[1][8]=a16;
   a31=(-a31);
-  if (res[1]!=0) res[1][8]=a31;
+  if (res[1]!=0) res[1][9]=a31;
   return 0;
 }
 
-/* working_steps:(t,turns[2x12],w[7],h,p[8])->(w_end[7],nodes[7x12],g[9x12],dg[9x12]) */
+/* working_steps:(t,turns[2x12],w[7],h,p[8])->(w_end[7],nodes[7x12],g[10x12],dg[10x12]) */
 static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real **res1=res+4, *rr, *w00=w+115, w01, *w03=w+122, w05, *w06=w+124, w07, *w08=w+131, *w09=w+138, *w10=w+145, *w11=w+152;
-  casadi_real *w12=w+159, *w13=w+166, *w14=w+173, *w15=w+180, *w16=w+187, *w17=w+194, *w18=w+201, *w19=w+208, *w20=w+214, *w21=w+223, *w22=w+232, *w23=w+241;
-  casadi_real *w24=w+250, *w25=w+259, *w26=w+268, *w27=w+277, *w28=w+286, *w29=w+295, *w30=w+304, *w31=w+313, *w32=w+322;
+  casadi_real *w12=w+159, *w13=w+166, *w14=w+173, *w15=w+180, *w16=w+187, *w17=w+194, *w18=w+201, *w19=w+208, *w20=w+214, *w21=w+224, *w22=w+234, *w23=w+244;
+  casadi_real *w24=w+254, *w25=w+264, *w26=w+274, *w27=w+284, *w28=w+294, *w29=w+304, *w30=w+314, *w31=w+324, *w32=w+334;
   const casadi_real **arg1=arg+5, *cs, *wr02, *wr04;
   /* #0: @0 = input[2][0] */
   casadi_copy(arg[2], 7, w00);
@@ -21771,7 +21774,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w21;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #74: output[2][0] = @20 */
-  casadi_copy(w20, 9, res[2]);
+  casadi_copy(w20, 10, res[2]);
   /* #75: @7 = (@1+@5) */
   w07  = (w01+w05);
   /* #76: @19 = @6[:6] */
@@ -21784,7 +21787,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w22;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #78: output[2][1] = @20 */
-  if (res[2]) casadi_copy(w20, 9, res[2]+9);
+  if (res[2]) casadi_copy(w20, 10, res[2]+10);
   /* #79: @7 = (2.*@5) */
   w07 = (2.* w05 );
   /* #80: @7 = (@1+@7) */
@@ -21799,7 +21802,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w23;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #83: output[2][2] = @20 */
-  if (res[2]) casadi_copy(w20, 9, res[2]+18);
+  if (res[2]) casadi_copy(w20, 10, res[2]+20);
   /* #84: @7 = 3 */
   w07 = 3.;
   /* #85: @7 = (@7*@5) */
@@ -21816,7 +21819,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w24;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #89: output[2][3] = @20 */
-  if (res[2]) casadi_copy(w20, 9, res[2]+27);
+  if (res[2]) casadi_copy(w20, 10, res[2]+30);
   /* #90: @7 = 4 */
   w07 = 4.;
   /* #91: @7 = (@7*@5) */
@@ -21833,7 +21836,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w25;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #95: output[2][4] = @20 */
-  if (res[2]) casadi_copy(w20, 9, res[2]+36);
+  if (res[2]) casadi_copy(w20, 10, res[2]+40);
   /* #96: @7 = 5 */
   w07 = 5.;
   /* #97: @7 = (@7*@5) */
@@ -21850,7 +21853,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w26;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #101: output[2][5] = @20 */
-  if (res[2]) casadi_copy(w20, 9, res[2]+45);
+  if (res[2]) casadi_copy(w20, 10, res[2]+50);
   /* #102: @7 = 6 */
   w07 = 6.;
   /* #103: @7 = (@7*@5) */
@@ -21867,7 +21870,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w27;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #107: output[2][6] = @20 */
-  if (res[2]) casadi_copy(w20, 9, res[2]+54);
+  if (res[2]) casadi_copy(w20, 10, res[2]+60);
   /* #108: @7 = 7 */
   w07 = 7.;
   /* #109: @7 = (@7*@5) */
@@ -21884,7 +21887,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w28;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #113: output[2][7] = @20 */
-  if (res[2]) casadi_copy(w20, 9, res[2]+63);
+  if (res[2]) casadi_copy(w20, 10, res[2]+70);
   /* #114: @7 = 8 */
   w07 = 8.;
   /* #115: @7 = (@7*@5) */
@@ -21901,7 +21904,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w29;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #119: output[2][8] = @20 */
-  if (res[2]) casadi_copy(w20, 9, res[2]+72);
+  if (res[2]) casadi_copy(w20, 10, res[2]+80);
   /* #120: @7 = 9 */
   w07 = 9.;
   /* #121: @7 = (@7*@5) */
@@ -21918,7 +21921,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w30;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #125: output[2][9] = @20 */
-  if (res[2]) casadi_copy(w20, 9, res[2]+81);
+  if (res[2]) casadi_copy(w20, 10, res[2]+90);
   /* #126: @7 = 10 */
   w07 = 10.;
   /* #127: @7 = (@7*@5) */
@@ -21935,7 +21938,7 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w31;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #131: output[2][10] = @20 */
-  if (res[2]) casadi_copy(w20, 9, res[2]+90);
+  if (res[2]) casadi_copy(w20, 10, res[2]+100);
   /* #132: @7 = 11 */
   w07 = 11.;
   /* #133: @7 = (@7*@5) */
@@ -21952,39 +21955,39 @@ static int casadi_f87(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w32;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #137: output[2][11] = @20 */
-  if (res[2]) casadi_copy(w20, 9, res[2]+99);
+  if (res[2]) casadi_copy(w20, 10, res[2]+110);
   /* #138: output[3][0] = @21 */
-  casadi_copy(w21, 9, res[3]);
+  casadi_copy(w21, 10, res[3]);
   /* #139: output[3][1] = @22 */
-  if (res[3]) casadi_copy(w22, 9, res[3]+9);
+  if (res[3]) casadi_copy(w22, 10, res[3]+10);
   /* #140: output[3][2] = @23 */
-  if (res[3]) casadi_copy(w23, 9, res[3]+18);
+  if (res[3]) casadi_copy(w23, 10, res[3]+20);
   /* #141: output[3][3] = @24 */
-  if (res[3]) casadi_copy(w24, 9, res[3]+27);
+  if (res[3]) casadi_copy(w24, 10, res[3]+30);
   /* #142: output[3][4] = @25 */
-  if (res[3]) casadi_copy(w25, 9, res[3]+36);
+  if (res[3]) casadi_copy(w25, 10, res[3]+40);
   /* #143: output[3][5] = @26 */
-  if (res[3]) casadi_copy(w26, 9, res[3]+45);
+  if (res[3]) casadi_copy(w26, 10, res[3]+50);
   /* #144: output[3][6] = @27 */
-  if (res[3]) casadi_copy(w27, 9, res[3]+54);
+  if (res[3]) casadi_copy(w27, 10, res[3]+60);
   /* #145: output[3][7] = @28 */
-  if (res[3]) casadi_copy(w28, 9, res[3]+63);
+  if (res[3]) casadi_copy(w28, 10, res[3]+70);
   /* #146: output[3][8] = @29 */
-  if (res[3]) casadi_copy(w29, 9, res[3]+72);
+  if (res[3]) casadi_copy(w29, 10, res[3]+80);
   /* #147: output[3][9] = @30 */
-  if (res[3]) casadi_copy(w30, 9, res[3]+81);
+  if (res[3]) casadi_copy(w30, 10, res[3]+90);
   /* #148: output[3][10] = @31 */
-  if (res[3]) casadi_copy(w31, 9, res[3]+90);
+  if (res[3]) casadi_copy(w31, 10, res[3]+100);
   /* #149: output[3][11] = @32 */
-  if (res[3]) casadi_copy(w32, 9, res[3]+99);
+  if (res[3]) casadi_copy(w32, 10, res[3]+110);
   return 0;
 }
 
-/* wobbling_trace_48:(u[6],p[8])->(w[7x49],g[9x49],dg[9x49],R[6]) */
+/* wobbling_trace_48:(u[6],p[8])->(w[7x49],g[10x49],dg[10x49],R[6]) */
 static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+4, *rr, w00, *w01=w+366, w02, w03, *w05=w+372, *w06=w+396, w07, *w08=w+401, *w09=w+408, *w10=w+415;
-  casadi_real *w11=w+499, *w12=w+607, *w13=w+715, *w14=w+823, *w15=w+931, *w16=w+1039, *w17=w+1147, *w18=w+1255, *w19=w+1363, *w20=w+1372, *w21=w+1381;
+  casadi_real **res1=res+4, *rr, w00, *w01=w+379, w02, w03, *w05=w+385, *w06=w+409, w07, *w08=w+414, *w09=w+421, *w10=w+428;
+  casadi_real *w11=w+512, *w12=w+632, *w13=w+752, *w14=w+872, *w15=w+992, *w16=w+1112, *w17=w+1232, *w18=w+1352, *w19=w+1472, *w20=w+1482, *w21=w+1492;
   const casadi_real **arg1=arg+2, *cs, *wr04;
   /* #0: @0 = 0 */
   w00 = 0.;
@@ -22084,13 +22087,13 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   /* #25: output[0][4] = @8 */
   if (res[0]) casadi_copy(w08, 7, res[0]+336);
   /* #26: output[1][0] = @11 */
-  casadi_copy(w11, 108, res[1]);
+  casadi_copy(w11, 120, res[1]);
   /* #27: output[1][1] = @13 */
-  if (res[1]) casadi_copy(w13, 108, res[1]+108);
+  if (res[1]) casadi_copy(w13, 120, res[1]+120);
   /* #28: output[1][2] = @15 */
-  if (res[1]) casadi_copy(w15, 108, res[1]+216);
+  if (res[1]) casadi_copy(w15, 120, res[1]+240);
   /* #29: output[1][3] = @17 */
-  if (res[1]) casadi_copy(w17, 108, res[1]+324);
+  if (res[1]) casadi_copy(w17, 120, res[1]+360);
   /* #30: @1 = @8[:6] */
   for (rr=w01, cs=w08+0; cs!=w08+6; cs+=1) *rr++ = *cs;
   /* #31: {@19, @20} = observe(@2, @1, @4) */
@@ -22101,17 +22104,17 @@ static int casadi_f86(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w20;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #32: output[1][4] = @19 */
-  if (res[1]) casadi_copy(w19, 9, res[1]+432);
+  if (res[1]) casadi_copy(w19, 10, res[1]+480);
   /* #33: output[2][0] = @12 */
-  casadi_copy(w12, 108, res[2]);
+  casadi_copy(w12, 120, res[2]);
   /* #34: output[2][1] = @14 */
-  if (res[2]) casadi_copy(w14, 108, res[2]+108);
+  if (res[2]) casadi_copy(w14, 120, res[2]+120);
   /* #35: output[2][2] = @16 */
-  if (res[2]) casadi_copy(w16, 108, res[2]+216);
+  if (res[2]) casadi_copy(w16, 120, res[2]+240);
   /* #36: output[2][3] = @18 */
-  if (res[2]) casadi_copy(w18, 108, res[2]+324);
+  if (res[2]) casadi_copy(w18, 120, res[2]+360);
   /* #37: output[2][4] = @20 */
-  if (res[2]) casadi_copy(w20, 9, res[2]+432);
+  if (res[2]) casadi_copy(w20, 10, res[2]+480);
   /* #38: @1 = @8[:6] */
   for (rr=w01, cs=w08+0; cs!=w08+6; cs+=1) *rr++ = *cs;
   /* #39: @21 = landing(@1, @6, @4) */
@@ -22192,7 +22195,7 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_48_work(casadi_int *sz_arg, casadi_int* 
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 1387;
+  if (sz_w) *sz_w = 1498;
   return 0;
 }
 
@@ -22200,16 +22203,16 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_48_work_bytes(casadi_int *sz_arg, casadi
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 1387*sizeof(casadi_real);
+  if (sz_w) *sz_w = 1498*sizeof(casadi_real);
   return 0;
 }
 
-/* wobbling_trace_72:(u[6],p[8])->(w[7x73],g[9x73],dg[9x73],R[6]) */
+/* wobbling_trace_72:(u[6],p[8])->(w[7x73],g[10x73],dg[10x73],R[6]) */
 static int casadi_f90(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+4, *rr, w00, *w01=w+366, w02, w03, *w05=w+372, *w06=w+396, w07, *w08=w+401, *w09=w+408, *w10=w+415;
-  casadi_real *w11=w+499, *w12=w+607, *w13=w+715, *w14=w+823, *w15=w+931, *w16=w+1039, *w17=w+1147, *w18=w+1255, *w19=w+1363, *w20=w+1471, *w21=w+1579, *w22=w+1687;
-  casadi_real *w23=w+1795, *w24=w+1804, *w25=w+1813;
+  casadi_real **res1=res+4, *rr, w00, *w01=w+379, w02, w03, *w05=w+385, *w06=w+409, w07, *w08=w+414, *w09=w+421, *w10=w+428;
+  casadi_real *w11=w+512, *w12=w+632, *w13=w+752, *w14=w+872, *w15=w+992, *w16=w+1112, *w17=w+1232, *w18=w+1352, *w19=w+1472, *w20=w+1592, *w21=w+1712, *w22=w+1832;
+  casadi_real *w23=w+1952, *w24=w+1962, *w25=w+1972;
   const casadi_real **arg1=arg+2, *cs, *wr04;
   /* #0: @0 = 0 */
   w00 = 0.;
@@ -22343,17 +22346,17 @@ static int casadi_f90(const casadi_real** arg, casadi_real** res, casadi_int* iw
   /* #33: output[0][6] = @8 */
   if (res[0]) casadi_copy(w08, 7, res[0]+504);
   /* #34: output[1][0] = @11 */
-  casadi_copy(w11, 108, res[1]);
+  casadi_copy(w11, 120, res[1]);
   /* #35: output[1][1] = @13 */
-  if (res[1]) casadi_copy(w13, 108, res[1]+108);
+  if (res[1]) casadi_copy(w13, 120, res[1]+120);
   /* #36: output[1][2] = @15 */
-  if (res[1]) casadi_copy(w15, 108, res[1]+216);
+  if (res[1]) casadi_copy(w15, 120, res[1]+240);
   /* #37: output[1][3] = @17 */
-  if (res[1]) casadi_copy(w17, 108, res[1]+324);
+  if (res[1]) casadi_copy(w17, 120, res[1]+360);
   /* #38: output[1][4] = @19 */
-  if (res[1]) casadi_copy(w19, 108, res[1]+432);
+  if (res[1]) casadi_copy(w19, 120, res[1]+480);
   /* #39: output[1][5] = @21 */
-  if (res[1]) casadi_copy(w21, 108, res[1]+540);
+  if (res[1]) casadi_copy(w21, 120, res[1]+600);
   /* #40: @1 = @8[:6] */
   for (rr=w01, cs=w08+0; cs!=w08+6; cs+=1) *rr++ = *cs;
   /* #41: {@23, @24} = observe(@2, @1, @4) */
@@ -22364,21 +22367,21 @@ static int casadi_f90(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w24;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #42: output[1][6] = @23 */
-  if (res[1]) casadi_copy(w23, 9, res[1]+648);
+  if (res[1]) casadi_copy(w23, 10, res[1]+720);
   /* #43: output[2][0] = @12 */
-  casadi_copy(w12, 108, res[2]);
+  casadi_copy(w12, 120, res[2]);
   /* #44: output[2][1] = @14 */
-  if (res[2]) casadi_copy(w14, 108, res[2]+108);
+  if (res[2]) casadi_copy(w14, 120, res[2]+120);
   /* #45: output[2][2] = @16 */
-  if (res[2]) casadi_copy(w16, 108, res[2]+216);
+  if (res[2]) casadi_copy(w16, 120, res[2]+240);
   /* #46: output[2][3] = @18 */
-  if (res[2]) casadi_copy(w18, 108, res[2]+324);
+  if (res[2]) casadi_copy(w18, 120, res[2]+360);
   /* #47: output[2][4] = @20 */
-  if (res[2]) casadi_copy(w20, 108, res[2]+432);
+  if (res[2]) casadi_copy(w20, 120, res[2]+480);
   /* #48: output[2][5] = @22 */
-  if (res[2]) casadi_copy(w22, 108, res[2]+540);
+  if (res[2]) casadi_copy(w22, 120, res[2]+600);
   /* #49: output[2][6] = @24 */
-  if (res[2]) casadi_copy(w24, 9, res[2]+648);
+  if (res[2]) casadi_copy(w24, 10, res[2]+720);
   /* #50: @1 = @8[:6] */
   for (rr=w01, cs=w08+0; cs!=w08+6; cs+=1) *rr++ = *cs;
   /* #51: @25 = landing(@1, @6, @4) */
@@ -22459,7 +22462,7 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_72_work(casadi_int *sz_arg, casadi_int* 
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 1819;
+  if (sz_w) *sz_w = 1978;
   return 0;
 }
 
@@ -22467,16 +22470,16 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_72_work_bytes(casadi_int *sz_arg, casadi
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 1819*sizeof(casadi_real);
+  if (sz_w) *sz_w = 1978*sizeof(casadi_real);
   return 0;
 }
 
-/* wobbling_trace_96:(u[6],p[8])->(w[7x97],g[9x97],dg[9x97],R[6]) */
+/* wobbling_trace_96:(u[6],p[8])->(w[7x97],g[10x97],dg[10x97],R[6]) */
 static int casadi_f91(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+4, *rr, w00, *w01=w+366, w02, w03, *w05=w+372, *w06=w+396, w07, *w08=w+401, *w09=w+408, *w10=w+415;
-  casadi_real *w11=w+499, *w12=w+607, *w13=w+715, *w14=w+823, *w15=w+931, *w16=w+1039, *w17=w+1147, *w18=w+1255, *w19=w+1363, *w20=w+1471, *w21=w+1579, *w22=w+1687;
-  casadi_real *w23=w+1795, *w24=w+1903, *w25=w+2011, *w26=w+2119, *w27=w+2227, *w28=w+2236, *w29=w+2245;
+  casadi_real **res1=res+4, *rr, w00, *w01=w+379, w02, w03, *w05=w+385, *w06=w+409, w07, *w08=w+414, *w09=w+421, *w10=w+428;
+  casadi_real *w11=w+512, *w12=w+632, *w13=w+752, *w14=w+872, *w15=w+992, *w16=w+1112, *w17=w+1232, *w18=w+1352, *w19=w+1472, *w20=w+1592, *w21=w+1712, *w22=w+1832;
+  casadi_real *w23=w+1952, *w24=w+2072, *w25=w+2192, *w26=w+2312, *w27=w+2432, *w28=w+2442, *w29=w+2452;
   const casadi_real **arg1=arg+2, *cs, *wr04;
   /* #0: @0 = 0 */
   w00 = 0.;
@@ -22644,21 +22647,21 @@ static int casadi_f91(const casadi_real** arg, casadi_real** res, casadi_int* iw
   /* #41: output[0][8] = @8 */
   if (res[0]) casadi_copy(w08, 7, res[0]+672);
   /* #42: output[1][0] = @11 */
-  casadi_copy(w11, 108, res[1]);
+  casadi_copy(w11, 120, res[1]);
   /* #43: output[1][1] = @13 */
-  if (res[1]) casadi_copy(w13, 108, res[1]+108);
+  if (res[1]) casadi_copy(w13, 120, res[1]+120);
   /* #44: output[1][2] = @15 */
-  if (res[1]) casadi_copy(w15, 108, res[1]+216);
+  if (res[1]) casadi_copy(w15, 120, res[1]+240);
   /* #45: output[1][3] = @17 */
-  if (res[1]) casadi_copy(w17, 108, res[1]+324);
+  if (res[1]) casadi_copy(w17, 120, res[1]+360);
   /* #46: output[1][4] = @19 */
-  if (res[1]) casadi_copy(w19, 108, res[1]+432);
+  if (res[1]) casadi_copy(w19, 120, res[1]+480);
   /* #47: output[1][5] = @21 */
-  if (res[1]) casadi_copy(w21, 108, res[1]+540);
+  if (res[1]) casadi_copy(w21, 120, res[1]+600);
   /* #48: output[1][6] = @23 */
-  if (res[1]) casadi_copy(w23, 108, res[1]+648);
+  if (res[1]) casadi_copy(w23, 120, res[1]+720);
   /* #49: output[1][7] = @25 */
-  if (res[1]) casadi_copy(w25, 108, res[1]+756);
+  if (res[1]) casadi_copy(w25, 120, res[1]+840);
   /* #50: @1 = @8[:6] */
   for (rr=w01, cs=w08+0; cs!=w08+6; cs+=1) *rr++ = *cs;
   /* #51: {@27, @28} = observe(@2, @1, @4) */
@@ -22669,25 +22672,25 @@ static int casadi_f91(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w28;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #52: output[1][8] = @27 */
-  if (res[1]) casadi_copy(w27, 9, res[1]+864);
+  if (res[1]) casadi_copy(w27, 10, res[1]+960);
   /* #53: output[2][0] = @12 */
-  casadi_copy(w12, 108, res[2]);
+  casadi_copy(w12, 120, res[2]);
   /* #54: output[2][1] = @14 */
-  if (res[2]) casadi_copy(w14, 108, res[2]+108);
+  if (res[2]) casadi_copy(w14, 120, res[2]+120);
   /* #55: output[2][2] = @16 */
-  if (res[2]) casadi_copy(w16, 108, res[2]+216);
+  if (res[2]) casadi_copy(w16, 120, res[2]+240);
   /* #56: output[2][3] = @18 */
-  if (res[2]) casadi_copy(w18, 108, res[2]+324);
+  if (res[2]) casadi_copy(w18, 120, res[2]+360);
   /* #57: output[2][4] = @20 */
-  if (res[2]) casadi_copy(w20, 108, res[2]+432);
+  if (res[2]) casadi_copy(w20, 120, res[2]+480);
   /* #58: output[2][5] = @22 */
-  if (res[2]) casadi_copy(w22, 108, res[2]+540);
+  if (res[2]) casadi_copy(w22, 120, res[2]+600);
   /* #59: output[2][6] = @24 */
-  if (res[2]) casadi_copy(w24, 108, res[2]+648);
+  if (res[2]) casadi_copy(w24, 120, res[2]+720);
   /* #60: output[2][7] = @26 */
-  if (res[2]) casadi_copy(w26, 108, res[2]+756);
+  if (res[2]) casadi_copy(w26, 120, res[2]+840);
   /* #61: output[2][8] = @28 */
-  if (res[2]) casadi_copy(w28, 9, res[2]+864);
+  if (res[2]) casadi_copy(w28, 10, res[2]+960);
   /* #62: @1 = @8[:6] */
   for (rr=w01, cs=w08+0; cs!=w08+6; cs+=1) *rr++ = *cs;
   /* #63: @29 = landing(@1, @6, @4) */
@@ -22768,7 +22771,7 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_96_work(casadi_int *sz_arg, casadi_int* 
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 2251;
+  if (sz_w) *sz_w = 2458;
   return 0;
 }
 
@@ -22776,17 +22779,17 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_96_work_bytes(casadi_int *sz_arg, casadi
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 2251*sizeof(casadi_real);
+  if (sz_w) *sz_w = 2458*sizeof(casadi_real);
   return 0;
 }
 
-/* wobbling_trace_144:(u[6],p[8])->(w[7x145],g[9x145],dg[9x145],R[6]) */
+/* wobbling_trace_144:(u[6],p[8])->(w[7x145],g[10x145],dg[10x145],R[6]) */
 static int casadi_f92(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+4, *rr, w00, *w01=w+366, w02, w03, *w05=w+372, *w06=w+396, w07, *w08=w+401, *w09=w+408, *w10=w+415;
-  casadi_real *w11=w+499, *w12=w+607, *w13=w+715, *w14=w+823, *w15=w+931, *w16=w+1039, *w17=w+1147, *w18=w+1255, *w19=w+1363, *w20=w+1471, *w21=w+1579, *w22=w+1687;
-  casadi_real *w23=w+1795, *w24=w+1903, *w25=w+2011, *w26=w+2119, *w27=w+2227, *w28=w+2335, *w29=w+2443, *w30=w+2551, *w31=w+2659, *w32=w+2767, *w33=w+2875, *w34=w+2983;
-  casadi_real *w35=w+3091, *w36=w+3100, *w37=w+3109;
+  casadi_real **res1=res+4, *rr, w00, *w01=w+379, w02, w03, *w05=w+385, *w06=w+409, w07, *w08=w+414, *w09=w+421, *w10=w+428;
+  casadi_real *w11=w+512, *w12=w+632, *w13=w+752, *w14=w+872, *w15=w+992, *w16=w+1112, *w17=w+1232, *w18=w+1352, *w19=w+1472, *w20=w+1592, *w21=w+1712, *w22=w+1832;
+  casadi_real *w23=w+1952, *w24=w+2072, *w25=w+2192, *w26=w+2312, *w27=w+2432, *w28=w+2552, *w29=w+2672, *w30=w+2792, *w31=w+2912, *w32=w+3032, *w33=w+3152, *w34=w+3272;
+  casadi_real *w35=w+3392, *w36=w+3402, *w37=w+3412;
   const casadi_real **arg1=arg+2, *cs, *wr04;
   /* #0: @0 = 0 */
   w00 = 0.;
@@ -23022,29 +23025,29 @@ static int casadi_f92(const casadi_real** arg, casadi_real** res, casadi_int* iw
   /* #57: output[0][12] = @8 */
   if (res[0]) casadi_copy(w08, 7, res[0]+1008);
   /* #58: output[1][0] = @11 */
-  casadi_copy(w11, 108, res[1]);
+  casadi_copy(w11, 120, res[1]);
   /* #59: output[1][1] = @13 */
-  if (res[1]) casadi_copy(w13, 108, res[1]+108);
+  if (res[1]) casadi_copy(w13, 120, res[1]+120);
   /* #60: output[1][2] = @15 */
-  if (res[1]) casadi_copy(w15, 108, res[1]+216);
+  if (res[1]) casadi_copy(w15, 120, res[1]+240);
   /* #61: output[1][3] = @17 */
-  if (res[1]) casadi_copy(w17, 108, res[1]+324);
+  if (res[1]) casadi_copy(w17, 120, res[1]+360);
   /* #62: output[1][4] = @19 */
-  if (res[1]) casadi_copy(w19, 108, res[1]+432);
+  if (res[1]) casadi_copy(w19, 120, res[1]+480);
   /* #63: output[1][5] = @21 */
-  if (res[1]) casadi_copy(w21, 108, res[1]+540);
+  if (res[1]) casadi_copy(w21, 120, res[1]+600);
   /* #64: output[1][6] = @23 */
-  if (res[1]) casadi_copy(w23, 108, res[1]+648);
+  if (res[1]) casadi_copy(w23, 120, res[1]+720);
   /* #65: output[1][7] = @25 */
-  if (res[1]) casadi_copy(w25, 108, res[1]+756);
+  if (res[1]) casadi_copy(w25, 120, res[1]+840);
   /* #66: output[1][8] = @27 */
-  if (res[1]) casadi_copy(w27, 108, res[1]+864);
+  if (res[1]) casadi_copy(w27, 120, res[1]+960);
   /* #67: output[1][9] = @29 */
-  if (res[1]) casadi_copy(w29, 108, res[1]+972);
+  if (res[1]) casadi_copy(w29, 120, res[1]+1080);
   /* #68: output[1][10] = @31 */
-  if (res[1]) casadi_copy(w31, 108, res[1]+1080);
+  if (res[1]) casadi_copy(w31, 120, res[1]+1200);
   /* #69: output[1][11] = @33 */
-  if (res[1]) casadi_copy(w33, 108, res[1]+1188);
+  if (res[1]) casadi_copy(w33, 120, res[1]+1320);
   /* #70: @1 = @8[:6] */
   for (rr=w01, cs=w08+0; cs!=w08+6; cs+=1) *rr++ = *cs;
   /* #71: {@35, @36} = observe(@2, @1, @4) */
@@ -23055,33 +23058,33 @@ static int casadi_f92(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w36;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #72: output[1][12] = @35 */
-  if (res[1]) casadi_copy(w35, 9, res[1]+1296);
+  if (res[1]) casadi_copy(w35, 10, res[1]+1440);
   /* #73: output[2][0] = @12 */
-  casadi_copy(w12, 108, res[2]);
+  casadi_copy(w12, 120, res[2]);
   /* #74: output[2][1] = @14 */
-  if (res[2]) casadi_copy(w14, 108, res[2]+108);
+  if (res[2]) casadi_copy(w14, 120, res[2]+120);
   /* #75: output[2][2] = @16 */
-  if (res[2]) casadi_copy(w16, 108, res[2]+216);
+  if (res[2]) casadi_copy(w16, 120, res[2]+240);
   /* #76: output[2][3] = @18 */
-  if (res[2]) casadi_copy(w18, 108, res[2]+324);
+  if (res[2]) casadi_copy(w18, 120, res[2]+360);
   /* #77: output[2][4] = @20 */
-  if (res[2]) casadi_copy(w20, 108, res[2]+432);
+  if (res[2]) casadi_copy(w20, 120, res[2]+480);
   /* #78: output[2][5] = @22 */
-  if (res[2]) casadi_copy(w22, 108, res[2]+540);
+  if (res[2]) casadi_copy(w22, 120, res[2]+600);
   /* #79: output[2][6] = @24 */
-  if (res[2]) casadi_copy(w24, 108, res[2]+648);
+  if (res[2]) casadi_copy(w24, 120, res[2]+720);
   /* #80: output[2][7] = @26 */
-  if (res[2]) casadi_copy(w26, 108, res[2]+756);
+  if (res[2]) casadi_copy(w26, 120, res[2]+840);
   /* #81: output[2][8] = @28 */
-  if (res[2]) casadi_copy(w28, 108, res[2]+864);
+  if (res[2]) casadi_copy(w28, 120, res[2]+960);
   /* #82: output[2][9] = @30 */
-  if (res[2]) casadi_copy(w30, 108, res[2]+972);
+  if (res[2]) casadi_copy(w30, 120, res[2]+1080);
   /* #83: output[2][10] = @32 */
-  if (res[2]) casadi_copy(w32, 108, res[2]+1080);
+  if (res[2]) casadi_copy(w32, 120, res[2]+1200);
   /* #84: output[2][11] = @34 */
-  if (res[2]) casadi_copy(w34, 108, res[2]+1188);
+  if (res[2]) casadi_copy(w34, 120, res[2]+1320);
   /* #85: output[2][12] = @36 */
-  if (res[2]) casadi_copy(w36, 9, res[2]+1296);
+  if (res[2]) casadi_copy(w36, 10, res[2]+1440);
   /* #86: @1 = @8[:6] */
   for (rr=w01, cs=w08+0; cs!=w08+6; cs+=1) *rr++ = *cs;
   /* #87: @37 = landing(@1, @6, @4) */
@@ -23162,7 +23165,7 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_144_work(casadi_int *sz_arg, casadi_int*
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 3115;
+  if (sz_w) *sz_w = 3418;
   return 0;
 }
 
@@ -23170,17 +23173,17 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_144_work_bytes(casadi_int *sz_arg, casad
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 3115*sizeof(casadi_real);
+  if (sz_w) *sz_w = 3418*sizeof(casadi_real);
   return 0;
 }
 
-/* wobbling_trace_192:(u[6],p[8])->(w[7x193],g[9x193],dg[9x193],R[6]) */
+/* wobbling_trace_192:(u[6],p[8])->(w[7x193],g[10x193],dg[10x193],R[6]) */
 static int casadi_f93(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+4, *rr, w00, *w01=w+366, w02, w03, *w05=w+372, *w06=w+396, w07, *w08=w+401, *w09=w+408, *w10=w+415;
-  casadi_real *w11=w+499, *w12=w+607, *w13=w+715, *w14=w+823, *w15=w+931, *w16=w+1039, *w17=w+1147, *w18=w+1255, *w19=w+1363, *w20=w+1471, *w21=w+1579, *w22=w+1687;
-  casadi_real *w23=w+1795, *w24=w+1903, *w25=w+2011, *w26=w+2119, *w27=w+2227, *w28=w+2335, *w29=w+2443, *w30=w+2551, *w31=w+2659, *w32=w+2767, *w33=w+2875, *w34=w+2983;
-  casadi_real *w35=w+3091, *w36=w+3199, *w37=w+3307, *w38=w+3415, *w39=w+3523, *w40=w+3631, *w41=w+3739, *w42=w+3847, *w43=w+3955, *w44=w+3964, *w45=w+3973;
+  casadi_real **res1=res+4, *rr, w00, *w01=w+379, w02, w03, *w05=w+385, *w06=w+409, w07, *w08=w+414, *w09=w+421, *w10=w+428;
+  casadi_real *w11=w+512, *w12=w+632, *w13=w+752, *w14=w+872, *w15=w+992, *w16=w+1112, *w17=w+1232, *w18=w+1352, *w19=w+1472, *w20=w+1592, *w21=w+1712, *w22=w+1832;
+  casadi_real *w23=w+1952, *w24=w+2072, *w25=w+2192, *w26=w+2312, *w27=w+2432, *w28=w+2552, *w29=w+2672, *w30=w+2792, *w31=w+2912, *w32=w+3032, *w33=w+3152, *w34=w+3272;
+  casadi_real *w35=w+3392, *w36=w+3512, *w37=w+3632, *w38=w+3752, *w39=w+3872, *w40=w+3992, *w41=w+4112, *w42=w+4232, *w43=w+4352, *w44=w+4362, *w45=w+4372;
   const casadi_real **arg1=arg+2, *cs, *wr04;
   /* #0: @0 = 0 */
   w00 = 0.;
@@ -23484,37 +23487,37 @@ static int casadi_f93(const casadi_real** arg, casadi_real** res, casadi_int* iw
   /* #73: output[0][16] = @8 */
   if (res[0]) casadi_copy(w08, 7, res[0]+1344);
   /* #74: output[1][0] = @11 */
-  casadi_copy(w11, 108, res[1]);
+  casadi_copy(w11, 120, res[1]);
   /* #75: output[1][1] = @13 */
-  if (res[1]) casadi_copy(w13, 108, res[1]+108);
+  if (res[1]) casadi_copy(w13, 120, res[1]+120);
   /* #76: output[1][2] = @15 */
-  if (res[1]) casadi_copy(w15, 108, res[1]+216);
+  if (res[1]) casadi_copy(w15, 120, res[1]+240);
   /* #77: output[1][3] = @17 */
-  if (res[1]) casadi_copy(w17, 108, res[1]+324);
+  if (res[1]) casadi_copy(w17, 120, res[1]+360);
   /* #78: output[1][4] = @19 */
-  if (res[1]) casadi_copy(w19, 108, res[1]+432);
+  if (res[1]) casadi_copy(w19, 120, res[1]+480);
   /* #79: output[1][5] = @21 */
-  if (res[1]) casadi_copy(w21, 108, res[1]+540);
+  if (res[1]) casadi_copy(w21, 120, res[1]+600);
   /* #80: output[1][6] = @23 */
-  if (res[1]) casadi_copy(w23, 108, res[1]+648);
+  if (res[1]) casadi_copy(w23, 120, res[1]+720);
   /* #81: output[1][7] = @25 */
-  if (res[1]) casadi_copy(w25, 108, res[1]+756);
+  if (res[1]) casadi_copy(w25, 120, res[1]+840);
   /* #82: output[1][8] = @27 */
-  if (res[1]) casadi_copy(w27, 108, res[1]+864);
+  if (res[1]) casadi_copy(w27, 120, res[1]+960);
   /* #83: output[1][9] = @29 */
-  if (res[1]) casadi_copy(w29, 108, res[1]+972);
+  if (res[1]) casadi_copy(w29, 120, res[1]+1080);
   /* #84: output[1][10] = @31 */
-  if (res[1]) casadi_copy(w31, 108, res[1]+1080);
+  if (res[1]) casadi_copy(w31, 120, res[1]+1200);
   /* #85: output[1][11] = @33 */
-  if (res[1]) casadi_copy(w33, 108, res[1]+1188);
+  if (res[1]) casadi_copy(w33, 120, res[1]+1320);
   /* #86: output[1][12] = @35 */
-  if (res[1]) casadi_copy(w35, 108, res[1]+1296);
+  if (res[1]) casadi_copy(w35, 120, res[1]+1440);
   /* #87: output[1][13] = @37 */
-  if (res[1]) casadi_copy(w37, 108, res[1]+1404);
+  if (res[1]) casadi_copy(w37, 120, res[1]+1560);
   /* #88: output[1][14] = @39 */
-  if (res[1]) casadi_copy(w39, 108, res[1]+1512);
+  if (res[1]) casadi_copy(w39, 120, res[1]+1680);
   /* #89: output[1][15] = @41 */
-  if (res[1]) casadi_copy(w41, 108, res[1]+1620);
+  if (res[1]) casadi_copy(w41, 120, res[1]+1800);
   /* #90: @1 = @8[:6] */
   for (rr=w01, cs=w08+0; cs!=w08+6; cs+=1) *rr++ = *cs;
   /* #91: {@43, @44} = observe(@2, @1, @4) */
@@ -23525,41 +23528,41 @@ static int casadi_f93(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w44;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #92: output[1][16] = @43 */
-  if (res[1]) casadi_copy(w43, 9, res[1]+1728);
+  if (res[1]) casadi_copy(w43, 10, res[1]+1920);
   /* #93: output[2][0] = @12 */
-  casadi_copy(w12, 108, res[2]);
+  casadi_copy(w12, 120, res[2]);
   /* #94: output[2][1] = @14 */
-  if (res[2]) casadi_copy(w14, 108, res[2]+108);
+  if (res[2]) casadi_copy(w14, 120, res[2]+120);
   /* #95: output[2][2] = @16 */
-  if (res[2]) casadi_copy(w16, 108, res[2]+216);
+  if (res[2]) casadi_copy(w16, 120, res[2]+240);
   /* #96: output[2][3] = @18 */
-  if (res[2]) casadi_copy(w18, 108, res[2]+324);
+  if (res[2]) casadi_copy(w18, 120, res[2]+360);
   /* #97: output[2][4] = @20 */
-  if (res[2]) casadi_copy(w20, 108, res[2]+432);
+  if (res[2]) casadi_copy(w20, 120, res[2]+480);
   /* #98: output[2][5] = @22 */
-  if (res[2]) casadi_copy(w22, 108, res[2]+540);
+  if (res[2]) casadi_copy(w22, 120, res[2]+600);
   /* #99: output[2][6] = @24 */
-  if (res[2]) casadi_copy(w24, 108, res[2]+648);
+  if (res[2]) casadi_copy(w24, 120, res[2]+720);
   /* #100: output[2][7] = @26 */
-  if (res[2]) casadi_copy(w26, 108, res[2]+756);
+  if (res[2]) casadi_copy(w26, 120, res[2]+840);
   /* #101: output[2][8] = @28 */
-  if (res[2]) casadi_copy(w28, 108, res[2]+864);
+  if (res[2]) casadi_copy(w28, 120, res[2]+960);
   /* #102: output[2][9] = @30 */
-  if (res[2]) casadi_copy(w30, 108, res[2]+972);
+  if (res[2]) casadi_copy(w30, 120, res[2]+1080);
   /* #103: output[2][10] = @32 */
-  if (res[2]) casadi_copy(w32, 108, res[2]+1080);
+  if (res[2]) casadi_copy(w32, 120, res[2]+1200);
   /* #104: output[2][11] = @34 */
-  if (res[2]) casadi_copy(w34, 108, res[2]+1188);
+  if (res[2]) casadi_copy(w34, 120, res[2]+1320);
   /* #105: output[2][12] = @36 */
-  if (res[2]) casadi_copy(w36, 108, res[2]+1296);
+  if (res[2]) casadi_copy(w36, 120, res[2]+1440);
   /* #106: output[2][13] = @38 */
-  if (res[2]) casadi_copy(w38, 108, res[2]+1404);
+  if (res[2]) casadi_copy(w38, 120, res[2]+1560);
   /* #107: output[2][14] = @40 */
-  if (res[2]) casadi_copy(w40, 108, res[2]+1512);
+  if (res[2]) casadi_copy(w40, 120, res[2]+1680);
   /* #108: output[2][15] = @42 */
-  if (res[2]) casadi_copy(w42, 108, res[2]+1620);
+  if (res[2]) casadi_copy(w42, 120, res[2]+1800);
   /* #109: output[2][16] = @44 */
-  if (res[2]) casadi_copy(w44, 9, res[2]+1728);
+  if (res[2]) casadi_copy(w44, 10, res[2]+1920);
   /* #110: @1 = @8[:6] */
   for (rr=w01, cs=w08+0; cs!=w08+6; cs+=1) *rr++ = *cs;
   /* #111: @45 = landing(@1, @6, @4) */
@@ -23640,7 +23643,7 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_192_work(casadi_int *sz_arg, casadi_int*
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 3979;
+  if (sz_w) *sz_w = 4378;
   return 0;
 }
 
@@ -23648,19 +23651,19 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_192_work_bytes(casadi_int *sz_arg, casad
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 3979*sizeof(casadi_real);
+  if (sz_w) *sz_w = 4378*sizeof(casadi_real);
   return 0;
 }
 
-/* wobbling_trace_288:(u[6],p[8])->(w[7x289],g[9x289],dg[9x289],R[6]) */
+/* wobbling_trace_288:(u[6],p[8])->(w[7x289],g[10x289],dg[10x289],R[6]) */
 static int casadi_f94(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+4, *rr, w00, *w01=w+366, w02, w03, *w05=w+372, *w06=w+396, w07, *w08=w+401, *w09=w+408, *w10=w+415;
-  casadi_real *w11=w+499, *w12=w+607, *w13=w+715, *w14=w+823, *w15=w+931, *w16=w+1039, *w17=w+1147, *w18=w+1255, *w19=w+1363, *w20=w+1471, *w21=w+1579, *w22=w+1687;
-  casadi_real *w23=w+1795, *w24=w+1903, *w25=w+2011, *w26=w+2119, *w27=w+2227, *w28=w+2335, *w29=w+2443, *w30=w+2551, *w31=w+2659, *w32=w+2767, *w33=w+2875, *w34=w+2983;
-  casadi_real *w35=w+3091, *w36=w+3199, *w37=w+3307, *w38=w+3415, *w39=w+3523, *w40=w+3631, *w41=w+3739, *w42=w+3847, *w43=w+3955, *w44=w+4063, *w45=w+4171, *w46=w+4279;
-  casadi_real *w47=w+4387, *w48=w+4495, *w49=w+4603, *w50=w+4711, *w51=w+4819, *w52=w+4927, *w53=w+5035, *w54=w+5143, *w55=w+5251, *w56=w+5359, *w57=w+5467, *w58=w+5575;
-  casadi_real *w59=w+5683, *w60=w+5692, *w61=w+5701;
+  casadi_real **res1=res+4, *rr, w00, *w01=w+379, w02, w03, *w05=w+385, *w06=w+409, w07, *w08=w+414, *w09=w+421, *w10=w+428;
+  casadi_real *w11=w+512, *w12=w+632, *w13=w+752, *w14=w+872, *w15=w+992, *w16=w+1112, *w17=w+1232, *w18=w+1352, *w19=w+1472, *w20=w+1592, *w21=w+1712, *w22=w+1832;
+  casadi_real *w23=w+1952, *w24=w+2072, *w25=w+2192, *w26=w+2312, *w27=w+2432, *w28=w+2552, *w29=w+2672, *w30=w+2792, *w31=w+2912, *w32=w+3032, *w33=w+3152, *w34=w+3272;
+  casadi_real *w35=w+3392, *w36=w+3512, *w37=w+3632, *w38=w+3752, *w39=w+3872, *w40=w+3992, *w41=w+4112, *w42=w+4232, *w43=w+4352, *w44=w+4472, *w45=w+4592, *w46=w+4712;
+  casadi_real *w47=w+4832, *w48=w+4952, *w49=w+5072, *w50=w+5192, *w51=w+5312, *w52=w+5432, *w53=w+5552, *w54=w+5672, *w55=w+5792, *w56=w+5912, *w57=w+6032, *w58=w+6152;
+  casadi_real *w59=w+6272, *w60=w+6282, *w61=w+6292;
   const casadi_real **arg1=arg+2, *cs, *wr04;
   /* #0: @0 = 0 */
   w00 = 0.;
@@ -24100,53 +24103,53 @@ static int casadi_f94(const casadi_real** arg, casadi_real** res, casadi_int* iw
   /* #105: output[0][24] = @8 */
   if (res[0]) casadi_copy(w08, 7, res[0]+2016);
   /* #106: output[1][0] = @11 */
-  casadi_copy(w11, 108, res[1]);
+  casadi_copy(w11, 120, res[1]);
   /* #107: output[1][1] = @13 */
-  if (res[1]) casadi_copy(w13, 108, res[1]+108);
+  if (res[1]) casadi_copy(w13, 120, res[1]+120);
   /* #108: output[1][2] = @15 */
-  if (res[1]) casadi_copy(w15, 108, res[1]+216);
+  if (res[1]) casadi_copy(w15, 120, res[1]+240);
   /* #109: output[1][3] = @17 */
-  if (res[1]) casadi_copy(w17, 108, res[1]+324);
+  if (res[1]) casadi_copy(w17, 120, res[1]+360);
   /* #110: output[1][4] = @19 */
-  if (res[1]) casadi_copy(w19, 108, res[1]+432);
+  if (res[1]) casadi_copy(w19, 120, res[1]+480);
   /* #111: output[1][5] = @21 */
-  if (res[1]) casadi_copy(w21, 108, res[1]+540);
+  if (res[1]) casadi_copy(w21, 120, res[1]+600);
   /* #112: output[1][6] = @23 */
-  if (res[1]) casadi_copy(w23, 108, res[1]+648);
+  if (res[1]) casadi_copy(w23, 120, res[1]+720);
   /* #113: output[1][7] = @25 */
-  if (res[1]) casadi_copy(w25, 108, res[1]+756);
+  if (res[1]) casadi_copy(w25, 120, res[1]+840);
   /* #114: output[1][8] = @27 */
-  if (res[1]) casadi_copy(w27, 108, res[1]+864);
+  if (res[1]) casadi_copy(w27, 120, res[1]+960);
   /* #115: output[1][9] = @29 */
-  if (res[1]) casadi_copy(w29, 108, res[1]+972);
+  if (res[1]) casadi_copy(w29, 120, res[1]+1080);
   /* #116: output[1][10] = @31 */
-  if (res[1]) casadi_copy(w31, 108, res[1]+1080);
+  if (res[1]) casadi_copy(w31, 120, res[1]+1200);
   /* #117: output[1][11] = @33 */
-  if (res[1]) casadi_copy(w33, 108, res[1]+1188);
+  if (res[1]) casadi_copy(w33, 120, res[1]+1320);
   /* #118: output[1][12] = @35 */
-  if (res[1]) casadi_copy(w35, 108, res[1]+1296);
+  if (res[1]) casadi_copy(w35, 120, res[1]+1440);
   /* #119: output[1][13] = @37 */
-  if (res[1]) casadi_copy(w37, 108, res[1]+1404);
+  if (res[1]) casadi_copy(w37, 120, res[1]+1560);
   /* #120: output[1][14] = @39 */
-  if (res[1]) casadi_copy(w39, 108, res[1]+1512);
+  if (res[1]) casadi_copy(w39, 120, res[1]+1680);
   /* #121: output[1][15] = @41 */
-  if (res[1]) casadi_copy(w41, 108, res[1]+1620);
+  if (res[1]) casadi_copy(w41, 120, res[1]+1800);
   /* #122: output[1][16] = @43 */
-  if (res[1]) casadi_copy(w43, 108, res[1]+1728);
+  if (res[1]) casadi_copy(w43, 120, res[1]+1920);
   /* #123: output[1][17] = @45 */
-  if (res[1]) casadi_copy(w45, 108, res[1]+1836);
+  if (res[1]) casadi_copy(w45, 120, res[1]+2040);
   /* #124: output[1][18] = @47 */
-  if (res[1]) casadi_copy(w47, 108, res[1]+1944);
+  if (res[1]) casadi_copy(w47, 120, res[1]+2160);
   /* #125: output[1][19] = @49 */
-  if (res[1]) casadi_copy(w49, 108, res[1]+2052);
+  if (res[1]) casadi_copy(w49, 120, res[1]+2280);
   /* #126: output[1][20] = @51 */
-  if (res[1]) casadi_copy(w51, 108, res[1]+2160);
+  if (res[1]) casadi_copy(w51, 120, res[1]+2400);
   /* #127: output[1][21] = @53 */
-  if (res[1]) casadi_copy(w53, 108, res[1]+2268);
+  if (res[1]) casadi_copy(w53, 120, res[1]+2520);
   /* #128: output[1][22] = @55 */
-  if (res[1]) casadi_copy(w55, 108, res[1]+2376);
+  if (res[1]) casadi_copy(w55, 120, res[1]+2640);
   /* #129: output[1][23] = @57 */
-  if (res[1]) casadi_copy(w57, 108, res[1]+2484);
+  if (res[1]) casadi_copy(w57, 120, res[1]+2760);
   /* #130: @1 = @8[:6] */
   for (rr=w01, cs=w08+0; cs!=w08+6; cs+=1) *rr++ = *cs;
   /* #131: {@59, @60} = observe(@2, @1, @4) */
@@ -24157,57 +24160,57 @@ static int casadi_f94(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w60;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #132: output[1][24] = @59 */
-  if (res[1]) casadi_copy(w59, 9, res[1]+2592);
+  if (res[1]) casadi_copy(w59, 10, res[1]+2880);
   /* #133: output[2][0] = @12 */
-  casadi_copy(w12, 108, res[2]);
+  casadi_copy(w12, 120, res[2]);
   /* #134: output[2][1] = @14 */
-  if (res[2]) casadi_copy(w14, 108, res[2]+108);
+  if (res[2]) casadi_copy(w14, 120, res[2]+120);
   /* #135: output[2][2] = @16 */
-  if (res[2]) casadi_copy(w16, 108, res[2]+216);
+  if (res[2]) casadi_copy(w16, 120, res[2]+240);
   /* #136: output[2][3] = @18 */
-  if (res[2]) casadi_copy(w18, 108, res[2]+324);
+  if (res[2]) casadi_copy(w18, 120, res[2]+360);
   /* #137: output[2][4] = @20 */
-  if (res[2]) casadi_copy(w20, 108, res[2]+432);
+  if (res[2]) casadi_copy(w20, 120, res[2]+480);
   /* #138: output[2][5] = @22 */
-  if (res[2]) casadi_copy(w22, 108, res[2]+540);
+  if (res[2]) casadi_copy(w22, 120, res[2]+600);
   /* #139: output[2][6] = @24 */
-  if (res[2]) casadi_copy(w24, 108, res[2]+648);
+  if (res[2]) casadi_copy(w24, 120, res[2]+720);
   /* #140: output[2][7] = @26 */
-  if (res[2]) casadi_copy(w26, 108, res[2]+756);
+  if (res[2]) casadi_copy(w26, 120, res[2]+840);
   /* #141: output[2][8] = @28 */
-  if (res[2]) casadi_copy(w28, 108, res[2]+864);
+  if (res[2]) casadi_copy(w28, 120, res[2]+960);
   /* #142: output[2][9] = @30 */
-  if (res[2]) casadi_copy(w30, 108, res[2]+972);
+  if (res[2]) casadi_copy(w30, 120, res[2]+1080);
   /* #143: output[2][10] = @32 */
-  if (res[2]) casadi_copy(w32, 108, res[2]+1080);
+  if (res[2]) casadi_copy(w32, 120, res[2]+1200);
   /* #144: output[2][11] = @34 */
-  if (res[2]) casadi_copy(w34, 108, res[2]+1188);
+  if (res[2]) casadi_copy(w34, 120, res[2]+1320);
   /* #145: output[2][12] = @36 */
-  if (res[2]) casadi_copy(w36, 108, res[2]+1296);
+  if (res[2]) casadi_copy(w36, 120, res[2]+1440);
   /* #146: output[2][13] = @38 */
-  if (res[2]) casadi_copy(w38, 108, res[2]+1404);
+  if (res[2]) casadi_copy(w38, 120, res[2]+1560);
   /* #147: output[2][14] = @40 */
-  if (res[2]) casadi_copy(w40, 108, res[2]+1512);
+  if (res[2]) casadi_copy(w40, 120, res[2]+1680);
   /* #148: output[2][15] = @42 */
-  if (res[2]) casadi_copy(w42, 108, res[2]+1620);
+  if (res[2]) casadi_copy(w42, 120, res[2]+1800);
   /* #149: output[2][16] = @44 */
-  if (res[2]) casadi_copy(w44, 108, res[2]+1728);
+  if (res[2]) casadi_copy(w44, 120, res[2]+1920);
   /* #150: output[2][17] = @46 */
-  if (res[2]) casadi_copy(w46, 108, res[2]+1836);
+  if (res[2]) casadi_copy(w46, 120, res[2]+2040);
   /* #151: output[2][18] = @48 */
-  if (res[2]) casadi_copy(w48, 108, res[2]+1944);
+  if (res[2]) casadi_copy(w48, 120, res[2]+2160);
   /* #152: output[2][19] = @50 */
-  if (res[2]) casadi_copy(w50, 108, res[2]+2052);
+  if (res[2]) casadi_copy(w50, 120, res[2]+2280);
   /* #153: output[2][20] = @52 */
-  if (res[2]) casadi_copy(w52, 108, res[2]+2160);
+  if (res[2]) casadi_copy(w52, 120, res[2]+2400);
   /* #154: output[2][21] = @54 */
-  if (res[2]) casadi_copy(w54, 108, res[2]+2268);
+  if (res[2]) casadi_copy(w54, 120, res[2]+2520);
   /* #155: output[2][22] = @56 */
-  if (res[2]) casadi_copy(w56, 108, res[2]+2376);
+  if (res[2]) casadi_copy(w56, 120, res[2]+2640);
   /* #156: output[2][23] = @58 */
-  if (res[2]) casadi_copy(w58, 108, res[2]+2484);
+  if (res[2]) casadi_copy(w58, 120, res[2]+2760);
   /* #157: output[2][24] = @60 */
-  if (res[2]) casadi_copy(w60, 9, res[2]+2592);
+  if (res[2]) casadi_copy(w60, 10, res[2]+2880);
   /* #158: @1 = @8[:6] */
   for (rr=w01, cs=w08+0; cs!=w08+6; cs+=1) *rr++ = *cs;
   /* #159: @61 = landing(@1, @6, @4) */
@@ -24288,7 +24291,7 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_288_work(casadi_int *sz_arg, casadi_int*
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 5707;
+  if (sz_w) *sz_w = 6298;
   return 0;
 }
 
@@ -24296,20 +24299,20 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_288_work_bytes(casadi_int *sz_arg, casad
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 5707*sizeof(casadi_real);
+  if (sz_w) *sz_w = 6298*sizeof(casadi_real);
   return 0;
 }
 
-/* wobbling_trace_384:(u[6],p[8])->(w[7x385],g[9x385],dg[9x385],R[6]) */
+/* wobbling_trace_384:(u[6],p[8])->(w[7x385],g[10x385],dg[10x385],R[6]) */
 static int casadi_f95(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+4, *rr, w00, *w01=w+366, w02, w03, *w05=w+372, *w06=w+396, w07, *w08=w+401, *w09=w+408, *w10=w+415;
-  casadi_real *w11=w+499, *w12=w+607, *w13=w+715, *w14=w+823, *w15=w+931, *w16=w+1039, *w17=w+1147, *w18=w+1255, *w19=w+1363, *w20=w+1471, *w21=w+1579, *w22=w+1687;
-  casadi_real *w23=w+1795, *w24=w+1903, *w25=w+2011, *w26=w+2119, *w27=w+2227, *w28=w+2335, *w29=w+2443, *w30=w+2551, *w31=w+2659, *w32=w+2767, *w33=w+2875, *w34=w+2983;
-  casadi_real *w35=w+3091, *w36=w+3199, *w37=w+3307, *w38=w+3415, *w39=w+3523, *w40=w+3631, *w41=w+3739, *w42=w+3847, *w43=w+3955, *w44=w+4063, *w45=w+4171, *w46=w+4279;
-  casadi_real *w47=w+4387, *w48=w+4495, *w49=w+4603, *w50=w+4711, *w51=w+4819, *w52=w+4927, *w53=w+5035, *w54=w+5143, *w55=w+5251, *w56=w+5359, *w57=w+5467, *w58=w+5575;
-  casadi_real *w59=w+5683, *w60=w+5791, *w61=w+5899, *w62=w+6007, *w63=w+6115, *w64=w+6223, *w65=w+6331, *w66=w+6439, *w67=w+6547, *w68=w+6655, *w69=w+6763, *w70=w+6871;
-  casadi_real *w71=w+6979, *w72=w+7087, *w73=w+7195, *w74=w+7303, *w75=w+7411, *w76=w+7420, *w77=w+7429;
+  casadi_real **res1=res+4, *rr, w00, *w01=w+379, w02, w03, *w05=w+385, *w06=w+409, w07, *w08=w+414, *w09=w+421, *w10=w+428;
+  casadi_real *w11=w+512, *w12=w+632, *w13=w+752, *w14=w+872, *w15=w+992, *w16=w+1112, *w17=w+1232, *w18=w+1352, *w19=w+1472, *w20=w+1592, *w21=w+1712, *w22=w+1832;
+  casadi_real *w23=w+1952, *w24=w+2072, *w25=w+2192, *w26=w+2312, *w27=w+2432, *w28=w+2552, *w29=w+2672, *w30=w+2792, *w31=w+2912, *w32=w+3032, *w33=w+3152, *w34=w+3272;
+  casadi_real *w35=w+3392, *w36=w+3512, *w37=w+3632, *w38=w+3752, *w39=w+3872, *w40=w+3992, *w41=w+4112, *w42=w+4232, *w43=w+4352, *w44=w+4472, *w45=w+4592, *w46=w+4712;
+  casadi_real *w47=w+4832, *w48=w+4952, *w49=w+5072, *w50=w+5192, *w51=w+5312, *w52=w+5432, *w53=w+5552, *w54=w+5672, *w55=w+5792, *w56=w+5912, *w57=w+6032, *w58=w+6152;
+  casadi_real *w59=w+6272, *w60=w+6392, *w61=w+6512, *w62=w+6632, *w63=w+6752, *w64=w+6872, *w65=w+6992, *w66=w+7112, *w67=w+7232, *w68=w+7352, *w69=w+7472, *w70=w+7592;
+  casadi_real *w71=w+7712, *w72=w+7832, *w73=w+7952, *w74=w+8072, *w75=w+8192, *w76=w+8202, *w77=w+8212;
   const casadi_real **arg1=arg+2, *cs, *wr04;
   /* #0: @0 = 0 */
   w00 = 0.;
@@ -24885,69 +24888,69 @@ static int casadi_f95(const casadi_real** arg, casadi_real** res, casadi_int* iw
   /* #137: output[0][32] = @8 */
   if (res[0]) casadi_copy(w08, 7, res[0]+2688);
   /* #138: output[1][0] = @11 */
-  casadi_copy(w11, 108, res[1]);
+  casadi_copy(w11, 120, res[1]);
   /* #139: output[1][1] = @13 */
-  if (res[1]) casadi_copy(w13, 108, res[1]+108);
+  if (res[1]) casadi_copy(w13, 120, res[1]+120);
   /* #140: output[1][2] = @15 */
-  if (res[1]) casadi_copy(w15, 108, res[1]+216);
+  if (res[1]) casadi_copy(w15, 120, res[1]+240);
   /* #141: output[1][3] = @17 */
-  if (res[1]) casadi_copy(w17, 108, res[1]+324);
+  if (res[1]) casadi_copy(w17, 120, res[1]+360);
   /* #142: output[1][4] = @19 */
-  if (res[1]) casadi_copy(w19, 108, res[1]+432);
+  if (res[1]) casadi_copy(w19, 120, res[1]+480);
   /* #143: output[1][5] = @21 */
-  if (res[1]) casadi_copy(w21, 108, res[1]+540);
+  if (res[1]) casadi_copy(w21, 120, res[1]+600);
   /* #144: output[1][6] = @23 */
-  if (res[1]) casadi_copy(w23, 108, res[1]+648);
+  if (res[1]) casadi_copy(w23, 120, res[1]+720);
   /* #145: output[1][7] = @25 */
-  if (res[1]) casadi_copy(w25, 108, res[1]+756);
+  if (res[1]) casadi_copy(w25, 120, res[1]+840);
   /* #146: output[1][8] = @27 */
-  if (res[1]) casadi_copy(w27, 108, res[1]+864);
+  if (res[1]) casadi_copy(w27, 120, res[1]+960);
   /* #147: output[1][9] = @29 */
-  if (res[1]) casadi_copy(w29, 108, res[1]+972);
+  if (res[1]) casadi_copy(w29, 120, res[1]+1080);
   /* #148: output[1][10] = @31 */
-  if (res[1]) casadi_copy(w31, 108, res[1]+1080);
+  if (res[1]) casadi_copy(w31, 120, res[1]+1200);
   /* #149: output[1][11] = @33 */
-  if (res[1]) casadi_copy(w33, 108, res[1]+1188);
+  if (res[1]) casadi_copy(w33, 120, res[1]+1320);
   /* #150: output[1][12] = @35 */
-  if (res[1]) casadi_copy(w35, 108, res[1]+1296);
+  if (res[1]) casadi_copy(w35, 120, res[1]+1440);
   /* #151: output[1][13] = @37 */
-  if (res[1]) casadi_copy(w37, 108, res[1]+1404);
+  if (res[1]) casadi_copy(w37, 120, res[1]+1560);
   /* #152: output[1][14] = @39 */
-  if (res[1]) casadi_copy(w39, 108, res[1]+1512);
+  if (res[1]) casadi_copy(w39, 120, res[1]+1680);
   /* #153: output[1][15] = @41 */
-  if (res[1]) casadi_copy(w41, 108, res[1]+1620);
+  if (res[1]) casadi_copy(w41, 120, res[1]+1800);
   /* #154: output[1][16] = @43 */
-  if (res[1]) casadi_copy(w43, 108, res[1]+1728);
+  if (res[1]) casadi_copy(w43, 120, res[1]+1920);
   /* #155: output[1][17] = @45 */
-  if (res[1]) casadi_copy(w45, 108, res[1]+1836);
+  if (res[1]) casadi_copy(w45, 120, res[1]+2040);
   /* #156: output[1][18] = @47 */
-  if (res[1]) casadi_copy(w47, 108, res[1]+1944);
+  if (res[1]) casadi_copy(w47, 120, res[1]+2160);
   /* #157: output[1][19] = @49 */
-  if (res[1]) casadi_copy(w49, 108, res[1]+2052);
+  if (res[1]) casadi_copy(w49, 120, res[1]+2280);
   /* #158: output[1][20] = @51 */
-  if (res[1]) casadi_copy(w51, 108, res[1]+2160);
+  if (res[1]) casadi_copy(w51, 120, res[1]+2400);
   /* #159: output[1][21] = @53 */
-  if (res[1]) casadi_copy(w53, 108, res[1]+2268);
+  if (res[1]) casadi_copy(w53, 120, res[1]+2520);
   /* #160: output[1][22] = @55 */
-  if (res[1]) casadi_copy(w55, 108, res[1]+2376);
+  if (res[1]) casadi_copy(w55, 120, res[1]+2640);
   /* #161: output[1][23] = @57 */
-  if (res[1]) casadi_copy(w57, 108, res[1]+2484);
+  if (res[1]) casadi_copy(w57, 120, res[1]+2760);
   /* #162: output[1][24] = @59 */
-  if (res[1]) casadi_copy(w59, 108, res[1]+2592);
+  if (res[1]) casadi_copy(w59, 120, res[1]+2880);
   /* #163: output[1][25] = @61 */
-  if (res[1]) casadi_copy(w61, 108, res[1]+2700);
+  if (res[1]) casadi_copy(w61, 120, res[1]+3000);
   /* #164: output[1][26] = @63 */
-  if (res[1]) casadi_copy(w63, 108, res[1]+2808);
+  if (res[1]) casadi_copy(w63, 120, res[1]+3120);
   /* #165: output[1][27] = @65 */
-  if (res[1]) casadi_copy(w65, 108, res[1]+2916);
+  if (res[1]) casadi_copy(w65, 120, res[1]+3240);
   /* #166: output[1][28] = @67 */
-  if (res[1]) casadi_copy(w67, 108, res[1]+3024);
+  if (res[1]) casadi_copy(w67, 120, res[1]+3360);
   /* #167: output[1][29] = @69 */
-  if (res[1]) casadi_copy(w69, 108, res[1]+3132);
+  if (res[1]) casadi_copy(w69, 120, res[1]+3480);
   /* #168: output[1][30] = @71 */
-  if (res[1]) casadi_copy(w71, 108, res[1]+3240);
+  if (res[1]) casadi_copy(w71, 120, res[1]+3600);
   /* #169: output[1][31] = @73 */
-  if (res[1]) casadi_copy(w73, 108, res[1]+3348);
+  if (res[1]) casadi_copy(w73, 120, res[1]+3720);
   /* #170: @1 = @8[:6] */
   for (rr=w01, cs=w08+0; cs!=w08+6; cs+=1) *rr++ = *cs;
   /* #171: {@75, @76} = observe(@2, @1, @4) */
@@ -24958,73 +24961,73 @@ static int casadi_f95(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w76;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #172: output[1][32] = @75 */
-  if (res[1]) casadi_copy(w75, 9, res[1]+3456);
+  if (res[1]) casadi_copy(w75, 10, res[1]+3840);
   /* #173: output[2][0] = @12 */
-  casadi_copy(w12, 108, res[2]);
+  casadi_copy(w12, 120, res[2]);
   /* #174: output[2][1] = @14 */
-  if (res[2]) casadi_copy(w14, 108, res[2]+108);
+  if (res[2]) casadi_copy(w14, 120, res[2]+120);
   /* #175: output[2][2] = @16 */
-  if (res[2]) casadi_copy(w16, 108, res[2]+216);
+  if (res[2]) casadi_copy(w16, 120, res[2]+240);
   /* #176: output[2][3] = @18 */
-  if (res[2]) casadi_copy(w18, 108, res[2]+324);
+  if (res[2]) casadi_copy(w18, 120, res[2]+360);
   /* #177: output[2][4] = @20 */
-  if (res[2]) casadi_copy(w20, 108, res[2]+432);
+  if (res[2]) casadi_copy(w20, 120, res[2]+480);
   /* #178: output[2][5] = @22 */
-  if (res[2]) casadi_copy(w22, 108, res[2]+540);
+  if (res[2]) casadi_copy(w22, 120, res[2]+600);
   /* #179: output[2][6] = @24 */
-  if (res[2]) casadi_copy(w24, 108, res[2]+648);
+  if (res[2]) casadi_copy(w24, 120, res[2]+720);
   /* #180: output[2][7] = @26 */
-  if (res[2]) casadi_copy(w26, 108, res[2]+756);
+  if (res[2]) casadi_copy(w26, 120, res[2]+840);
   /* #181: output[2][8] = @28 */
-  if (res[2]) casadi_copy(w28, 108, res[2]+864);
+  if (res[2]) casadi_copy(w28, 120, res[2]+960);
   /* #182: output[2][9] = @30 */
-  if (res[2]) casadi_copy(w30, 108, res[2]+972);
+  if (res[2]) casadi_copy(w30, 120, res[2]+1080);
   /* #183: output[2][10] = @32 */
-  if (res[2]) casadi_copy(w32, 108, res[2]+1080);
+  if (res[2]) casadi_copy(w32, 120, res[2]+1200);
   /* #184: output[2][11] = @34 */
-  if (res[2]) casadi_copy(w34, 108, res[2]+1188);
+  if (res[2]) casadi_copy(w34, 120, res[2]+1320);
   /* #185: output[2][12] = @36 */
-  if (res[2]) casadi_copy(w36, 108, res[2]+1296);
+  if (res[2]) casadi_copy(w36, 120, res[2]+1440);
   /* #186: output[2][13] = @38 */
-  if (res[2]) casadi_copy(w38, 108, res[2]+1404);
+  if (res[2]) casadi_copy(w38, 120, res[2]+1560);
   /* #187: output[2][14] = @40 */
-  if (res[2]) casadi_copy(w40, 108, res[2]+1512);
+  if (res[2]) casadi_copy(w40, 120, res[2]+1680);
   /* #188: output[2][15] = @42 */
-  if (res[2]) casadi_copy(w42, 108, res[2]+1620);
+  if (res[2]) casadi_copy(w42, 120, res[2]+1800);
   /* #189: output[2][16] = @44 */
-  if (res[2]) casadi_copy(w44, 108, res[2]+1728);
+  if (res[2]) casadi_copy(w44, 120, res[2]+1920);
   /* #190: output[2][17] = @46 */
-  if (res[2]) casadi_copy(w46, 108, res[2]+1836);
+  if (res[2]) casadi_copy(w46, 120, res[2]+2040);
   /* #191: output[2][18] = @48 */
-  if (res[2]) casadi_copy(w48, 108, res[2]+1944);
+  if (res[2]) casadi_copy(w48, 120, res[2]+2160);
   /* #192: output[2][19] = @50 */
-  if (res[2]) casadi_copy(w50, 108, res[2]+2052);
+  if (res[2]) casadi_copy(w50, 120, res[2]+2280);
   /* #193: output[2][20] = @52 */
-  if (res[2]) casadi_copy(w52, 108, res[2]+2160);
+  if (res[2]) casadi_copy(w52, 120, res[2]+2400);
   /* #194: output[2][21] = @54 */
-  if (res[2]) casadi_copy(w54, 108, res[2]+2268);
+  if (res[2]) casadi_copy(w54, 120, res[2]+2520);
   /* #195: output[2][22] = @56 */
-  if (res[2]) casadi_copy(w56, 108, res[2]+2376);
+  if (res[2]) casadi_copy(w56, 120, res[2]+2640);
   /* #196: output[2][23] = @58 */
-  if (res[2]) casadi_copy(w58, 108, res[2]+2484);
+  if (res[2]) casadi_copy(w58, 120, res[2]+2760);
   /* #197: output[2][24] = @60 */
-  if (res[2]) casadi_copy(w60, 108, res[2]+2592);
+  if (res[2]) casadi_copy(w60, 120, res[2]+2880);
   /* #198: output[2][25] = @62 */
-  if (res[2]) casadi_copy(w62, 108, res[2]+2700);
+  if (res[2]) casadi_copy(w62, 120, res[2]+3000);
   /* #199: output[2][26] = @64 */
-  if (res[2]) casadi_copy(w64, 108, res[2]+2808);
+  if (res[2]) casadi_copy(w64, 120, res[2]+3120);
   /* #200: output[2][27] = @66 */
-  if (res[2]) casadi_copy(w66, 108, res[2]+2916);
+  if (res[2]) casadi_copy(w66, 120, res[2]+3240);
   /* #201: output[2][28] = @68 */
-  if (res[2]) casadi_copy(w68, 108, res[2]+3024);
+  if (res[2]) casadi_copy(w68, 120, res[2]+3360);
   /* #202: output[2][29] = @70 */
-  if (res[2]) casadi_copy(w70, 108, res[2]+3132);
+  if (res[2]) casadi_copy(w70, 120, res[2]+3480);
   /* #203: output[2][30] = @72 */
-  if (res[2]) casadi_copy(w72, 108, res[2]+3240);
+  if (res[2]) casadi_copy(w72, 120, res[2]+3600);
   /* #204: output[2][31] = @74 */
-  if (res[2]) casadi_copy(w74, 108, res[2]+3348);
+  if (res[2]) casadi_copy(w74, 120, res[2]+3720);
   /* #205: output[2][32] = @76 */
-  if (res[2]) casadi_copy(w76, 9, res[2]+3456);
+  if (res[2]) casadi_copy(w76, 10, res[2]+3840);
   /* #206: @1 = @8[:6] */
   for (rr=w01, cs=w08+0; cs!=w08+6; cs+=1) *rr++ = *cs;
   /* #207: @77 = landing(@1, @6, @4) */
@@ -25105,7 +25108,7 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_384_work(casadi_int *sz_arg, casadi_int*
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 7435;
+  if (sz_w) *sz_w = 8218;
   return 0;
 }
 
@@ -25113,23 +25116,23 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_384_work_bytes(casadi_int *sz_arg, casad
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 7435*sizeof(casadi_real);
+  if (sz_w) *sz_w = 8218*sizeof(casadi_real);
   return 0;
 }
 
-/* wobbling_trace_576:(u[6],p[8])->(w[7x577],g[9x577],dg[9x577],R[6]) */
+/* wobbling_trace_576:(u[6],p[8])->(w[7x577],g[10x577],dg[10x577],R[6]) */
 static int casadi_f96(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+4, *rr, w000, *w001=w+366, w002, w003, *w005=w+372, *w006=w+396, w007, *w008=w+401, *w009=w+408, *w010=w+415;
-  casadi_real *w011=w+499, *w012=w+607, *w013=w+715, *w014=w+823, *w015=w+931, *w016=w+1039, *w017=w+1147, *w018=w+1255, *w019=w+1363, *w020=w+1471, *w021=w+1579, *w022=w+1687;
-  casadi_real *w023=w+1795, *w024=w+1903, *w025=w+2011, *w026=w+2119, *w027=w+2227, *w028=w+2335, *w029=w+2443, *w030=w+2551, *w031=w+2659, *w032=w+2767, *w033=w+2875, *w034=w+2983;
-  casadi_real *w035=w+3091, *w036=w+3199, *w037=w+3307, *w038=w+3415, *w039=w+3523, *w040=w+3631, *w041=w+3739, *w042=w+3847, *w043=w+3955, *w044=w+4063, *w045=w+4171, *w046=w+4279;
-  casadi_real *w047=w+4387, *w048=w+4495, *w049=w+4603, *w050=w+4711, *w051=w+4819, *w052=w+4927, *w053=w+5035, *w054=w+5143, *w055=w+5251, *w056=w+5359, *w057=w+5467, *w058=w+5575;
-  casadi_real *w059=w+5683, *w060=w+5791, *w061=w+5899, *w062=w+6007, *w063=w+6115, *w064=w+6223, *w065=w+6331, *w066=w+6439, *w067=w+6547, *w068=w+6655, *w069=w+6763, *w070=w+6871;
-  casadi_real *w071=w+6979, *w072=w+7087, *w073=w+7195, *w074=w+7303, *w075=w+7411, *w076=w+7519, *w077=w+7627, *w078=w+7735, *w079=w+7843, *w080=w+7951, *w081=w+8059, *w082=w+8167;
-  casadi_real *w083=w+8275, *w084=w+8383, *w085=w+8491, *w086=w+8599, *w087=w+8707, *w088=w+8815, *w089=w+8923, *w090=w+9031, *w091=w+9139, *w092=w+9247, *w093=w+9355, *w094=w+9463;
-  casadi_real *w095=w+9571, *w096=w+9679, *w097=w+9787, *w098=w+9895, *w099=w+10003, *w100=w+10111, *w101=w+10219, *w102=w+10327, *w103=w+10435, *w104=w+10543, *w105=w+10651, *w106=w+10759;
-  casadi_real *w107=w+10867, *w108=w+10876, *w109=w+10885;
+  casadi_real **res1=res+4, *rr, w000, *w001=w+379, w002, w003, *w005=w+385, *w006=w+409, w007, *w008=w+414, *w009=w+421, *w010=w+428;
+  casadi_real *w011=w+512, *w012=w+632, *w013=w+752, *w014=w+872, *w015=w+992, *w016=w+1112, *w017=w+1232, *w018=w+1352, *w019=w+1472, *w020=w+1592, *w021=w+1712, *w022=w+1832;
+  casadi_real *w023=w+1952, *w024=w+2072, *w025=w+2192, *w026=w+2312, *w027=w+2432, *w028=w+2552, *w029=w+2672, *w030=w+2792, *w031=w+2912, *w032=w+3032, *w033=w+3152, *w034=w+3272;
+  casadi_real *w035=w+3392, *w036=w+3512, *w037=w+3632, *w038=w+3752, *w039=w+3872, *w040=w+3992, *w041=w+4112, *w042=w+4232, *w043=w+4352, *w044=w+4472, *w045=w+4592, *w046=w+4712;
+  casadi_real *w047=w+4832, *w048=w+4952, *w049=w+5072, *w050=w+5192, *w051=w+5312, *w052=w+5432, *w053=w+5552, *w054=w+5672, *w055=w+5792, *w056=w+5912, *w057=w+6032, *w058=w+6152;
+  casadi_real *w059=w+6272, *w060=w+6392, *w061=w+6512, *w062=w+6632, *w063=w+6752, *w064=w+6872, *w065=w+6992, *w066=w+7112, *w067=w+7232, *w068=w+7352, *w069=w+7472, *w070=w+7592;
+  casadi_real *w071=w+7712, *w072=w+7832, *w073=w+7952, *w074=w+8072, *w075=w+8192, *w076=w+8312, *w077=w+8432, *w078=w+8552, *w079=w+8672, *w080=w+8792, *w081=w+8912, *w082=w+9032;
+  casadi_real *w083=w+9152, *w084=w+9272, *w085=w+9392, *w086=w+9512, *w087=w+9632, *w088=w+9752, *w089=w+9872, *w090=w+9992, *w091=w+10112, *w092=w+10232, *w093=w+10352, *w094=w+10472;
+  casadi_real *w095=w+10592, *w096=w+10712, *w097=w+10832, *w098=w+10952, *w099=w+11072, *w100=w+11192, *w101=w+11312, *w102=w+11432, *w103=w+11552, *w104=w+11672, *w105=w+11792, *w106=w+11912;
+  casadi_real *w107=w+12032, *w108=w+12042, *w109=w+12052;
   const casadi_real **arg1=arg+2, *cs, *wr004;
   /* #0: @0 = 0 */
   w000 = 0.;
@@ -25977,101 +25980,101 @@ static int casadi_f96(const casadi_real** arg, casadi_real** res, casadi_int* iw
   /* #201: output[0][48] = @8 */
   if (res[0]) casadi_copy(w008, 7, res[0]+4032);
   /* #202: output[1][0] = @11 */
-  casadi_copy(w011, 108, res[1]);
+  casadi_copy(w011, 120, res[1]);
   /* #203: output[1][1] = @13 */
-  if (res[1]) casadi_copy(w013, 108, res[1]+108);
+  if (res[1]) casadi_copy(w013, 120, res[1]+120);
   /* #204: output[1][2] = @15 */
-  if (res[1]) casadi_copy(w015, 108, res[1]+216);
+  if (res[1]) casadi_copy(w015, 120, res[1]+240);
   /* #205: output[1][3] = @17 */
-  if (res[1]) casadi_copy(w017, 108, res[1]+324);
+  if (res[1]) casadi_copy(w017, 120, res[1]+360);
   /* #206: output[1][4] = @19 */
-  if (res[1]) casadi_copy(w019, 108, res[1]+432);
+  if (res[1]) casadi_copy(w019, 120, res[1]+480);
   /* #207: output[1][5] = @21 */
-  if (res[1]) casadi_copy(w021, 108, res[1]+540);
+  if (res[1]) casadi_copy(w021, 120, res[1]+600);
   /* #208: output[1][6] = @23 */
-  if (res[1]) casadi_copy(w023, 108, res[1]+648);
+  if (res[1]) casadi_copy(w023, 120, res[1]+720);
   /* #209: output[1][7] = @25 */
-  if (res[1]) casadi_copy(w025, 108, res[1]+756);
+  if (res[1]) casadi_copy(w025, 120, res[1]+840);
   /* #210: output[1][8] = @27 */
-  if (res[1]) casadi_copy(w027, 108, res[1]+864);
+  if (res[1]) casadi_copy(w027, 120, res[1]+960);
   /* #211: output[1][9] = @29 */
-  if (res[1]) casadi_copy(w029, 108, res[1]+972);
+  if (res[1]) casadi_copy(w029, 120, res[1]+1080);
   /* #212: output[1][10] = @31 */
-  if (res[1]) casadi_copy(w031, 108, res[1]+1080);
+  if (res[1]) casadi_copy(w031, 120, res[1]+1200);
   /* #213: output[1][11] = @33 */
-  if (res[1]) casadi_copy(w033, 108, res[1]+1188);
+  if (res[1]) casadi_copy(w033, 120, res[1]+1320);
   /* #214: output[1][12] = @35 */
-  if (res[1]) casadi_copy(w035, 108, res[1]+1296);
+  if (res[1]) casadi_copy(w035, 120, res[1]+1440);
   /* #215: output[1][13] = @37 */
-  if (res[1]) casadi_copy(w037, 108, res[1]+1404);
+  if (res[1]) casadi_copy(w037, 120, res[1]+1560);
   /* #216: output[1][14] = @39 */
-  if (res[1]) casadi_copy(w039, 108, res[1]+1512);
+  if (res[1]) casadi_copy(w039, 120, res[1]+1680);
   /* #217: output[1][15] = @41 */
-  if (res[1]) casadi_copy(w041, 108, res[1]+1620);
+  if (res[1]) casadi_copy(w041, 120, res[1]+1800);
   /* #218: output[1][16] = @43 */
-  if (res[1]) casadi_copy(w043, 108, res[1]+1728);
+  if (res[1]) casadi_copy(w043, 120, res[1]+1920);
   /* #219: output[1][17] = @45 */
-  if (res[1]) casadi_copy(w045, 108, res[1]+1836);
+  if (res[1]) casadi_copy(w045, 120, res[1]+2040);
   /* #220: output[1][18] = @47 */
-  if (res[1]) casadi_copy(w047, 108, res[1]+1944);
+  if (res[1]) casadi_copy(w047, 120, res[1]+2160);
   /* #221: output[1][19] = @49 */
-  if (res[1]) casadi_copy(w049, 108, res[1]+2052);
+  if (res[1]) casadi_copy(w049, 120, res[1]+2280);
   /* #222: output[1][20] = @51 */
-  if (res[1]) casadi_copy(w051, 108, res[1]+2160);
+  if (res[1]) casadi_copy(w051, 120, res[1]+2400);
   /* #223: output[1][21] = @53 */
-  if (res[1]) casadi_copy(w053, 108, res[1]+2268);
+  if (res[1]) casadi_copy(w053, 120, res[1]+2520);
   /* #224: output[1][22] = @55 */
-  if (res[1]) casadi_copy(w055, 108, res[1]+2376);
+  if (res[1]) casadi_copy(w055, 120, res[1]+2640);
   /* #225: output[1][23] = @57 */
-  if (res[1]) casadi_copy(w057, 108, res[1]+2484);
+  if (res[1]) casadi_copy(w057, 120, res[1]+2760);
   /* #226: output[1][24] = @59 */
-  if (res[1]) casadi_copy(w059, 108, res[1]+2592);
+  if (res[1]) casadi_copy(w059, 120, res[1]+2880);
   /* #227: output[1][25] = @61 */
-  if (res[1]) casadi_copy(w061, 108, res[1]+2700);
+  if (res[1]) casadi_copy(w061, 120, res[1]+3000);
   /* #228: output[1][26] = @63 */
-  if (res[1]) casadi_copy(w063, 108, res[1]+2808);
+  if (res[1]) casadi_copy(w063, 120, res[1]+3120);
   /* #229: output[1][27] = @65 */
-  if (res[1]) casadi_copy(w065, 108, res[1]+2916);
+  if (res[1]) casadi_copy(w065, 120, res[1]+3240);
   /* #230: output[1][28] = @67 */
-  if (res[1]) casadi_copy(w067, 108, res[1]+3024);
+  if (res[1]) casadi_copy(w067, 120, res[1]+3360);
   /* #231: output[1][29] = @69 */
-  if (res[1]) casadi_copy(w069, 108, res[1]+3132);
+  if (res[1]) casadi_copy(w069, 120, res[1]+3480);
   /* #232: output[1][30] = @71 */
-  if (res[1]) casadi_copy(w071, 108, res[1]+3240);
+  if (res[1]) casadi_copy(w071, 120, res[1]+3600);
   /* #233: output[1][31] = @73 */
-  if (res[1]) casadi_copy(w073, 108, res[1]+3348);
+  if (res[1]) casadi_copy(w073, 120, res[1]+3720);
   /* #234: output[1][32] = @75 */
-  if (res[1]) casadi_copy(w075, 108, res[1]+3456);
+  if (res[1]) casadi_copy(w075, 120, res[1]+3840);
   /* #235: output[1][33] = @77 */
-  if (res[1]) casadi_copy(w077, 108, res[1]+3564);
+  if (res[1]) casadi_copy(w077, 120, res[1]+3960);
   /* #236: output[1][34] = @79 */
-  if (res[1]) casadi_copy(w079, 108, res[1]+3672);
+  if (res[1]) casadi_copy(w079, 120, res[1]+4080);
   /* #237: output[1][35] = @81 */
-  if (res[1]) casadi_copy(w081, 108, res[1]+3780);
+  if (res[1]) casadi_copy(w081, 120, res[1]+4200);
   /* #238: output[1][36] = @83 */
-  if (res[1]) casadi_copy(w083, 108, res[1]+3888);
+  if (res[1]) casadi_copy(w083, 120, res[1]+4320);
   /* #239: output[1][37] = @85 */
-  if (res[1]) casadi_copy(w085, 108, res[1]+3996);
+  if (res[1]) casadi_copy(w085, 120, res[1]+4440);
   /* #240: output[1][38] = @87 */
-  if (res[1]) casadi_copy(w087, 108, res[1]+4104);
+  if (res[1]) casadi_copy(w087, 120, res[1]+4560);
   /* #241: output[1][39] = @89 */
-  if (res[1]) casadi_copy(w089, 108, res[1]+4212);
+  if (res[1]) casadi_copy(w089, 120, res[1]+4680);
   /* #242: output[1][40] = @91 */
-  if (res[1]) casadi_copy(w091, 108, res[1]+4320);
+  if (res[1]) casadi_copy(w091, 120, res[1]+4800);
   /* #243: output[1][41] = @93 */
-  if (res[1]) casadi_copy(w093, 108, res[1]+4428);
+  if (res[1]) casadi_copy(w093, 120, res[1]+4920);
   /* #244: output[1][42] = @95 */
-  if (res[1]) casadi_copy(w095, 108, res[1]+4536);
+  if (res[1]) casadi_copy(w095, 120, res[1]+5040);
   /* #245: output[1][43] = @97 */
-  if (res[1]) casadi_copy(w097, 108, res[1]+4644);
+  if (res[1]) casadi_copy(w097, 120, res[1]+5160);
   /* #246: output[1][44] = @99 */
-  if (res[1]) casadi_copy(w099, 108, res[1]+4752);
+  if (res[1]) casadi_copy(w099, 120, res[1]+5280);
   /* #247: output[1][45] = @101 */
-  if (res[1]) casadi_copy(w101, 108, res[1]+4860);
+  if (res[1]) casadi_copy(w101, 120, res[1]+5400);
   /* #248: output[1][46] = @103 */
-  if (res[1]) casadi_copy(w103, 108, res[1]+4968);
+  if (res[1]) casadi_copy(w103, 120, res[1]+5520);
   /* #249: output[1][47] = @105 */
-  if (res[1]) casadi_copy(w105, 108, res[1]+5076);
+  if (res[1]) casadi_copy(w105, 120, res[1]+5640);
   /* #250: @1 = @8[:6] */
   for (rr=w001, cs=w008+0; cs!=w008+6; cs+=1) *rr++ = *cs;
   /* #251: {@107, @108} = observe(@2, @1, @4) */
@@ -26082,105 +26085,105 @@ static int casadi_f96(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w108;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #252: output[1][48] = @107 */
-  if (res[1]) casadi_copy(w107, 9, res[1]+5184);
+  if (res[1]) casadi_copy(w107, 10, res[1]+5760);
   /* #253: output[2][0] = @12 */
-  casadi_copy(w012, 108, res[2]);
+  casadi_copy(w012, 120, res[2]);
   /* #254: output[2][1] = @14 */
-  if (res[2]) casadi_copy(w014, 108, res[2]+108);
+  if (res[2]) casadi_copy(w014, 120, res[2]+120);
   /* #255: output[2][2] = @16 */
-  if (res[2]) casadi_copy(w016, 108, res[2]+216);
+  if (res[2]) casadi_copy(w016, 120, res[2]+240);
   /* #256: output[2][3] = @18 */
-  if (res[2]) casadi_copy(w018, 108, res[2]+324);
+  if (res[2]) casadi_copy(w018, 120, res[2]+360);
   /* #257: output[2][4] = @20 */
-  if (res[2]) casadi_copy(w020, 108, res[2]+432);
+  if (res[2]) casadi_copy(w020, 120, res[2]+480);
   /* #258: output[2][5] = @22 */
-  if (res[2]) casadi_copy(w022, 108, res[2]+540);
+  if (res[2]) casadi_copy(w022, 120, res[2]+600);
   /* #259: output[2][6] = @24 */
-  if (res[2]) casadi_copy(w024, 108, res[2]+648);
+  if (res[2]) casadi_copy(w024, 120, res[2]+720);
   /* #260: output[2][7] = @26 */
-  if (res[2]) casadi_copy(w026, 108, res[2]+756);
+  if (res[2]) casadi_copy(w026, 120, res[2]+840);
   /* #261: output[2][8] = @28 */
-  if (res[2]) casadi_copy(w028, 108, res[2]+864);
+  if (res[2]) casadi_copy(w028, 120, res[2]+960);
   /* #262: output[2][9] = @30 */
-  if (res[2]) casadi_copy(w030, 108, res[2]+972);
+  if (res[2]) casadi_copy(w030, 120, res[2]+1080);
   /* #263: output[2][10] = @32 */
-  if (res[2]) casadi_copy(w032, 108, res[2]+1080);
+  if (res[2]) casadi_copy(w032, 120, res[2]+1200);
   /* #264: output[2][11] = @34 */
-  if (res[2]) casadi_copy(w034, 108, res[2]+1188);
+  if (res[2]) casadi_copy(w034, 120, res[2]+1320);
   /* #265: output[2][12] = @36 */
-  if (res[2]) casadi_copy(w036, 108, res[2]+1296);
+  if (res[2]) casadi_copy(w036, 120, res[2]+1440);
   /* #266: output[2][13] = @38 */
-  if (res[2]) casadi_copy(w038, 108, res[2]+1404);
+  if (res[2]) casadi_copy(w038, 120, res[2]+1560);
   /* #267: output[2][14] = @40 */
-  if (res[2]) casadi_copy(w040, 108, res[2]+1512);
+  if (res[2]) casadi_copy(w040, 120, res[2]+1680);
   /* #268: output[2][15] = @42 */
-  if (res[2]) casadi_copy(w042, 108, res[2]+1620);
+  if (res[2]) casadi_copy(w042, 120, res[2]+1800);
   /* #269: output[2][16] = @44 */
-  if (res[2]) casadi_copy(w044, 108, res[2]+1728);
+  if (res[2]) casadi_copy(w044, 120, res[2]+1920);
   /* #270: output[2][17] = @46 */
-  if (res[2]) casadi_copy(w046, 108, res[2]+1836);
+  if (res[2]) casadi_copy(w046, 120, res[2]+2040);
   /* #271: output[2][18] = @48 */
-  if (res[2]) casadi_copy(w048, 108, res[2]+1944);
+  if (res[2]) casadi_copy(w048, 120, res[2]+2160);
   /* #272: output[2][19] = @50 */
-  if (res[2]) casadi_copy(w050, 108, res[2]+2052);
+  if (res[2]) casadi_copy(w050, 120, res[2]+2280);
   /* #273: output[2][20] = @52 */
-  if (res[2]) casadi_copy(w052, 108, res[2]+2160);
+  if (res[2]) casadi_copy(w052, 120, res[2]+2400);
   /* #274: output[2][21] = @54 */
-  if (res[2]) casadi_copy(w054, 108, res[2]+2268);
+  if (res[2]) casadi_copy(w054, 120, res[2]+2520);
   /* #275: output[2][22] = @56 */
-  if (res[2]) casadi_copy(w056, 108, res[2]+2376);
+  if (res[2]) casadi_copy(w056, 120, res[2]+2640);
   /* #276: output[2][23] = @58 */
-  if (res[2]) casadi_copy(w058, 108, res[2]+2484);
+  if (res[2]) casadi_copy(w058, 120, res[2]+2760);
   /* #277: output[2][24] = @60 */
-  if (res[2]) casadi_copy(w060, 108, res[2]+2592);
+  if (res[2]) casadi_copy(w060, 120, res[2]+2880);
   /* #278: output[2][25] = @62 */
-  if (res[2]) casadi_copy(w062, 108, res[2]+2700);
+  if (res[2]) casadi_copy(w062, 120, res[2]+3000);
   /* #279: output[2][26] = @64 */
-  if (res[2]) casadi_copy(w064, 108, res[2]+2808);
+  if (res[2]) casadi_copy(w064, 120, res[2]+3120);
   /* #280: output[2][27] = @66 */
-  if (res[2]) casadi_copy(w066, 108, res[2]+2916);
+  if (res[2]) casadi_copy(w066, 120, res[2]+3240);
   /* #281: output[2][28] = @68 */
-  if (res[2]) casadi_copy(w068, 108, res[2]+3024);
+  if (res[2]) casadi_copy(w068, 120, res[2]+3360);
   /* #282: output[2][29] = @70 */
-  if (res[2]) casadi_copy(w070, 108, res[2]+3132);
+  if (res[2]) casadi_copy(w070, 120, res[2]+3480);
   /* #283: output[2][30] = @72 */
-  if (res[2]) casadi_copy(w072, 108, res[2]+3240);
+  if (res[2]) casadi_copy(w072, 120, res[2]+3600);
   /* #284: output[2][31] = @74 */
-  if (res[2]) casadi_copy(w074, 108, res[2]+3348);
+  if (res[2]) casadi_copy(w074, 120, res[2]+3720);
   /* #285: output[2][32] = @76 */
-  if (res[2]) casadi_copy(w076, 108, res[2]+3456);
+  if (res[2]) casadi_copy(w076, 120, res[2]+3840);
   /* #286: output[2][33] = @78 */
-  if (res[2]) casadi_copy(w078, 108, res[2]+3564);
+  if (res[2]) casadi_copy(w078, 120, res[2]+3960);
   /* #287: output[2][34] = @80 */
-  if (res[2]) casadi_copy(w080, 108, res[2]+3672);
+  if (res[2]) casadi_copy(w080, 120, res[2]+4080);
   /* #288: output[2][35] = @82 */
-  if (res[2]) casadi_copy(w082, 108, res[2]+3780);
+  if (res[2]) casadi_copy(w082, 120, res[2]+4200);
   /* #289: output[2][36] = @84 */
-  if (res[2]) casadi_copy(w084, 108, res[2]+3888);
+  if (res[2]) casadi_copy(w084, 120, res[2]+4320);
   /* #290: output[2][37] = @86 */
-  if (res[2]) casadi_copy(w086, 108, res[2]+3996);
+  if (res[2]) casadi_copy(w086, 120, res[2]+4440);
   /* #291: output[2][38] = @88 */
-  if (res[2]) casadi_copy(w088, 108, res[2]+4104);
+  if (res[2]) casadi_copy(w088, 120, res[2]+4560);
   /* #292: output[2][39] = @90 */
-  if (res[2]) casadi_copy(w090, 108, res[2]+4212);
+  if (res[2]) casadi_copy(w090, 120, res[2]+4680);
   /* #293: output[2][40] = @92 */
-  if (res[2]) casadi_copy(w092, 108, res[2]+4320);
+  if (res[2]) casadi_copy(w092, 120, res[2]+4800);
   /* #294: output[2][41] = @94 */
-  if (res[2]) casadi_copy(w094, 108, res[2]+4428);
+  if (res[2]) casadi_copy(w094, 120, res[2]+4920);
   /* #295: output[2][42] = @96 */
-  if (res[2]) casadi_copy(w096, 108, res[2]+4536);
+  if (res[2]) casadi_copy(w096, 120, res[2]+5040);
   /* #296: output[2][43] = @98 */
-  if (res[2]) casadi_copy(w098, 108, res[2]+4644);
+  if (res[2]) casadi_copy(w098, 120, res[2]+5160);
   /* #297: output[2][44] = @100 */
-  if (res[2]) casadi_copy(w100, 108, res[2]+4752);
+  if (res[2]) casadi_copy(w100, 120, res[2]+5280);
   /* #298: output[2][45] = @102 */
-  if (res[2]) casadi_copy(w102, 108, res[2]+4860);
+  if (res[2]) casadi_copy(w102, 120, res[2]+5400);
   /* #299: output[2][46] = @104 */
-  if (res[2]) casadi_copy(w104, 108, res[2]+4968);
+  if (res[2]) casadi_copy(w104, 120, res[2]+5520);
   /* #300: output[2][47] = @106 */
-  if (res[2]) casadi_copy(w106, 108, res[2]+5076);
+  if (res[2]) casadi_copy(w106, 120, res[2]+5640);
   /* #301: output[2][48] = @108 */
-  if (res[2]) casadi_copy(w108, 9, res[2]+5184);
+  if (res[2]) casadi_copy(w108, 10, res[2]+5760);
   /* #302: @1 = @8[:6] */
   for (rr=w001, cs=w008+0; cs!=w008+6; cs+=1) *rr++ = *cs;
   /* #303: @109 = landing(@1, @6, @4) */
@@ -26261,7 +26264,7 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_576_work(casadi_int *sz_arg, casadi_int*
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 10891;
+  if (sz_w) *sz_w = 12058;
   return 0;
 }
 
@@ -26269,25 +26272,25 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_576_work_bytes(casadi_int *sz_arg, casad
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 10891*sizeof(casadi_real);
+  if (sz_w) *sz_w = 12058*sizeof(casadi_real);
   return 0;
 }
 
-/* wobbling_trace_768:(u[6],p[8])->(w[7x769],g[9x769],dg[9x769],R[6]) */
+/* wobbling_trace_768:(u[6],p[8])->(w[7x769],g[10x769],dg[10x769],R[6]) */
 static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_int i;
-  casadi_real **res1=res+4, *rr, w000, *w001=w+366, w002, w003, *w005=w+372, *w006=w+396, w007, *w008=w+401, *w009=w+408, *w010=w+415;
-  casadi_real *w011=w+499, *w012=w+607, *w013=w+715, *w014=w+823, *w015=w+931, *w016=w+1039, *w017=w+1147, *w018=w+1255, *w019=w+1363, *w020=w+1471, *w021=w+1579, *w022=w+1687;
-  casadi_real *w023=w+1795, *w024=w+1903, *w025=w+2011, *w026=w+2119, *w027=w+2227, *w028=w+2335, *w029=w+2443, *w030=w+2551, *w031=w+2659, *w032=w+2767, *w033=w+2875, *w034=w+2983;
-  casadi_real *w035=w+3091, *w036=w+3199, *w037=w+3307, *w038=w+3415, *w039=w+3523, *w040=w+3631, *w041=w+3739, *w042=w+3847, *w043=w+3955, *w044=w+4063, *w045=w+4171, *w046=w+4279;
-  casadi_real *w047=w+4387, *w048=w+4495, *w049=w+4603, *w050=w+4711, *w051=w+4819, *w052=w+4927, *w053=w+5035, *w054=w+5143, *w055=w+5251, *w056=w+5359, *w057=w+5467, *w058=w+5575;
-  casadi_real *w059=w+5683, *w060=w+5791, *w061=w+5899, *w062=w+6007, *w063=w+6115, *w064=w+6223, *w065=w+6331, *w066=w+6439, *w067=w+6547, *w068=w+6655, *w069=w+6763, *w070=w+6871;
-  casadi_real *w071=w+6979, *w072=w+7087, *w073=w+7195, *w074=w+7303, *w075=w+7411, *w076=w+7519, *w077=w+7627, *w078=w+7735, *w079=w+7843, *w080=w+7951, *w081=w+8059, *w082=w+8167;
-  casadi_real *w083=w+8275, *w084=w+8383, *w085=w+8491, *w086=w+8599, *w087=w+8707, *w088=w+8815, *w089=w+8923, *w090=w+9031, *w091=w+9139, *w092=w+9247, *w093=w+9355, *w094=w+9463;
-  casadi_real *w095=w+9571, *w096=w+9679, *w097=w+9787, *w098=w+9895, *w099=w+10003, *w100=w+10111, *w101=w+10219, *w102=w+10327, *w103=w+10435, *w104=w+10543, *w105=w+10651, *w106=w+10759;
-  casadi_real *w107=w+10867, *w108=w+10975, *w109=w+11083, *w110=w+11191, *w111=w+11299, *w112=w+11407, *w113=w+11515, *w114=w+11623, *w115=w+11731, *w116=w+11839, *w117=w+11947, *w118=w+12055;
-  casadi_real *w119=w+12163, *w120=w+12271, *w121=w+12379, *w122=w+12487, *w123=w+12595, *w124=w+12703, *w125=w+12811, *w126=w+12919, *w127=w+13027, *w128=w+13135, *w129=w+13243, *w130=w+13351;
-  casadi_real *w131=w+13459, *w132=w+13567, *w133=w+13675, *w134=w+13783, *w135=w+13891, *w136=w+13999, *w137=w+14107, *w138=w+14215, *w139=w+14323, *w140=w+14332, *w141=w+14341;
+  casadi_real **res1=res+4, *rr, w000, *w001=w+379, w002, w003, *w005=w+385, *w006=w+409, w007, *w008=w+414, *w009=w+421, *w010=w+428;
+  casadi_real *w011=w+512, *w012=w+632, *w013=w+752, *w014=w+872, *w015=w+992, *w016=w+1112, *w017=w+1232, *w018=w+1352, *w019=w+1472, *w020=w+1592, *w021=w+1712, *w022=w+1832;
+  casadi_real *w023=w+1952, *w024=w+2072, *w025=w+2192, *w026=w+2312, *w027=w+2432, *w028=w+2552, *w029=w+2672, *w030=w+2792, *w031=w+2912, *w032=w+3032, *w033=w+3152, *w034=w+3272;
+  casadi_real *w035=w+3392, *w036=w+3512, *w037=w+3632, *w038=w+3752, *w039=w+3872, *w040=w+3992, *w041=w+4112, *w042=w+4232, *w043=w+4352, *w044=w+4472, *w045=w+4592, *w046=w+4712;
+  casadi_real *w047=w+4832, *w048=w+4952, *w049=w+5072, *w050=w+5192, *w051=w+5312, *w052=w+5432, *w053=w+5552, *w054=w+5672, *w055=w+5792, *w056=w+5912, *w057=w+6032, *w058=w+6152;
+  casadi_real *w059=w+6272, *w060=w+6392, *w061=w+6512, *w062=w+6632, *w063=w+6752, *w064=w+6872, *w065=w+6992, *w066=w+7112, *w067=w+7232, *w068=w+7352, *w069=w+7472, *w070=w+7592;
+  casadi_real *w071=w+7712, *w072=w+7832, *w073=w+7952, *w074=w+8072, *w075=w+8192, *w076=w+8312, *w077=w+8432, *w078=w+8552, *w079=w+8672, *w080=w+8792, *w081=w+8912, *w082=w+9032;
+  casadi_real *w083=w+9152, *w084=w+9272, *w085=w+9392, *w086=w+9512, *w087=w+9632, *w088=w+9752, *w089=w+9872, *w090=w+9992, *w091=w+10112, *w092=w+10232, *w093=w+10352, *w094=w+10472;
+  casadi_real *w095=w+10592, *w096=w+10712, *w097=w+10832, *w098=w+10952, *w099=w+11072, *w100=w+11192, *w101=w+11312, *w102=w+11432, *w103=w+11552, *w104=w+11672, *w105=w+11792, *w106=w+11912;
+  casadi_real *w107=w+12032, *w108=w+12152, *w109=w+12272, *w110=w+12392, *w111=w+12512, *w112=w+12632, *w113=w+12752, *w114=w+12872, *w115=w+12992, *w116=w+13112, *w117=w+13232, *w118=w+13352;
+  casadi_real *w119=w+13472, *w120=w+13592, *w121=w+13712, *w122=w+13832, *w123=w+13952, *w124=w+14072, *w125=w+14192, *w126=w+14312, *w127=w+14432, *w128=w+14552, *w129=w+14672, *w130=w+14792;
+  casadi_real *w131=w+14912, *w132=w+15032, *w133=w+15152, *w134=w+15272, *w135=w+15392, *w136=w+15512, *w137=w+15632, *w138=w+15752, *w139=w+15872, *w140=w+15882, *w141=w+15892;
   const casadi_real **arg1=arg+2, *cs, *wr004;
   /* #0: @0 = 0 */
   w000 = 0.;
@@ -27407,133 +27410,133 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   /* #265: output[0][64] = @8 */
   if (res[0]) casadi_copy(w008, 7, res[0]+5376);
   /* #266: output[1][0] = @11 */
-  casadi_copy(w011, 108, res[1]);
+  casadi_copy(w011, 120, res[1]);
   /* #267: output[1][1] = @13 */
-  if (res[1]) casadi_copy(w013, 108, res[1]+108);
+  if (res[1]) casadi_copy(w013, 120, res[1]+120);
   /* #268: output[1][2] = @15 */
-  if (res[1]) casadi_copy(w015, 108, res[1]+216);
+  if (res[1]) casadi_copy(w015, 120, res[1]+240);
   /* #269: output[1][3] = @17 */
-  if (res[1]) casadi_copy(w017, 108, res[1]+324);
+  if (res[1]) casadi_copy(w017, 120, res[1]+360);
   /* #270: output[1][4] = @19 */
-  if (res[1]) casadi_copy(w019, 108, res[1]+432);
+  if (res[1]) casadi_copy(w019, 120, res[1]+480);
   /* #271: output[1][5] = @21 */
-  if (res[1]) casadi_copy(w021, 108, res[1]+540);
+  if (res[1]) casadi_copy(w021, 120, res[1]+600);
   /* #272: output[1][6] = @23 */
-  if (res[1]) casadi_copy(w023, 108, res[1]+648);
+  if (res[1]) casadi_copy(w023, 120, res[1]+720);
   /* #273: output[1][7] = @25 */
-  if (res[1]) casadi_copy(w025, 108, res[1]+756);
+  if (res[1]) casadi_copy(w025, 120, res[1]+840);
   /* #274: output[1][8] = @27 */
-  if (res[1]) casadi_copy(w027, 108, res[1]+864);
+  if (res[1]) casadi_copy(w027, 120, res[1]+960);
   /* #275: output[1][9] = @29 */
-  if (res[1]) casadi_copy(w029, 108, res[1]+972);
+  if (res[1]) casadi_copy(w029, 120, res[1]+1080);
   /* #276: output[1][10] = @31 */
-  if (res[1]) casadi_copy(w031, 108, res[1]+1080);
+  if (res[1]) casadi_copy(w031, 120, res[1]+1200);
   /* #277: output[1][11] = @33 */
-  if (res[1]) casadi_copy(w033, 108, res[1]+1188);
+  if (res[1]) casadi_copy(w033, 120, res[1]+1320);
   /* #278: output[1][12] = @35 */
-  if (res[1]) casadi_copy(w035, 108, res[1]+1296);
+  if (res[1]) casadi_copy(w035, 120, res[1]+1440);
   /* #279: output[1][13] = @37 */
-  if (res[1]) casadi_copy(w037, 108, res[1]+1404);
+  if (res[1]) casadi_copy(w037, 120, res[1]+1560);
   /* #280: output[1][14] = @39 */
-  if (res[1]) casadi_copy(w039, 108, res[1]+1512);
+  if (res[1]) casadi_copy(w039, 120, res[1]+1680);
   /* #281: output[1][15] = @41 */
-  if (res[1]) casadi_copy(w041, 108, res[1]+1620);
+  if (res[1]) casadi_copy(w041, 120, res[1]+1800);
   /* #282: output[1][16] = @43 */
-  if (res[1]) casadi_copy(w043, 108, res[1]+1728);
+  if (res[1]) casadi_copy(w043, 120, res[1]+1920);
   /* #283: output[1][17] = @45 */
-  if (res[1]) casadi_copy(w045, 108, res[1]+1836);
+  if (res[1]) casadi_copy(w045, 120, res[1]+2040);
   /* #284: output[1][18] = @47 */
-  if (res[1]) casadi_copy(w047, 108, res[1]+1944);
+  if (res[1]) casadi_copy(w047, 120, res[1]+2160);
   /* #285: output[1][19] = @49 */
-  if (res[1]) casadi_copy(w049, 108, res[1]+2052);
+  if (res[1]) casadi_copy(w049, 120, res[1]+2280);
   /* #286: output[1][20] = @51 */
-  if (res[1]) casadi_copy(w051, 108, res[1]+2160);
+  if (res[1]) casadi_copy(w051, 120, res[1]+2400);
   /* #287: output[1][21] = @53 */
-  if (res[1]) casadi_copy(w053, 108, res[1]+2268);
+  if (res[1]) casadi_copy(w053, 120, res[1]+2520);
   /* #288: output[1][22] = @55 */
-  if (res[1]) casadi_copy(w055, 108, res[1]+2376);
+  if (res[1]) casadi_copy(w055, 120, res[1]+2640);
   /* #289: output[1][23] = @57 */
-  if (res[1]) casadi_copy(w057, 108, res[1]+2484);
+  if (res[1]) casadi_copy(w057, 120, res[1]+2760);
   /* #290: output[1][24] = @59 */
-  if (res[1]) casadi_copy(w059, 108, res[1]+2592);
+  if (res[1]) casadi_copy(w059, 120, res[1]+2880);
   /* #291: output[1][25] = @61 */
-  if (res[1]) casadi_copy(w061, 108, res[1]+2700);
+  if (res[1]) casadi_copy(w061, 120, res[1]+3000);
   /* #292: output[1][26] = @63 */
-  if (res[1]) casadi_copy(w063, 108, res[1]+2808);
+  if (res[1]) casadi_copy(w063, 120, res[1]+3120);
   /* #293: output[1][27] = @65 */
-  if (res[1]) casadi_copy(w065, 108, res[1]+2916);
+  if (res[1]) casadi_copy(w065, 120, res[1]+3240);
   /* #294: output[1][28] = @67 */
-  if (res[1]) casadi_copy(w067, 108, res[1]+3024);
+  if (res[1]) casadi_copy(w067, 120, res[1]+3360);
   /* #295: output[1][29] = @69 */
-  if (res[1]) casadi_copy(w069, 108, res[1]+3132);
+  if (res[1]) casadi_copy(w069, 120, res[1]+3480);
   /* #296: output[1][30] = @71 */
-  if (res[1]) casadi_copy(w071, 108, res[1]+3240);
+  if (res[1]) casadi_copy(w071, 120, res[1]+3600);
   /* #297: output[1][31] = @73 */
-  if (res[1]) casadi_copy(w073, 108, res[1]+3348);
+  if (res[1]) casadi_copy(w073, 120, res[1]+3720);
   /* #298: output[1][32] = @75 */
-  if (res[1]) casadi_copy(w075, 108, res[1]+3456);
+  if (res[1]) casadi_copy(w075, 120, res[1]+3840);
   /* #299: output[1][33] = @77 */
-  if (res[1]) casadi_copy(w077, 108, res[1]+3564);
+  if (res[1]) casadi_copy(w077, 120, res[1]+3960);
   /* #300: output[1][34] = @79 */
-  if (res[1]) casadi_copy(w079, 108, res[1]+3672);
+  if (res[1]) casadi_copy(w079, 120, res[1]+4080);
   /* #301: output[1][35] = @81 */
-  if (res[1]) casadi_copy(w081, 108, res[1]+3780);
+  if (res[1]) casadi_copy(w081, 120, res[1]+4200);
   /* #302: output[1][36] = @83 */
-  if (res[1]) casadi_copy(w083, 108, res[1]+3888);
+  if (res[1]) casadi_copy(w083, 120, res[1]+4320);
   /* #303: output[1][37] = @85 */
-  if (res[1]) casadi_copy(w085, 108, res[1]+3996);
+  if (res[1]) casadi_copy(w085, 120, res[1]+4440);
   /* #304: output[1][38] = @87 */
-  if (res[1]) casadi_copy(w087, 108, res[1]+4104);
+  if (res[1]) casadi_copy(w087, 120, res[1]+4560);
   /* #305: output[1][39] = @89 */
-  if (res[1]) casadi_copy(w089, 108, res[1]+4212);
+  if (res[1]) casadi_copy(w089, 120, res[1]+4680);
   /* #306: output[1][40] = @91 */
-  if (res[1]) casadi_copy(w091, 108, res[1]+4320);
+  if (res[1]) casadi_copy(w091, 120, res[1]+4800);
   /* #307: output[1][41] = @93 */
-  if (res[1]) casadi_copy(w093, 108, res[1]+4428);
+  if (res[1]) casadi_copy(w093, 120, res[1]+4920);
   /* #308: output[1][42] = @95 */
-  if (res[1]) casadi_copy(w095, 108, res[1]+4536);
+  if (res[1]) casadi_copy(w095, 120, res[1]+5040);
   /* #309: output[1][43] = @97 */
-  if (res[1]) casadi_copy(w097, 108, res[1]+4644);
+  if (res[1]) casadi_copy(w097, 120, res[1]+5160);
   /* #310: output[1][44] = @99 */
-  if (res[1]) casadi_copy(w099, 108, res[1]+4752);
+  if (res[1]) casadi_copy(w099, 120, res[1]+5280);
   /* #311: output[1][45] = @101 */
-  if (res[1]) casadi_copy(w101, 108, res[1]+4860);
+  if (res[1]) casadi_copy(w101, 120, res[1]+5400);
   /* #312: output[1][46] = @103 */
-  if (res[1]) casadi_copy(w103, 108, res[1]+4968);
+  if (res[1]) casadi_copy(w103, 120, res[1]+5520);
   /* #313: output[1][47] = @105 */
-  if (res[1]) casadi_copy(w105, 108, res[1]+5076);
+  if (res[1]) casadi_copy(w105, 120, res[1]+5640);
   /* #314: output[1][48] = @107 */
-  if (res[1]) casadi_copy(w107, 108, res[1]+5184);
+  if (res[1]) casadi_copy(w107, 120, res[1]+5760);
   /* #315: output[1][49] = @109 */
-  if (res[1]) casadi_copy(w109, 108, res[1]+5292);
+  if (res[1]) casadi_copy(w109, 120, res[1]+5880);
   /* #316: output[1][50] = @111 */
-  if (res[1]) casadi_copy(w111, 108, res[1]+5400);
+  if (res[1]) casadi_copy(w111, 120, res[1]+6000);
   /* #317: output[1][51] = @113 */
-  if (res[1]) casadi_copy(w113, 108, res[1]+5508);
+  if (res[1]) casadi_copy(w113, 120, res[1]+6120);
   /* #318: output[1][52] = @115 */
-  if (res[1]) casadi_copy(w115, 108, res[1]+5616);
+  if (res[1]) casadi_copy(w115, 120, res[1]+6240);
   /* #319: output[1][53] = @117 */
-  if (res[1]) casadi_copy(w117, 108, res[1]+5724);
+  if (res[1]) casadi_copy(w117, 120, res[1]+6360);
   /* #320: output[1][54] = @119 */
-  if (res[1]) casadi_copy(w119, 108, res[1]+5832);
+  if (res[1]) casadi_copy(w119, 120, res[1]+6480);
   /* #321: output[1][55] = @121 */
-  if (res[1]) casadi_copy(w121, 108, res[1]+5940);
+  if (res[1]) casadi_copy(w121, 120, res[1]+6600);
   /* #322: output[1][56] = @123 */
-  if (res[1]) casadi_copy(w123, 108, res[1]+6048);
+  if (res[1]) casadi_copy(w123, 120, res[1]+6720);
   /* #323: output[1][57] = @125 */
-  if (res[1]) casadi_copy(w125, 108, res[1]+6156);
+  if (res[1]) casadi_copy(w125, 120, res[1]+6840);
   /* #324: output[1][58] = @127 */
-  if (res[1]) casadi_copy(w127, 108, res[1]+6264);
+  if (res[1]) casadi_copy(w127, 120, res[1]+6960);
   /* #325: output[1][59] = @129 */
-  if (res[1]) casadi_copy(w129, 108, res[1]+6372);
+  if (res[1]) casadi_copy(w129, 120, res[1]+7080);
   /* #326: output[1][60] = @131 */
-  if (res[1]) casadi_copy(w131, 108, res[1]+6480);
+  if (res[1]) casadi_copy(w131, 120, res[1]+7200);
   /* #327: output[1][61] = @133 */
-  if (res[1]) casadi_copy(w133, 108, res[1]+6588);
+  if (res[1]) casadi_copy(w133, 120, res[1]+7320);
   /* #328: output[1][62] = @135 */
-  if (res[1]) casadi_copy(w135, 108, res[1]+6696);
+  if (res[1]) casadi_copy(w135, 120, res[1]+7440);
   /* #329: output[1][63] = @137 */
-  if (res[1]) casadi_copy(w137, 108, res[1]+6804);
+  if (res[1]) casadi_copy(w137, 120, res[1]+7560);
   /* #330: @1 = @8[:6] */
   for (rr=w001, cs=w008+0; cs!=w008+6; cs+=1) *rr++ = *cs;
   /* #331: {@139, @140} = observe(@2, @1, @4) */
@@ -27544,137 +27547,137 @@ static int casadi_f97(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w140;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #332: output[1][64] = @139 */
-  if (res[1]) casadi_copy(w139, 9, res[1]+6912);
+  if (res[1]) casadi_copy(w139, 10, res[1]+7680);
   /* #333: output[2][0] = @12 */
-  casadi_copy(w012, 108, res[2]);
+  casadi_copy(w012, 120, res[2]);
   /* #334: output[2][1] = @14 */
-  if (res[2]) casadi_copy(w014, 108, res[2]+108);
+  if (res[2]) casadi_copy(w014, 120, res[2]+120);
   /* #335: output[2][2] = @16 */
-  if (res[2]) casadi_copy(w016, 108, res[2]+216);
+  if (res[2]) casadi_copy(w016, 120, res[2]+240);
   /* #336: output[2][3] = @18 */
-  if (res[2]) casadi_copy(w018, 108, res[2]+324);
+  if (res[2]) casadi_copy(w018, 120, res[2]+360);
   /* #337: output[2][4] = @20 */
-  if (res[2]) casadi_copy(w020, 108, res[2]+432);
+  if (res[2]) casadi_copy(w020, 120, res[2]+480);
   /* #338: output[2][5] = @22 */
-  if (res[2]) casadi_copy(w022, 108, res[2]+540);
+  if (res[2]) casadi_copy(w022, 120, res[2]+600);
   /* #339: output[2][6] = @24 */
-  if (res[2]) casadi_copy(w024, 108, res[2]+648);
+  if (res[2]) casadi_copy(w024, 120, res[2]+720);
   /* #340: output[2][7] = @26 */
-  if (res[2]) casadi_copy(w026, 108, res[2]+756);
+  if (res[2]) casadi_copy(w026, 120, res[2]+840);
   /* #341: output[2][8] = @28 */
-  if (res[2]) casadi_copy(w028, 108, res[2]+864);
+  if (res[2]) casadi_copy(w028, 120, res[2]+960);
   /* #342: output[2][9] = @30 */
-  if (res[2]) casadi_copy(w030, 108, res[2]+972);
+  if (res[2]) casadi_copy(w030, 120, res[2]+1080);
   /* #343: output[2][10] = @32 */
-  if (res[2]) casadi_copy(w032, 108, res[2]+1080);
+  if (res[2]) casadi_copy(w032, 120, res[2]+1200);
   /* #344: output[2][11] = @34 */
-  if (res[2]) casadi_copy(w034, 108, res[2]+1188);
+  if (res[2]) casadi_copy(w034, 120, res[2]+1320);
   /* #345: output[2][12] = @36 */
-  if (res[2]) casadi_copy(w036, 108, res[2]+1296);
+  if (res[2]) casadi_copy(w036, 120, res[2]+1440);
   /* #346: output[2][13] = @38 */
-  if (res[2]) casadi_copy(w038, 108, res[2]+1404);
+  if (res[2]) casadi_copy(w038, 120, res[2]+1560);
   /* #347: output[2][14] = @40 */
-  if (res[2]) casadi_copy(w040, 108, res[2]+1512);
+  if (res[2]) casadi_copy(w040, 120, res[2]+1680);
   /* #348: output[2][15] = @42 */
-  if (res[2]) casadi_copy(w042, 108, res[2]+1620);
+  if (res[2]) casadi_copy(w042, 120, res[2]+1800);
   /* #349: output[2][16] = @44 */
-  if (res[2]) casadi_copy(w044, 108, res[2]+1728);
+  if (res[2]) casadi_copy(w044, 120, res[2]+1920);
   /* #350: output[2][17] = @46 */
-  if (res[2]) casadi_copy(w046, 108, res[2]+1836);
+  if (res[2]) casadi_copy(w046, 120, res[2]+2040);
   /* #351: output[2][18] = @48 */
-  if (res[2]) casadi_copy(w048, 108, res[2]+1944);
+  if (res[2]) casadi_copy(w048, 120, res[2]+2160);
   /* #352: output[2][19] = @50 */
-  if (res[2]) casadi_copy(w050, 108, res[2]+2052);
+  if (res[2]) casadi_copy(w050, 120, res[2]+2280);
   /* #353: output[2][20] = @52 */
-  if (res[2]) casadi_copy(w052, 108, res[2]+2160);
+  if (res[2]) casadi_copy(w052, 120, res[2]+2400);
   /* #354: output[2][21] = @54 */
-  if (res[2]) casadi_copy(w054, 108, res[2]+2268);
+  if (res[2]) casadi_copy(w054, 120, res[2]+2520);
   /* #355: output[2][22] = @56 */
-  if (res[2]) casadi_copy(w056, 108, res[2]+2376);
+  if (res[2]) casadi_copy(w056, 120, res[2]+2640);
   /* #356: output[2][23] = @58 */
-  if (res[2]) casadi_copy(w058, 108, res[2]+2484);
+  if (res[2]) casadi_copy(w058, 120, res[2]+2760);
   /* #357: output[2][24] = @60 */
-  if (res[2]) casadi_copy(w060, 108, res[2]+2592);
+  if (res[2]) casadi_copy(w060, 120, res[2]+2880);
   /* #358: output[2][25] = @62 */
-  if (res[2]) casadi_copy(w062, 108, res[2]+2700);
+  if (res[2]) casadi_copy(w062, 120, res[2]+3000);
   /* #359: output[2][26] = @64 */
-  if (res[2]) casadi_copy(w064, 108, res[2]+2808);
+  if (res[2]) casadi_copy(w064, 120, res[2]+3120);
   /* #360: output[2][27] = @66 */
-  if (res[2]) casadi_copy(w066, 108, res[2]+2916);
+  if (res[2]) casadi_copy(w066, 120, res[2]+3240);
   /* #361: output[2][28] = @68 */
-  if (res[2]) casadi_copy(w068, 108, res[2]+3024);
+  if (res[2]) casadi_copy(w068, 120, res[2]+3360);
   /* #362: output[2][29] = @70 */
-  if (res[2]) casadi_copy(w070, 108, res[2]+3132);
+  if (res[2]) casadi_copy(w070, 120, res[2]+3480);
   /* #363: output[2][30] = @72 */
-  if (res[2]) casadi_copy(w072, 108, res[2]+3240);
+  if (res[2]) casadi_copy(w072, 120, res[2]+3600);
   /* #364: output[2][31] = @74 */
-  if (res[2]) casadi_copy(w074, 108, res[2]+3348);
+  if (res[2]) casadi_copy(w074, 120, res[2]+3720);
   /* #365: output[2][32] = @76 */
-  if (res[2]) casadi_copy(w076, 108, res[2]+3456);
+  if (res[2]) casadi_copy(w076, 120, res[2]+3840);
   /* #366: output[2][33] = @78 */
-  if (res[2]) casadi_copy(w078, 108, res[2]+3564);
+  if (res[2]) casadi_copy(w078, 120, res[2]+3960);
   /* #367: output[2][34] = @80 */
-  if (res[2]) casadi_copy(w080, 108, res[2]+3672);
+  if (res[2]) casadi_copy(w080, 120, res[2]+4080);
   /* #368: output[2][35] = @82 */
-  if (res[2]) casadi_copy(w082, 108, res[2]+3780);
+  if (res[2]) casadi_copy(w082, 120, res[2]+4200);
   /* #369: output[2][36] = @84 */
-  if (res[2]) casadi_copy(w084, 108, res[2]+3888);
+  if (res[2]) casadi_copy(w084, 120, res[2]+4320);
   /* #370: output[2][37] = @86 */
-  if (res[2]) casadi_copy(w086, 108, res[2]+3996);
+  if (res[2]) casadi_copy(w086, 120, res[2]+4440);
   /* #371: output[2][38] = @88 */
-  if (res[2]) casadi_copy(w088, 108, res[2]+4104);
+  if (res[2]) casadi_copy(w088, 120, res[2]+4560);
   /* #372: output[2][39] = @90 */
-  if (res[2]) casadi_copy(w090, 108, res[2]+4212);
+  if (res[2]) casadi_copy(w090, 120, res[2]+4680);
   /* #373: output[2][40] = @92 */
-  if (res[2]) casadi_copy(w092, 108, res[2]+4320);
+  if (res[2]) casadi_copy(w092, 120, res[2]+4800);
   /* #374: output[2][41] = @94 */
-  if (res[2]) casadi_copy(w094, 108, res[2]+4428);
+  if (res[2]) casadi_copy(w094, 120, res[2]+4920);
   /* #375: output[2][42] = @96 */
-  if (res[2]) casadi_copy(w096, 108, res[2]+4536);
+  if (res[2]) casadi_copy(w096, 120, res[2]+5040);
   /* #376: output[2][43] = @98 */
-  if (res[2]) casadi_copy(w098, 108, res[2]+4644);
+  if (res[2]) casadi_copy(w098, 120, res[2]+5160);
   /* #377: output[2][44] = @100 */
-  if (res[2]) casadi_copy(w100, 108, res[2]+4752);
+  if (res[2]) casadi_copy(w100, 120, res[2]+5280);
   /* #378: output[2][45] = @102 */
-  if (res[2]) casadi_copy(w102, 108, res[2]+4860);
+  if (res[2]) casadi_copy(w102, 120, res[2]+5400);
   /* #379: output[2][46] = @104 */
-  if (res[2]) casadi_copy(w104, 108, res[2]+4968);
+  if (res[2]) casadi_copy(w104, 120, res[2]+5520);
   /* #380: output[2][47] = @106 */
-  if (res[2]) casadi_copy(w106, 108, res[2]+5076);
+  if (res[2]) casadi_copy(w106, 120, res[2]+5640);
   /* #381: output[2][48] = @108 */
-  if (res[2]) casadi_copy(w108, 108, res[2]+5184);
+  if (res[2]) casadi_copy(w108, 120, res[2]+5760);
   /* #382: output[2][49] = @110 */
-  if (res[2]) casadi_copy(w110, 108, res[2]+5292);
+  if (res[2]) casadi_copy(w110, 120, res[2]+5880);
   /* #383: output[2][50] = @112 */
-  if (res[2]) casadi_copy(w112, 108, res[2]+5400);
+  if (res[2]) casadi_copy(w112, 120, res[2]+6000);
   /* #384: output[2][51] = @114 */
-  if (res[2]) casadi_copy(w114, 108, res[2]+5508);
+  if (res[2]) casadi_copy(w114, 120, res[2]+6120);
   /* #385: output[2][52] = @116 */
-  if (res[2]) casadi_copy(w116, 108, res[2]+5616);
+  if (res[2]) casadi_copy(w116, 120, res[2]+6240);
   /* #386: output[2][53] = @118 */
-  if (res[2]) casadi_copy(w118, 108, res[2]+5724);
+  if (res[2]) casadi_copy(w118, 120, res[2]+6360);
   /* #387: output[2][54] = @120 */
-  if (res[2]) casadi_copy(w120, 108, res[2]+5832);
+  if (res[2]) casadi_copy(w120, 120, res[2]+6480);
   /* #388: output[2][55] = @122 */
-  if (res[2]) casadi_copy(w122, 108, res[2]+5940);
+  if (res[2]) casadi_copy(w122, 120, res[2]+6600);
   /* #389: output[2][56] = @124 */
-  if (res[2]) casadi_copy(w124, 108, res[2]+6048);
+  if (res[2]) casadi_copy(w124, 120, res[2]+6720);
   /* #390: output[2][57] = @126 */
-  if (res[2]) casadi_copy(w126, 108, res[2]+6156);
+  if (res[2]) casadi_copy(w126, 120, res[2]+6840);
   /* #391: output[2][58] = @128 */
-  if (res[2]) casadi_copy(w128, 108, res[2]+6264);
+  if (res[2]) casadi_copy(w128, 120, res[2]+6960);
   /* #392: output[2][59] = @130 */
-  if (res[2]) casadi_copy(w130, 108, res[2]+6372);
+  if (res[2]) casadi_copy(w130, 120, res[2]+7080);
   /* #393: output[2][60] = @132 */
-  if (res[2]) casadi_copy(w132, 108, res[2]+6480);
+  if (res[2]) casadi_copy(w132, 120, res[2]+7200);
   /* #394: output[2][61] = @134 */
-  if (res[2]) casadi_copy(w134, 108, res[2]+6588);
+  if (res[2]) casadi_copy(w134, 120, res[2]+7320);
   /* #395: output[2][62] = @136 */
-  if (res[2]) casadi_copy(w136, 108, res[2]+6696);
+  if (res[2]) casadi_copy(w136, 120, res[2]+7440);
   /* #396: output[2][63] = @138 */
-  if (res[2]) casadi_copy(w138, 108, res[2]+6804);
+  if (res[2]) casadi_copy(w138, 120, res[2]+7560);
   /* #397: output[2][64] = @140 */
-  if (res[2]) casadi_copy(w140, 9, res[2]+6912);
+  if (res[2]) casadi_copy(w140, 10, res[2]+7680);
   /* #398: @1 = @8[:6] */
   for (rr=w001, cs=w008+0; cs!=w008+6; cs+=1) *rr++ = *cs;
   /* #399: @141 = landing(@1, @6, @4) */
@@ -27755,7 +27758,7 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_768_work(casadi_int *sz_arg, casadi_int*
   if (sz_arg) *sz_arg = 12;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 14347;
+  if (sz_w) *sz_w = 15898;
   return 0;
 }
 
@@ -27763,13 +27766,13 @@ CASADI_SYMBOL_EXPORT int wobbling_trace_768_work_bytes(casadi_int *sz_arg, casad
   if (sz_arg) *sz_arg = 12*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 14347*sizeof(casadi_real);
+  if (sz_w) *sz_w = 15898*sizeof(casadi_real);
   return 0;
 }
 
-/* wobbling_advance:(t,w[7],h,p[8])->(w_end[7],g[9],dg[9]) */
+/* wobbling_advance:(t,w[7],h,p[8])->(w_end[7],g[10],dg[10]) */
 static int casadi_f98(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+3, *rr, *w0=w+115, w1, *w3=w+122, w4, *w5=w+124, *w6=w+148, *w7=w+155, *w8=w+161, *w9=w+170;
+  casadi_real **res1=res+3, *rr, *w0=w+115, w1, *w3=w+122, w4, *w5=w+124, *w6=w+148, *w7=w+155, *w8=w+161, *w9=w+171;
   const casadi_real **arg1=arg+4, *cs, *wr2;
   /* #0: @0 = input[1][0] */
   casadi_copy(arg[1], 7, w0);
@@ -27811,9 +27814,9 @@ static int casadi_f98(const casadi_real** arg, casadi_real** res, casadi_int* iw
   res1[1]=w9;
   if (casadi_f89(arg1, res1, iw, w, 0)) return 1;
   /* #11: output[1][0] = @8 */
-  casadi_copy(w8, 9, res[1]);
+  casadi_copy(w8, 10, res[1]);
   /* #12: output[2][0] = @9 */
-  casadi_copy(w9, 9, res[2]);
+  casadi_copy(w9, 10, res[2]);
   return 0;
 }
 
@@ -27886,7 +27889,7 @@ CASADI_SYMBOL_EXPORT int wobbling_advance_work(casadi_int *sz_arg, casadi_int* s
   if (sz_arg) *sz_arg = 9;
   if (sz_res) *sz_res = 5;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 179;
+  if (sz_w) *sz_w = 181;
   return 0;
 }
 
@@ -27894,7 +27897,7 @@ CASADI_SYMBOL_EXPORT int wobbling_advance_work_bytes(casadi_int *sz_arg, casadi_
   if (sz_arg) *sz_arg = 9*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 5*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 179*sizeof(casadi_real);
+  if (sz_w) *sz_w = 181*sizeof(casadi_real);
   return 0;
 }
 
@@ -28207,9 +28210,9 @@ CASADI_SYMBOL_EXPORT int wobbling_end_work_bytes(casadi_int *sz_arg, casadi_int*
   return 0;
 }
 
-/* wobbling_observed_swing:(t,h,w[7],p[8])->(w_end[7],nodes[7x12],g[9x12],dg[9x12]) */
+/* wobbling_observed_swing:(t,h,w[7],p[8])->(w_end[7],nodes[7x12],g[10x12],dg[10x12]) */
 static int casadi_f102(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real **res1=res+4, w0, w1, *w3=w+366, *w4=w+390, *w5=w+397, *w6=w+404, *w7=w+488, *w8=w+596;
+  casadi_real **res1=res+4, w0, w1, *w3=w+379, *w4=w+403, *w5=w+410, *w6=w+417, *w7=w+501, *w8=w+621;
   const casadi_real **arg1=arg+4, *wr2;
   /* #0: @0 = input[0][0] */
   w0 = arg[0] ? arg[0][0] : 0;
@@ -28240,9 +28243,9 @@ static int casadi_f102(const casadi_real** arg, casadi_real** res, casadi_int* i
   /* #7: output[1][0] = @6 */
   casadi_copy(w6, 84, res[1]);
   /* #8: output[2][0] = @7 */
-  casadi_copy(w7, 108, res[2]);
+  casadi_copy(w7, 120, res[2]);
   /* #9: output[3][0] = @8 */
-  casadi_copy(w8, 108, res[3]);
+  casadi_copy(w8, 120, res[3]);
   return 0;
 }
 
@@ -28317,7 +28320,7 @@ CASADI_SYMBOL_EXPORT int wobbling_observed_swing_work(casadi_int *sz_arg, casadi
   if (sz_arg) *sz_arg = 14;
   if (sz_res) *sz_res = 10;
   if (sz_iw) *sz_iw = 0;
-  if (sz_w) *sz_w = 704;
+  if (sz_w) *sz_w = 741;
   return 0;
 }
 
@@ -28325,7 +28328,7 @@ CASADI_SYMBOL_EXPORT int wobbling_observed_swing_work_bytes(casadi_int *sz_arg, 
   if (sz_arg) *sz_arg = 14*sizeof(const casadi_real*);
   if (sz_res) *sz_res = 10*sizeof(casadi_real*);
   if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
-  if (sz_w) *sz_w = 704*sizeof(casadi_real);
+  if (sz_w) *sz_w = 741*sizeof(casadi_real);
   return 0;
 }
 
