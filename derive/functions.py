@@ -14,7 +14,7 @@ from stridemap.derive.program import Argument, Builder, Entry, Factors, Output, 
 from stridemap.derive.simplify import simplified, start_afresh
 from stridemap.derive.steps import in_steps
 
-ALWAYS = 23
+ALWAYS = 24
 """Programs that every walker has."""
 
 DEFAULT_SOURCES = {

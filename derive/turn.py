@@ -5,7 +5,7 @@ and dampers do work with here acts between the walker and the ground.
 """
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -16,7 +16,7 @@ from stridemap.derive.declaration import Declaration
 from stridemap.derive.derived import solve
 from stridemap.derive.parts import STANCE_FOOT
 from stridemap.derive.simplify import simplified
-from stridemap.derive.validate.mechanics import trial_points
+from stridemap.derive.trials import trial_points
 
 Array = NDArray[np.float64]
 
@@ -54,7 +54,7 @@ class _Condition:
 
     @classmethod
     def at(
-        cls, rows: sp.Matrix, wanted: sp.Matrix, places: list[Mapping[sp.Symbol, float]], body: str = ""
+        cls, rows: sp.Matrix, wanted: sp.Matrix, places: Sequence[Mapping[sp.Symbol, float]], body: str = ""
     ) -> "_Condition":
         """A condition with its numbers at each of some positions; none where they are not real."""
         return cls(rows, wanted, body, tuple(_numbers(rows, wanted, place) for place in places))
@@ -104,7 +104,7 @@ def turn(walker: Declaration) -> Turn:
 
 
 def _of_angles(
-    walker: Declaration, turning: list[_Condition], places: list[Mapping[sp.Symbol, float]]
+    walker: Declaration, turning: list[_Condition], places: Sequence[Mapping[sp.Symbol, float]]
 ) -> list[_Condition]:
     """Angles of bodies that the positions do not determine, in the sense of those that they do."""
     q, senses, free = walker.q, 0, []
@@ -144,7 +144,7 @@ def _fulfilled(conditions: list[_Condition], columns: int) -> bool:
 def _solved(turning: list[_Condition], guided: list[_Condition], place: int, columns: int) -> Array:
     """The turn at a position; what is guided turns along as far as its guide lets it."""
     a, b = _joined(turning, place, columns)
-    x: Array = np.linalg.lstsq(a, b, rcond=1e-10)[0]
+    x: Array = np.asarray(np.linalg.lstsq(a, b, rcond=1e-10)[0], dtype=np.float64)
     if guided:
         _, sizes, directions = np.linalg.svd(a, full_matrices=True)
         free = directions[int((sizes > 1e-10 * sizes.max(initial=1.0)).sum()) :].T

@@ -10,7 +10,7 @@ import re
 import textwrap
 from collections.abc import Iterable
 
-from stridemap.derive.printers.expression import CALLS
+from stridemap.derive.elementary import CALLS
 from stridemap.derive.printers.printer import Equations, Printer
 from stridemap.derive.program import Argument, Output, Program
 from stridemap.derive.validate import reserved

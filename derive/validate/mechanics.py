@@ -4,7 +4,6 @@ Whether the mass matrix has an inverse and whether relabelling, touchdown and se
 at some points, with the parameters' defaults.
 """
 
-import math
 from collections.abc import Iterator, Mapping
 
 import mpmath
@@ -12,9 +11,9 @@ import sympy as sp
 
 from stridemap.derive.declaration import Declaration
 from stridemap.derive.parts import STANCE_FOOT
+from stridemap.derive.trials import trial_points
 from stridemap.derive.validate.refusal import refuse
 
-TRIES = 12
 TOLERANCE = 1e-9
 
 
@@ -129,31 +128,6 @@ def _nearly_zero(number: sp.Expr) -> bool:
 
 def _on_stance(walker: Declaration, point: sp.Matrix) -> sp.Matrix:
     return point.subs(dict(zip(STANCE_FOOT, walker.stance, strict=True)))
-
-
-def trial_points(walker: Declaration, values: Mapping[sp.Symbol, float]) -> Iterator[dict[sp.Symbol, float]]:
-    """Some positions near the middle of the search box, always the same ones.
-
-    Parameters
-    ----------
-    walker : Walker
-    values : mapping of Symbol to float
-        Parameters.
-    """
-    boxes = {s: walker.search_box[s.name] for s in walker.q if s.name in walker.search_box}
-    middles = {**values, **{symbol: middle for symbol, (middle, _) in boxes.items()}}
-    for symbol in walker.q:
-        if symbol not in boxes:  # what the section fixes lies where the others have it
-            middle = sp.sympify(walker.section.get(symbol, 0)).subs(middles)
-            boxes[symbol] = (float(middle) if middle.is_number and middle.is_real else 0.0, 0.5)
-    for i in range(1, TRIES + 1):
-        position = {}
-        for j, symbol in enumerate(walker.q):
-            middle, width = boxes[symbol]
-            # Fractions of multiples of the golden ratio fill an interval evenly.
-            spread = math.modf(i * 0.6180339887498949 + j * 0.7548776662466927)[0]
-            position[symbol] = middle + width * (2 * spread - 1) * 0.5 + 1e-3 * (j + 1)
-        yield position
 
 
 def touchdowns(walker: Declaration, values: Mapping[sp.Symbol, float]) -> Iterator[dict[sp.Symbol, float]]:

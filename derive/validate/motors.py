@@ -11,7 +11,8 @@ import sympy as sp
 from stridemap.derive.declaration import Declaration
 from stridemap.derive.motors import record
 from stridemap.derive.parts import STANCE_FOOT, Motor
-from stridemap.derive.validate.mechanics import TOLERANCE, trial_points
+from stridemap.derive.trials import trial_points
+from stridemap.derive.validate.mechanics import TOLERANCE
 from stridemap.derive.validate.refusal import refuse
 from stridemap.derive.validate.reserved import meaning
 from stridemap.derive.validate.shared_torques import validate_torques

@@ -9,7 +9,7 @@ from stridemap.errors import InputError
 from stridemap.spec import Function, ModelSpec
 
 
-class ModelFunction(ca.Function):  # type: ignore[misc]
+class ModelFunction(ca.Function):
     """A `casadi.Function` of ``t, q, v, u, p``: time, coordinates, rates, torques of the motors, parameters.
 
     It is called with numbers or symbols, by keyword or in this order. What it does not read may be left out,
