@@ -19,7 +19,6 @@ CELL_COLUMNS = {
     "branch": "branch of limit cycles",
     "period_n": "walking steps until the gait repeats",
     "multipliers": "Floquet multipliers",
-    "point": "number of the point along its branch",
     "arclength": "distance along the branch",
     "gait": "whether a walker could walk it",
     "type": "what happens at a special point",
@@ -52,6 +51,12 @@ def multiplier_columns(index: int) -> tuple[str, str]:
 
 
 _MULTIPLIER = re.compile(r"multiplier_\d+(_(re|im))?")
+
+
+def is_multiplier(name: str) -> bool:
+    """Whether a column holds a part of a Floquet multiplier."""
+    return _MULTIPLIER.fullmatch(name) is not None
+
 
 ATTRIBUTES = frozenset(
     "animate codes columns concatenate count empty found from_columns index jacobian known_stable measures "

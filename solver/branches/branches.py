@@ -190,7 +190,7 @@ class Branches(Sequence[Branch]):
     def to_frame(self) -> Any:
         """All points of all branches as a `pandas.DataFrame`, one row each.
 
-        Columns: ``branch, point, period_n, gait, arclength``, the parameters, the section point at the start
+        Columns: ``branch, period_n, gait, arclength``, the parameters, the section point at the start
         of the first step, ``period``, the multipliers (each followed by continuity along the branch), every
         measured quantity over the whole cycle, and the unit tangent as ``tangent_<name>``.
         """
@@ -221,7 +221,6 @@ class Branches(Sequence[Branch]):
         lengths = [branch.curve.norm(one) for one in np.diff(x, axis=0)]
         out: dict[str, Any] = {
             "branch": np.full(m, number),
-            "point": np.arange(m),
             "period_n": np.full(m, branch.period_n),
             "gait": branch.is_gait,
             "arclength": np.concatenate([[0.0], np.cumsum(lengths)]),

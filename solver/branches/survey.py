@@ -105,7 +105,7 @@ class Survey:
     search: SearchOptions
     options: ArclengthOptions
     conditions: GaitConditions
-    progress: Callable[[str], None] = lambda line: None
+    progress: Callable[[str], None]
 
     @property
     def window(self) -> Window:

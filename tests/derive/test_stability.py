@@ -21,11 +21,12 @@ from stridemap.derive.printers.c import C
 from stridemap.derive.printers.javascript import JavaScript
 from stridemap.derive.printers.python import Python
 from stridemap.derive.program import Argument, Builder, Entry, Output
-from stridemap.solver.model.loading import load
-from tests.oracles.states import MODELS
+from stridemap.solver.model.loading import available, load
 
 GENERATED = codegen.generated_folder()
 x, y, z = sp.symbols("x y z", real=True)
+
+MODELS = available()
 
 
 def contents(folder):

@@ -18,6 +18,7 @@ from stridemap.quantities import QUANTITIES
 from stridemap.solver.model.model import Model
 from stridemap.spec import Parameter
 from stridemap.views.notation import printed, rate_symbol, symbol, units
+from stridemap.words import is_multiplier
 
 NEEDED = ("section_state", "state_derivative", "impact_map", "swing_foot", "drawing")
 """Generated functions without which no walker can be shown."""
@@ -108,7 +109,7 @@ def _measures(model: Model, orbits: pd.DataFrame, hidden: set[str]) -> list[dict
         for name in orbits
         if name not in hidden
         and name not in model.section
-        and not name.startswith("multiplier_")
+        and not is_multiplier(name)
         and not orbits[name].isna().all()
     ]
     unit = units(model.spec.units)

@@ -382,9 +382,15 @@ def kernels_main(name):
     orbit = ORBITS[name]
     start = model.evaluate("section_state", z=np.array(orbit[:-1]))
     state = [*start["q"], *start["v"], *np.zeros(len(model.actuated))]
+    tangents = np.zeros(
+        len(state) * len(model.section)
+    )  # the state with its tangents is a kernel's input too
     lines = [f'#include "{folder(name) / f"{name}_kernels.c"}"', "#define POINTS 3"]
     lines += [f"static const double p[] = {c_list(model.point({}))};"]
-    lines += [f"static const double u[] = {c_list(orbit)};", f"static const double w[] = {c_list(state)};"]
+    lines += [
+        f"static const double u[] = {c_list(orbit)};",
+        f"static const double w[] = {c_list([*state, *tangents])};",
+    ]
     lines += [KERNELS_MAIN.replace("MODEL", name), "int main(void) {", "    int bad = 0;"]
     lines += [f"    RUN({k});" for k in kernels]
     return "\n".join([*lines, "    return bad;", "}", ""]), kernels

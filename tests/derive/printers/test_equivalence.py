@@ -146,7 +146,9 @@ def libraries(tmp_path_factory):
 def prototypes(name):
     """The header's declarations, without comments and preprocessor."""
     text = re.sub(r"/\*.*?\*/", "", load(name).text(f"{name}.h"), flags=re.DOTALL)
-    text = re.sub(r"#ifdef STRIDEMAP_(FLOAT|OLD_SIGNATURES)$.*?^#(else|endif)$", "", text, flags=re.M | re.S)
+    text = re.sub(
+        r"#ifdef STRIDEMAP_(FLOAT|OLD_SIGNATURES)$.*?^#(else|endif) *$", "", text, flags=re.M | re.S
+    )
     return re.sub(r'^#.*$|extern "C" \{|^\}$', "", text, flags=re.MULTILINE)
 
 
