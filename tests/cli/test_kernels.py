@@ -45,7 +45,7 @@ def test_a_damaged_manifest(refused, copy, text):
     refused("orbit --model compass", path.parent, "manifest.json", "stridemap derive")
 
 
-def emitted(walker, by):
+def emitted(walker, by, progress):
     """What a derivation gives, without deriving."""
     folder = GENERATED / walker.name
     spec = ModelSpec.from_manifest(json.loads((folder / "manifest.json").read_text("utf-8")))
