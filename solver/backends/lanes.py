@@ -151,7 +151,8 @@ class LaneKernels(Kernels):
     def _directional(self) -> ctypes.CDLL:
         """The residuals with derivatives in two directions; compiled when they are first asked for."""
         text = directional_source(self.model)
-        return self._compiler.library(f"{self.model.name}_directional.cpp", text, self._flags)
+        compiler = Compiler.named(self.backend.compiler)  # what is found now: much may have changed since
+        return compiler.library(f"{self.model.name}_directional.cpp", text, self._flags)
 
     def directional(self, n_rk: int, u: Array, p: Array, a: Array, b: Array) -> Directional:
         """Residuals with exact derivatives in two directions of (u, p): see `Kernels.directional`."""
