@@ -69,13 +69,13 @@ class SearchOptions(Options):
     ----------
     starts : int
         Number of quasi-random starts per point, to begin with.
-    max_starts : int or None
-        As long as a limit cycle was reached from one start alone, as many starts again are made, up to so
-        many; by default 8 times `starts`. Not in a sweep, where neighbours make up for what a cell misses.
     seed : int
         Seed of their scrambling.
     period_min, period_max : float or None
         Periods that count: ``period_min < T <= period_max``; what is None is taken from the model.
+    max_starts : int or None
+        As long as a limit cycle was reached from one start alone, as many starts again are made, up to so
+        many; by default 8 times `starts`. Not in a sweep, where neighbours make up for what a cell misses.
     search_box : mapping of str to (float, float)
         Least and greatest value of the starts, by entry of the section; what is not given is taken from the
         model.

@@ -123,8 +123,8 @@ except CompilerError as error:
 def test_kernels_find_out_themselves(tmp_path, own_cache, backend, flag):
     """A wrapper hides the flag behind a name, and puts it after ours.
 
-    In a process of its own: a library that is linked with -ffast-math switches off the smallest numbers of the
-    whole process.
+    In a process of its own: a library that is linked with -ffast-math switches off the smallest numbers of
+    the whole process.
     """
     wrapper = script(tmp_path / "wrapped", f'exec {shutil.which(find_compiler())} "$@" {flag}')
     command = [sys.executable, "-c", LOADED, backend]
