@@ -1,8 +1,8 @@
 """The arithmetic of compiled kernels, looked at once when they are loaded.
 
 A compiler that regards sums as associative, or that assumes that nothing is ever infinite, makes kernels
-that are fast and wrong. So one residual is computed operation by operation in Python, which rounds as IEEE
-754 says, and what the kernels give there must be the same to the last bit.
+that are fast and wrong. So one residual is computed operation by operation, in CasADi's virtual machine or in
+Python, which round as IEEE 754 says, and what the kernels give there must be the same to the last bit.
 """
 
 import contextlib
@@ -87,8 +87,15 @@ def check_arithmetic(kernels: Kernels) -> None:
     found = kernels.residual(KERNEL.n_rk, u, p)
     function = kernels.functions[KERNEL]
     virtual = np.array([np.ravel(function(a, b).full(), "F") for a, b in zip(u, p, strict=True)])
-    exact = _exact(function.expand(), u, p, ONE_POINT != kernels.backend.arithmetic)
-    same = _same_bits(found, exact) if exact is not None else _close(found, virtual)
+    if kernels.backend.arithmetic == ONE_POINT:
+        same = _same_bits(found, virtual)
+    else:
+        # One program of all operations may have them in another order than the kernel: with the usual sines
+        # it must give what CasADi's virtual machine gives, or it says nothing about the bits.
+        program = function.expand()
+        plain, exact = (_exact(program, u, p, lanes) for lanes in (False, True))
+        known = plain is not None and exact is not None and _same_bits(plain, virtual)
+        same = not known or _same_bits(found, exact)
     if not (same and _close(found, virtual)):
         raise CompilerError(
             f"the kernels that {kernels.compiler} made do not compute as they were written: a residual of "
