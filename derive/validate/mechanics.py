@@ -211,7 +211,7 @@ def _after_touchdown(walker: Declaration, values: Mapping[sp.Symbol, float]) -> 
         refuse(
             walker,
             "no touchdown was found near the search box: where the touchdown's condition is zero, its "
-            "region is not negative; correct the region (perhaps its sign) or search_box",
+            "region is not negative; correct the region (perhaps its sign), relabel or search_box",
         )
 
 

@@ -18,6 +18,7 @@ from sympy.concrete.expr_with_limits import ExprWithLimits
 from sympy.core.function import AppliedUndef
 
 from stridemap.derive.declaration import Declaration
+from stridemap.derive.parts import Coordinate, Parameter
 from stridemap.derive.validate.refusal import refuse
 from stridemap.errors import short as shown
 
@@ -73,6 +74,9 @@ def _check(walker: Declaration, where: str, value: Any, annotation: Any) -> None
         _check_record(walker, where, value)
     elif annotation in _PLAIN:
         allowed, what = _PLAIN[annotation]
+        if isinstance(value, Parameter | Coordinate):
+            kind = type(value).__name__
+            refuse(walker, f"{where} is the {kind} {value.name} itself; take its symbol, {kind}(...).symbol")
         if not allowed(value):
             refuse(walker, f"{where} is {shown(value)}; it must be {what}")
         if annotation in (sp.Expr, sp.Matrix) and isinstance(value, sp.Basic | sp.MatrixBase):

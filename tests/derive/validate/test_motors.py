@@ -120,7 +120,7 @@ MOTOR = Motor("hip", FEEDBACK, a - b)
         ),
         ((FEEDBACK,), "which is not a Motor"),
         (MOTOR, "motors is not a tuple; write (Motor(...),)"),
-        ((Motor("hip", FEEDBACK, A),), "the drives of the motor hip is Coordinate(name='stance'"),
+        ((Motor("hip", FEEDBACK, A),), "the drives of the motor hip is the Coordinate stance itself"),
     ],
 )
 def test_refused(motors, said):

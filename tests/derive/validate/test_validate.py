@@ -307,7 +307,7 @@ MECHANICS = [
     (
         {"touchdown": Touchdown(theta2 - 2 * theta1, sp.Integer(1))},
         "no touchdown was found near the search box: where the touchdown's condition is zero, its region",
-        "correct the region (perhaps its sign) or search_box",
+        "correct the region (perhaps its sign), relabel or search_box",
     ),
     (
         {"touchdown": Touchdown(theta1**2 + 1, theta1)},
