@@ -97,7 +97,8 @@ function lines(series, times, x, y) {
   const ends = series.map((s, i) => ({ i, y: y(s.values.at(-1)) })).sort((a, b) => a.y - b.y);
   ends.forEach((end, j) => { if (j) end.y = Math.max(end.y, ends[j - 1].y + 13); });
   return series.flatMap(({ label, values, cls }, i) => {
-    const points = values.flatMap((v, j) => (Number.isFinite(v) ? [`${x(times[j]).toFixed(2)},${y(v).toFixed(2)}`] : [])).join(" ");
+    const places = values.map((v, j) => [x(times[j]), y(v)]).filter((place) => place.every(Number.isFinite));
+    const points = places.map(([along, up]) => `${along.toFixed(2)},${up.toFixed(2)}`).join(" ");
     const at = ends.find((end) => end.i === i).y;
     const text = svg("text", { x: CHART.width - CHART.right + 4, y: at, class: `label ${cls}` }, label);
     return [svg("polyline", { points, class: cls }), ...(series.length > 1 ? [text] : [])];

@@ -25,7 +25,7 @@ def test_profiles_are_the_motion(orbit):
     curves = {
         r"$\theta_{1}$": seen.q[:, 0], r"$\theta_{2}$": seen.q[:, 1], "$x$": seen.q[:, 2],
         r"$\dot{\theta}_{1}$": seen.v[:, 0], r"$\dot{\theta}_{2}$": seen.v[:, 1], r"$\dot{x}$": seen.v[:, 2],
-        "ground force": seen.force[:, 1], "$d$": seen.d,
+        "ground force": seen.force[:, 1], "distance": seen.d,
     }  # fmt: skip
     assert len(panels) == len(curves)
     for start, values in curves.items():
@@ -35,7 +35,7 @@ def test_profiles_are_the_motion(orbit):
     assert {axes.get_xlabel() for axes in figure.axes[-2:]} == {r"time  $t$  [$\sqrt{L/g}$]"}
     assert r"$x$  [$L$]" in panels
     assert r"ground force  [$M\,g$]" in panels
-    assert figure.get_suptitle() == "wobbling, group B, stable"
+    assert figure.get_suptitle() == "Compass walker with a horizontally wobbling mass, group B, stable"
 
 
 def test_phase_portraits_are_the_motion(orbit):

@@ -122,7 +122,7 @@ def test_equations_are_those_of_the_model(report, open_page):
     inputs = states(model.name, 200)
     names = page.evaluate("Object.keys(stridemap.equations)")
     assert {"state_derivative", "impact_map", "drawing", "zmp", "ground_force"} <= set(names)
-    plain = {key: np.asarray(inputs[key]).tolist() for key in "tqvpz"}
+    plain = {key: np.asarray(inputs[key]).tolist() for key in "tqvupz"}
     for name in names:
         wanted = model.evaluate(name, **inputs)
         found = page.evaluate(
@@ -192,7 +192,8 @@ def test_a_cell_of_each_group_shows_the_numbers_of_the_table(report, open_page):
         )
         assert measures["group"] == group
         assert measures["stable"] == ("yes" if wanted.stable else "no")
-        numeric = set(measures) - {"group", "stable", "status"}
+        assert measures["trailing_lifts_off"] == ("yes" if wanted.trailing_lifts_off else "no")
+        numeric = set(measures) - {"group", "stable", "status", "undecided", "trailing_lifts_off"}
         assert {"period", "d_max", "cot", "spectral_radius", "min_vertical_force", "peaks"} <= numeric
         assert [name for name in numeric if not agrees(measures[name], wanted[name])] == []
         state = dict(
