@@ -169,7 +169,7 @@ MAIN = """
 int main()
 {
     const casadi_int nu = 3, np = 1, in_size[] = {nu, np}, out_size[] = {nu * nu, nu};
-    const double start[] = START, params[] = PARAMS;
+    const double start[] = START, params[] = PARAMS, one[] = {1, 1, 1};
     for (casadi_int n = 1; n < 18; n++) {
         double* u = (double*) malloc((size_t) (n * nu) * sizeof(double));
         double* p = (double*) malloc((size_t) (n * np) * sizeof(double));
@@ -184,8 +184,8 @@ int main()
         double* out[] = {j, r};
         const Kernel* derivative = &lockstep_simplest_walker_jacobian_12;
         const Kernel* residual = &lockstep_simplest_walker_residual_24;
-        int status = lockstep_newton(derivative, residual, n, nu, np, u, p, 1e-14, 1e-9, 6);
-        status |= lockstep_newton(derivative, NULL, n, nu, np, u, p, 1e-14, 1e-9, 6);
+        int status = lockstep_newton(derivative, residual, n, nu, np, u, p, one, one, 1e-14, 1e-9, 6);
+        status |= lockstep_newton(derivative, NULL, n, nu, np, u, p, one, one, 1e-14, 1e-9, 6);
         status |= lockstep_map(derivative, n, 2, in, in_size, 2, out, out_size);
         if (status || !(fabs(r[0]) < 1e-9)) return 1;
         free(u); free(p); free(j); free(r);
