@@ -182,7 +182,7 @@ def test_the_motors_supply_all_the_power(name):
 
     def generated(function):
         compiled = getattr(model, function)
-        return compiled(**{key: symbols[key] for key in compiled.name_in()})
+        return compiled(**{key: symbols[key] for key in compiled.reads})
 
     energy = generated("kinetic_energy")["kinetic"] + generated("potential_energy")["potential"]
     flow = generated("state_derivative")
