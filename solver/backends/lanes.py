@@ -141,6 +141,7 @@ class LaneKernels(Kernels):
 
     def __init__(self, model: Model, backend: Lanes) -> None:
         super().__init__(model, backend)
+        self._command = backend.compiler
         self._compiler = Compiler.named(backend.compiler)
         wide = instruction_flags() if backend.instructions is None else backend.instructions
         self._flags = [*FLAGS, *wide]
@@ -151,7 +152,7 @@ class LaneKernels(Kernels):
     def _directional(self) -> ctypes.CDLL:
         """The residuals with derivatives in two directions; compiled when they are first asked for."""
         text = directional_source(self.model)
-        compiler = Compiler.named(self.backend.compiler)  # what is found now: much may have changed since
+        compiler = Compiler.named(self._command)  # what is found now: much may have changed since
         return compiler.library(f"{self.model.name}_directional.cpp", text, self._flags)
 
     def directional(self, n_rk: int, u: Array, p: Array, a: Array, b: Array) -> Directional:

@@ -94,8 +94,8 @@ def check_arithmetic(kernels: Kernels) -> None:
         # it must give what CasADi's virtual machine gives, or it says nothing about the bits.
         program = function.expand()
         plain, exact = (_exact(program, u, p, lanes) for lanes in (False, True))
-        known = plain is not None and exact is not None and _same_bits(plain, virtual)
-        same = not known or _same_bits(found, exact)
+        known = plain is not None and _same_bits(plain, virtual)
+        same = not known or exact is None or _same_bits(found, exact)
     if not (same and _close(found, virtual)):
         raise CompilerError(
             f"the kernels that {kernels.compiler} made do not compute as they were written: a residual of "
