@@ -75,5 +75,9 @@ def test_example_files(name, change):
     same(stridemap.find_orbits(path), declared(path), change)
 
 
-def test_a_clock_that_is_not_reset():
-    same(stridemap.find_orbits(walkers.derived("locked")), walkers.walker("locked"), CLOCKED)
+@pytest.mark.parametrize(
+    ("name", "params", "change"),
+    [("two_motors", {"k": 7.0}, MIXED), ("locked", {}, CLOCKED)],  # at its preset the first has no gait
+)
+def test_several_motors_and_a_clock_that_is_not_reset(name, params, change):
+    same(stridemap.find_orbits(walkers.derived(name), params), walkers.walker(name), change)
