@@ -31,3 +31,27 @@ def solved(matrix: NDArray[Any], right: NDArray[Any]) -> NDArray[Any]:
             except np.linalg.LinAlgError:
                 continue
     return out.reshape(right.shape)
+
+
+def inverted(matrices: NDArray[Any]) -> NDArray[Any]:
+    """Inverses, real or complex; NaN where there is none.
+
+    Parameters
+    ----------
+    matrices : ndarray, shape (n, m, m)
+
+    Returns
+    -------
+    ndarray, shape (n, m, m)
+    """
+    out = np.full_like(matrices, np.nan)
+    good = np.isfinite(matrices).all(axis=(1, 2))
+    try:
+        out[good] = np.linalg.inv(matrices[good])
+    except np.linalg.LinAlgError:  # one of them is singular to the last bit
+        for i in np.flatnonzero(good):
+            try:
+                out[i] = np.linalg.inv(matrices[i])
+            except np.linalg.LinAlgError:
+                continue
+    return out

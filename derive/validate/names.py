@@ -4,7 +4,7 @@ Here is what can be seen from names and shapes; what the mechanics need is in `m
 """
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from typing import Any
 
 import sympy as sp
@@ -13,15 +13,8 @@ from stridemap.derive.declaration import Declaration
 from stridemap.derive.parts import (
     STANCE_FOOT,
     TIME,
-    Body,
-    Clock,
     Coordinate,
-    Line,
-    Massless,
-    Measured,
-    Motor,
     Parameter,
-    Touchdown,
 )
 from stridemap.derive.validate.refusal import refuse
 from stridemap.derive.validate.reserved import FILES, better, in_code, meaning
@@ -46,7 +39,7 @@ def validate_names(walker: Declaration) -> None:
     InputError
         For the first one found.
     """
-    _kinds(walker)
+    _quantities(walker)
     _names(walker)
     _texts(walker)
     _parameters(walker)
@@ -61,31 +54,8 @@ def validate_names(walker: Declaration) -> None:
 # -- kinds, names and shapes -----------------------------------------------------------------------------
 
 
-def _kinds(walker: Declaration) -> None:
-    """Fields hold what they are for; a lone entry in brackets without a comma is not a tuple."""
-    lists = {"coordinates": Coordinate, "parameters": Parameter, "bodies": Body, "drawing": Line}
-    lists |= {"quantities": Measured, "motors": Motor}
-    for field, kind in lists.items():
-        entries = getattr(walker, field)
-        if not isinstance(entries, tuple):
-            refuse(walker, f"{field} is not a tuple; write ({kind.__name__}(...),) even for a single one")
-        for entry in entries:
-            if not isinstance(entry, kind):
-                refuse(walker, f"{field} holds {entry!r}, which is not a {kind.__name__}")
-    if not isinstance(walker.locks, tuple):
-        refuse(walker, "locks is not a tuple; write (expression,) even for a single one")
-    for field in ("relabel", "search_box", "potentials", "torques", "section", "sources"):
-        if not isinstance(getattr(walker, field), Mapping):
-            refuse(walker, f"{field} is {getattr(walker, field)!r}; it must be a dict")
-    single = {"touchdown": Touchdown, "clock": Clock, "massless": Massless}
-    single |= {"stance_angle": Coordinate, "wobbling": Coordinate}
-    for field, kind in single.items():
-        value = getattr(walker, field)
-        if not isinstance(value, kind) and not (value is None and field != "touchdown"):
-            refuse(walker, f"{field} is {value!r}, which is not a {kind.__name__}")
-    for coordinate in walker.torques:
-        if not isinstance(coordinate, Coordinate):
-            refuse(walker, f"torques names {coordinate!r}, which is not a Coordinate")
+def _quantities(walker: Declaration) -> None:
+    """Reductions and kinds of declared quantities are known ones; `types` has looked at all fields."""
     for one in walker.quantities:
         for field, value, allowed in (("reduction", one.reduction, REDUCTIONS), ("kind", one.kind, KINDS)):
             if value not in allowed:

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from scipy.optimize import linear_sum_assignment
 
 from stridemap.solver.cycles.floquet import sorted_eigenvalues, step_map_derivative
+from stridemap.solver.linear import inverted
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -67,21 +68,6 @@ class Correction:
             spread = np.take_along_axis(moved, column[:, None, None], axis=2)[:, :, 0]
             side = np.where((spread * change / scale**2).sum(axis=1) < 0, -1.0, 1.0)
         return cls(change, rounding.max(axis=1, initial=0.0), side[:, None] * spread)
-
-
-def inverted(matrices: Array) -> Array:
-    """Inverses, shape (n, m, m); NaN where there is none."""
-    out = np.full(matrices.shape, np.nan)
-    good = np.isfinite(matrices).all(axis=(1, 2))
-    try:
-        out[good] = np.linalg.inv(matrices[good])
-    except np.linalg.LinAlgError:  # one of them is singular to the last bit
-        for i in np.flatnonzero(good):
-            try:
-                out[i] = np.linalg.inv(matrices[i])
-            except np.linalg.LinAlgError:
-                continue
-    return out
 
 
 def size(change: Array, scale: Array) -> Array:
@@ -137,7 +123,7 @@ def _rounding(derivative: Array, scale: Array) -> Array:
     values, right = np.linalg.eig(scaled)
     norm = np.maximum(np.linalg.norm(scaled, axis=(1, 2)), 1.0)
     with np.errstate(all="ignore"):
-        left = inverted_complex(right)
+        left = inverted(right)
         condition = np.linalg.norm(left, axis=2) * np.linalg.norm(right, axis=1)
         first_order = ROUNDING * norm[:, None] * condition
         root = norm[:, None] * ROUNDING ** (1 / np.arange(1, m + 1))
@@ -148,18 +134,3 @@ def _rounding(derivative: Array, scale: Array) -> Array:
     first_order = np.where(np.isfinite(first_order), first_order, np.inf)
     out[good] = np.minimum(first_order, np.where(several > 1, bound, np.inf)).max(axis=1)
     return out
-
-
-def inverted_complex(matrices: Complex) -> Complex:
-    """Inverses of matrices of eigenvectors; NaN for those of defective matrices."""
-    try:
-        inverse: Complex = np.linalg.inv(matrices).astype(np.complex128, copy=False)
-        return inverse
-    except np.linalg.LinAlgError:
-        out = np.full(matrices.shape, np.nan + 0j)
-        for i, matrix in enumerate(matrices):
-            try:
-                out[i] = np.linalg.inv(matrix)
-            except np.linalg.LinAlgError:
-                continue
-        return out
