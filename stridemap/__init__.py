@@ -25,7 +25,9 @@ if TYPE_CHECKING:
     from stridemap.paper.claim import Claim, Verdict
     from stridemap.paper.evaluate import claims
     from stridemap.quantities import QUANTITIES
-    from stridemap.solver.api import Matches, branches, find, find_orbits, motion, simulate
+    from stridemap.solver.api.branches import branches
+    from stridemap.solver.api.points import find_orbits, motion, simulate
+    from stridemap.solver.api.targets import Matches, find
     from stridemap.solver.backends.base import Backend
     from stridemap.solver.backends.interpreter import Interpreter
     from stridemap.solver.backends.lanes import Lanes
@@ -74,7 +76,7 @@ provide(
     branch_diagram="stridemap.views.branch_diagram:branch_diagram",
     derive_file="stridemap.codegen:derive_file",
     plot="stridemap.views.plots:plot",
-    simulate="stridemap.solver.api:simulate",
+    simulate="stridemap.solver.api.points:simulate",
 )
 
 

@@ -217,7 +217,7 @@ class Units:
         InputError
             For an unknown model or parameter, or a value that the model does not allow.
         """
-        from stridemap.solver.api import joined
+        from stridemap.solver.api.arguments import joined
 
         si = joined(params, keywords)
         units = {p.name: p.unit for p in _load(model).parameters}

@@ -16,6 +16,8 @@ VALUES = 33
 """Values of the parameter, spread evenly over its range, at which all cycles are searched."""
 OCTAVES = 6
 """Beside these the value that the point has, halved and doubled up to so many times."""
+NUMERICAL = ("residual", "integration_error", "state_error", "multiplier_error")
+"""Quantities that say something of the computation and nothing of the gait."""
 DECADE = 10.0
 """Without an end, a range leads up to so many times the value that the point has."""
 
@@ -59,7 +61,7 @@ def _check_quantity(model: Model, name: str) -> None:
     lacking = "spring_mode" not in model.spec.functions, model.spec.wobbling is None
     absent = {"group": lacking[0], "x_zero_crossings": lacking[1], "wobble_amplitude": lacking[1]}
     measured = {n: q for n, q in model.measured.items() if q.type == "float" and not absent.get(n, False)}
-    numbers = ["period", *(n for n in measured if n not in ("residual", "integration_error")), *model.section]
+    numbers = ["period", *(n for n in measured if n not in NUMERICAL), *model.section]
     if name in numbers:
         return
     known = ", ".join(numbers)
@@ -70,15 +72,15 @@ def _check_quantity(model: Model, name: str) -> None:
     raise InputError(f"{model.name} has no quantity {name!r}; targets are {known}")
 
 
-def span(model: Model, parameter: str, current: float, given: Any) -> tuple[float, float]:
+def span(model: Model, parameter: str, point: Array, given: Any) -> tuple[float, float]:
     """The range of a parameter.
 
     Parameters
     ----------
     model : Model
     parameter : str
-    current : float
-        The value that the point has.
+    point : ndarray, shape (n_params,)
+        Values of all parameters.
     given : (float, float) or None
         If it is None, the parameter's own range; an end that this lacks is a tenth of the point's value, or
         ten times that.
@@ -89,7 +91,9 @@ def span(model: Model, parameter: str, current: float, given: Any) -> tuple[floa
         When the parameter is unknown, the range is not two numbers in ascending order within the parameter's
         own, or none can be guessed.
     """
-    model.point({parameter: current})
+    if parameter not in model.spec.names:
+        model.point({parameter: 0.0})  # says which parameters there are
+    current = float(point[model.spec.names.index(parameter)])
     (one,) = (p for p in model.parameters if p.name == parameter)
     if given is not None:
         low, high = _ends(parameter, given)

@@ -33,7 +33,7 @@ def animate(
     derive_timeout: DeriveTimeoutOption = None,
 ) -> int:
     """Show a limit cycle walking, as a GIF that loops; by default the most stable one at the point."""
-    from stridemap.solver.api import find_orbits
+    from stridemap.solver.api.points import find_orbits
     from stridemap.views.animation import animate as animate_
     from stridemap.views.animation import choose
 

@@ -43,7 +43,7 @@ def find(
     All limit cycles with the wanted value are printed.
     """
     from stridemap.cli.output import print_orbits
-    from stridemap.solver.api import find as find_
+    from stridemap.solver.api.targets import find as find_
     from stridemap.solver.options import SearchOptions
 
     params = parameters(context.args, set_)

@@ -52,7 +52,7 @@ def orbit(
 ) -> int:
     """Print all limit cycles at one point of parameter space."""
     from stridemap.cli.output import print_orbits, print_search
-    from stridemap.solver.api import find_orbits
+    from stridemap.solver.api.points import find_orbits
     from stridemap.solver.model.loading import load
     from stridemap.solver.options import AcceptanceOptions, SearchOptions
 

@@ -61,7 +61,7 @@ def simulate(
     The integrator is event-driven and shares nothing with the search for limit cycles.
     """
     from stridemap.cli.series import check_ending, write_series
-    from stridemap.solver.api import simulate as simulate_
+    from stridemap.solver.api.points import simulate as simulate_
 
     dt = _spacing(rate, trajectory)
     if trajectory is not None:

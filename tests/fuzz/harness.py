@@ -11,7 +11,7 @@ import sys
 import warnings
 from pathlib import Path
 
-import stridemap.solver.api as api
+import stridemap.solver.api.points as points
 from stridemap.cli.app import main
 from stridemap.errors import StridemapError
 from stridemap.solver.options import SearchOptions
@@ -28,19 +28,20 @@ class Fault(AssertionError):
 
 def cut(monkeypatch):
     """Do in small what takes long, after all checks."""
-    find, walk = api.find_all, api.walk
+    find, walk = points.find_all, points.walk
 
     def few(solver, points, search=None):
         return find(solver, points, SearchOptions(starts=2, seed=0 if search is None else search.seed))
 
+    def one_step(model, point, state, steps, **options):
+        return walk(model, point, state, min(steps, 1), **options)
+
     def refuse(*_args, **_keywords):
         raise StridemapError("it would be done now")
 
-    monkeypatch.setattr(api, "find_all", few)
-    monkeypatch.setattr(
-        api, "walk", lambda model, point, state, steps: walk(model, point, state, min(steps, 1))
-    )
-    monkeypatch.setattr("stridemap.solver.walks.simulator.MAX_STEPS", 60)
+    monkeypatch.setattr(points, "find_all", few)
+    monkeypatch.setattr(points, "walk", one_step)
+    monkeypatch.setattr("stridemap.solver.walks.swing.MAX_STEPS", 60)
     monkeypatch.setattr("stridemap.views.film.film", lambda *_: b"")
     for name in (
         "stridemap.solver.model.loading.derive_file", "stridemap.solver.model.derivation.derive_file",

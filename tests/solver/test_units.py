@@ -9,7 +9,7 @@ import sympy as sp
 from stridemap.codegen import derive_model
 from stridemap.derive import UnitNames
 from stridemap.derive.models.rimless_wheel import WALKER as WHEEL
-from stridemap.solver.api import find_orbits, simulate
+from stridemap.solver.api.points import find_orbits, simulate
 from stridemap.solver.kernels.step_map import StepMap
 from stridemap.solver.model.loading import load
 from stridemap.solver.model.scales import Scales, rounded

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from stridemap.errors import CompilerError
-from stridemap.solver.api import find_orbits
+from stridemap.solver.api.points import find_orbits
 from stridemap.solver.backends import lanes
 from stridemap.solver.backends.compiler import compile_shared, find_compiler, processor_features
 from stridemap.solver.backends.lanes import Lanes

@@ -118,9 +118,9 @@ def test_two_doublings_that_hide_each_other_are_found():
     ("arguments", "words"),
     [
         ({"vary": "slop"}, ["slop", "slope"]),
-        ({"range": (0.02, 0.01)}, ["empty", "0.02", "0.01"]),
+        ({"range": (0.02, 0.01)}, ["(0.02, 0.01) of slope", "ascending"]),
         ({"range": (0.01, float("nan"))}, ["nan", "finite"]),
-        ({"range": 3}, ["range = 3", "two ends"]),
+        ({"range": 3}, ["range 3 of slope", "two finite numbers"]),
         ({"params": {"slope": 0.01}}, ["slope", "leave it out"]),
         ({"period_n": 0}, ["period_n = 0", "1 to 64"]),
         ({"period_n": 32, "cascade": 3}, ["256 steps", "64"]),

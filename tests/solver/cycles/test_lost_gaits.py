@@ -11,7 +11,7 @@ from stridemap.derive import Parameter
 from stridemap.derive.models.compass import THETA2
 from stridemap.derive.models.goswami_compass import WALKER as COMPASS
 from stridemap.errors import InputError
-from stridemap.solver.api import find_orbits
+from stridemap.solver.api.points import find_orbits
 from stridemap.solver.backends import chained
 from stridemap.solver.cycles import solver as solver_module
 from stridemap.solver.cycles.duplicates import grouped

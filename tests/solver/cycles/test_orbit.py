@@ -10,7 +10,7 @@ import pytest
 
 from stridemap.errors import InputError
 from stridemap.quantities import MEASURED, QUANTITIES
-from stridemap.solver.api import find_orbits
+from stridemap.solver.api.points import find_orbits
 from stridemap.solver.cycles.orbit import Orbit
 from stridemap.solver.cycles.status import Status
 from stridemap.solver.model.loading import load

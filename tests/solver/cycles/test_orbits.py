@@ -8,7 +8,7 @@ import pandas as pd
 import pytest
 
 from stridemap.quantities import MEASURED
-from stridemap.solver.api import find_orbits
+from stridemap.solver.api.points import find_orbits
 from stridemap.solver.cycles.orbit import Orbit
 from stridemap.solver.cycles.orbits import Orbits
 from stridemap.solver.cycles.search import continued, find_all

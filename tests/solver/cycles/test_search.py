@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from stridemap.solver.api import find_orbits
+from stridemap.solver.api.points import find_orbits
 from stridemap.solver.cycles.duplicates import distinct, first_of_each
 from stridemap.solver.cycles.orbits import Orbits
 from stridemap.solver.cycles.search import continued, find_all, merged

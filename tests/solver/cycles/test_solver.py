@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from stridemap.solver.api import find_orbits
+from stridemap.solver.api.points import find_orbits
 from stridemap.solver.cycles.search import continued
 from stridemap.solver.cycles.solver import Solver
 from stridemap.solver.cycles.status import Status

@@ -17,7 +17,7 @@ from stridemap.solver.model.model import Model
 
 RUN_ELSEWHERE = """
 import json, pickle, sys
-from stridemap.solver.api import find_orbits
+from stridemap.solver.api.points import find_orbits
 from stridemap.solver.backends.interpreter import Interpreter
 from stridemap.solver.options import SearchOptions
 model = pickle.load(open(sys.argv[1], "rb"))

@@ -1,0 +1,1 @@
+"""The solver's public functions, by model name and parameters: a file per question."""

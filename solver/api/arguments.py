@@ -1,0 +1,49 @@
+"""What the arguments of public functions are, and which of them are refused."""
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from stridemap.errors import InputError
+
+
+def joined(params: Mapping[str, float] | None, keywords: Mapping[str, float]) -> dict[str, float]:
+    """Parameters given as a mapping and as keywords.
+
+    Raises
+    ------
+    InputError
+        When `params` is not a mapping, or a parameter is given in both.
+    """
+    if params is not None and not isinstance(params, Mapping):
+        raise InputError(f"params = {params!r} is not a mapping; write params={{'name': value}}")
+    if twice := sorted(set(params or {}) & set(keywords)):
+        raise InputError(f"{', '.join(twice)} is given twice, in params and as a keyword; leave one out")
+    return {**(params or {}), **keywords}
+
+
+def section_state(names: tuple[str, ...], state: Mapping[str, Any]) -> NDArray[np.float64]:
+    """A section point from its entries by name, shape (nz,).
+
+    Raises
+    ------
+    InputError
+        When a name is missing or unknown, or a value is not a finite number.
+    """
+    if set(state) != set(names):
+        missing, unknown = sorted(set(names) - set(state)), sorted(set(state) - set(names))
+        parts = [f"missing: {', '.join(missing)}"] * bool(missing) + [
+            f"unknown: {', '.join(unknown)}"
+        ] * bool(unknown)
+        raise InputError(f"a state needs {', '.join(names)}; {'; '.join(parts)}")
+    for name in names:
+        value = state[name]
+        if (
+            isinstance(value, bool)
+            or not isinstance(value, int | float | np.number)
+            or not np.isfinite(value)
+        ):
+            raise InputError(f"{name} = {value!r} of the state is not a finite number")
+    return np.array([float(state[name]) for name in names])
