@@ -44,6 +44,7 @@ def cut(monkeypatch):
     monkeypatch.setattr("stridemap.solver.walks.swing.MAX_STEPS", 60)
     monkeypatch.setattr("stridemap.views.film.film", lambda *_: b"")
     for name in (
+        "stridemap.solver.branches.survey.Survey.branches", "stridemap.solver.api.targets.hits",
         "stridemap.solver.model.loading.derive_file", "stridemap.solver.model.derivation.derive_file",
         "stridemap.codegen.derive", "stridemap.codegen.drift", "stridemap.sweeps.run._Run.all_rounds",
     ):  # fmt: skip

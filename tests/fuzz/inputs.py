@@ -26,9 +26,14 @@ OPTIONS = (
     "--model", "--set", "--starts", "--search", "--acceptance", "--backend", "--json", "--state",
     "--steps", "--group", "--cycle", "--fps", "--size", "--magnify", "--out", "--workers", "--resume",
     "--claims", "--sweeps", "--thin", "--check", "--only", "--help", "--derive-timeout", "--k", "--omega",
-    "--alpha", "--beta", "--slope", "--version",
+    "--alpha", "--beta", "--slope", "--version", "--vary", "--range", "--target", "--period-n", "--cascade",
+    "--seeds", "--friction-limit", "--continuation", "--plot", "--show", "--from", "--trajectory", "--rate",
+    "--search-box",
 )  # fmt: skip
-COMMANDS = ("orbit", "simulate", "animate", "sweep", "report", "claims", "figures", "derive", "version")
+COMMANDS = (
+    "orbit", "find", "branch", "simulate", "animate", "sweep", "report", "claims", "figures", "derive",
+    "version",
+)  # fmt: skip
 
 LINES = (
     "orbit --model compass --starts 4 --json",
@@ -36,6 +41,10 @@ LINES = (
     "orbit --model rimless_wheel --slope 0.2 --starts 4 --acceptance max_residual=1e-11",
     "simulate --model compass --state theta1=0.1 --state dtheta1=-0.2 --state dtheta2=0 --steps 1",
     "simulate --model rimless_wheel --steps 2 --json",
+    "simulate --model compass --steps 1 --trajectory walk.csv --rate 50",
+    "branch --model simplest_walker --vary slope --range 0.01 0.02 --seeds 1 --period-n 2 --cascade 1 --json",
+    "branch --model compass --vary omega --range 2 3 --out b.parquet --plot b.svg --show cot --set S=0.2",
+    "find --model rimless_wheel --target speed=0.45 --vary slope --range 0.05 0.2 --json",
     "animate --model compass --out a.gif --steps 2 --fps 10 --size 100 --magnify 2 --cycle 1",
     "sweep small.toml --out new --workers 1 --backend lanes",
     "sweep small.toml --out out --resume",
