@@ -1,0 +1,76 @@
+"""Where gaits end along a branch, against the measures and an event-driven integrator."""
+
+import numpy as np
+import pytest
+
+import stridemap
+from stridemap.solver.branches.conditions import GaitConditions, GaitEnd
+from stridemap.solver.cycles.search import find_all
+from stridemap.solver.cycles.solver import Solver
+from stridemap.solver.model.loading import load
+from stridemap.solver.options import SearchOptions
+
+
+@pytest.mark.quick
+def test_conditions_are_what_is_measured():
+    solver = Solver.for_model(load("simplest_walker"))
+    points = np.array([[0.004], [0.009], [0.014]])
+    _, orbits = find_all(solver, points, SearchOptions(starts=64))
+    assert len(orbits) == 6
+    seen = GaitConditions(solver.kernels, 0.2).of_steps(96, orbits.u, orbits.params)
+    assert set(seen) == set(GaitEnd)
+    np.testing.assert_allclose(seen[GaitEnd.CONTACT], orbits.min_vertical_force, rtol=0, atol=1e-10)
+    np.testing.assert_allclose(seen[GaitEnd.FRICTION], 0.2 - orbits.friction, rtol=0, atol=1e-10)
+    for name in (GaitEnd.GRAZING, GaitEnd.EARLY_TOUCHDOWN, GaitEnd.BACKWARD, GaitEnd.FALL):
+        assert (seen[name] > 0).all(), name
+    without = GaitConditions(solver.kernels).of_steps(96, orbits.u, orbits.params)
+    assert set(without) == set(GaitEnd) - {GaitEnd.FRICTION}
+
+
+@pytest.mark.quick
+def test_a_cycle_of_several_steps_is_as_good_as_its_worst_step():
+    """At a slope of 0.0165 the two steps of the doubled gait need different friction."""
+    solver = Solver.for_model(load("simplest_walker"))
+    conditions, params = GaitConditions(solver.kernels, 0.3), np.array([[0.0165]])
+    steps = np.array([[0.25054944845, -0.23949, 3.76779272], [0.23665687719, -0.2352, 4.02590285]])
+    each = conditions.of_steps(96, steps, np.repeat(params, 2, axis=0))
+    whole = conditions.of_cycles([96], steps.reshape(1, -1), params, 2)
+    for name, values in each.items():
+        assert whole[name] == values.min()
+    assert np.ptp(each[GaitEnd.FRICTION]) > 1e-3
+
+
+@pytest.mark.quick
+def test_the_limit_of_friction_is_reached_where_the_branch_says():
+    found = stridemap.branches("simplest_walker", "slope", (0.005, 0.015), seeds=1, friction_limit=0.2)
+    ends = [point for point in found.special if point.type == "friction"]
+    assert len(ends) == 2  # either gait ends once
+    for end in ends:
+        assert end.residual < 1e-11
+        walk = stridemap.simulate("simplest_walker", end.state, steps=1, slope=end.value)
+        path = walk.trajectory(end.period / 4000).to_frame()
+        model = stridemap.load("simplest_walker")
+        q, v = path[["theta", "phi"]].to_numpy(), path[["dtheta", "dphi"]].to_numpy()
+        first = path["step"].to_numpy() == path["step"].iloc[0]
+        force = model.evaluate("ground_force", t=0.0, q=q[first], v=v[first], p=np.array([end.value]))[
+            "force"
+        ]
+        assert np.abs(force[:, 0] / force[:, 1]).max() == pytest.approx(0.2, abs=1e-7)
+
+
+def test_a_gait_ends_where_the_foot_touches_down_early():
+    """On one side the integrator walks the cycle; on the other its foot is down before the end of the step."""
+    given = {"alpha": 0.25, "omega": 3.0}
+    found = stridemap.branches("wobbling", "k", (6.3, 6.6), given, seeds=1, search={"starts": 128})
+    (end,) = (point for point in found.special if point.type == "early_touchdown")
+    assert end.residual < 1e-11
+    points = found.to_frame().query(f"branch == {end.branch}").reset_index(drop=True)
+    at = int((points.gait.astype(int).diff().abs() == 1).idxmax())
+    model = stridemap.load("wobbling")
+    for row in (points.iloc[at - 1], points.iloc[at]):
+        state = {name: row[name] for name in model.section}
+        walk = stridemap.simulate("wobbling", state, steps=1, params={**given, "k": row.k})
+        if row.gait:
+            assert walk.steps[0].period == pytest.approx(row.period, abs=1e-9)
+        else:
+            assert walk.steps[0].period < row.period - 1e-3
