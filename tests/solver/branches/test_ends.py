@@ -29,7 +29,7 @@ def test_conditions_are_what_is_measured():
 
 @pytest.mark.quick
 def test_a_cycle_of_several_steps_is_as_good_as_its_worst_step():
-    """At a slope of 0.0165 the two steps of the doubled gait need different friction."""
+    """Two different steps, near those of the doubled gait at this slope."""
     solver = Solver.for_model(load("simplest_walker"))
     conditions, params = GaitConditions(solver.kernels, 0.3), np.array([[0.0165]])
     steps = np.array([[0.25054944845, -0.23949, 3.76779272], [0.23665687719, -0.2352, 4.02590285]])
@@ -52,9 +52,8 @@ def test_the_limit_of_friction_is_reached_where_the_branch_says():
         model = stridemap.load("simplest_walker")
         q, v = path[["theta", "phi"]].to_numpy(), path[["dtheta", "dphi"]].to_numpy()
         first = path["step"].to_numpy() == path["step"].iloc[0]
-        force = model.evaluate("ground_force", t=0.0, q=q[first], v=v[first], p=np.array([end.value]))[
-            "force"
-        ]
+        p = np.array([end.value])
+        force = model.evaluate("ground_force", t=0.0, q=q[first], v=v[first], p=p)["force"]
         assert np.abs(force[:, 0] / force[:, 1]).max() == pytest.approx(0.2, abs=1e-7)
 
 
