@@ -5,10 +5,11 @@ import pytest
 
 import stridemap
 from stridemap.solver.branches.conditions import GaitConditions, GaitEnd
+from stridemap.solver.branches.ends import conditions_along, gait_ends
 from stridemap.solver.cycles.search import find_all
 from stridemap.solver.cycles.solver import Solver
 from stridemap.solver.model.loading import load
-from stridemap.solver.options import SearchOptions
+from stridemap.solver.options import ArclengthOptions, SearchOptions
 
 
 @pytest.mark.quick
@@ -51,14 +52,26 @@ def test_the_limit_of_friction_is_reached_where_the_branch_says():
         path = walk.trajectory(end.period / 4000).to_frame()
         model = stridemap.load("simplest_walker")
         q, v = path[["theta", "phi"]].to_numpy(), path[["dtheta", "dphi"]].to_numpy()
-        first = path["step"].to_numpy() == path["step"].iloc[0]
+        first = (path["step"] == path["step"].iloc[0]).to_numpy()
         p = np.array([end.value])
         force = model.evaluate("ground_force", t=0.0, q=q[first], v=v[first], p=p)["force"]
         assert np.abs(force[:, 0] / force[:, 1]).max() == pytest.approx(0.2, abs=1e-7)
 
 
+@pytest.mark.quick
+def test_where_a_gait_ends_it_begins_the_other_way():
+    found = stridemap.branches("simplest_walker", "slope", (0.005, 0.015), seeds=1, friction_limit=0.2)
+    conditions = GaitConditions(Solver.for_model(load("simplest_walker")).kernels, 0.2)
+    for branch in found:
+        back = [point.reversed() for point in reversed(branch.points)]
+        values = conditions_along(branch.curve, back, conditions)
+        ((_, begins),) = gait_ends(branch.curve, back, values, conditions, ArclengthOptions())
+        ((_, ends),) = branch.ends
+        assert begins.point.x == pytest.approx(ends.point.x, rel=0, abs=1e-10)
+
+
 def test_a_gait_ends_where_the_foot_touches_down_early():
-    """On one side the integrator walks the cycle; on the other its foot is down before the end of the step."""
+    """On one side the integrator walks the cycle; on the other its foot is down before the step ends."""
     given = {"alpha": 0.25, "omega": 3.0}
     found = stridemap.branches("wobbling", "k", (6.3, 6.6), given, seeds=1, search={"starts": 128})
     (end,) = (point for point in found.special if point.type == "early_touchdown")
