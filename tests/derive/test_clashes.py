@@ -74,7 +74,7 @@ def plain():
 def point():
     rng = np.random.default_rng(5)
     p = [0.2, 6.0, 2 / 3, *rng.uniform(0.3, 2, 12)]
-    return {"t": 0.3, "q": [-0.3], "v": [0.7], "p": p, "z": [-0.3, 0.7]}
+    return {"t": 0.3, "q": [-0.3], "v": [0.7], "u": [0.4], "p": p, "z": [-0.3, 0.7]}
 
 
 def evaluated(files):
@@ -113,7 +113,6 @@ def test_the_numbers_are_those_of_the_same_walker_with_plain_names(names, plain,
 def main(spec):
     """A C program that prints all results at the point."""
     lines = ['#include "clashing.h"', "#include <stdio.h>", "int main(void) {", "    int i;"]
-    lines += ["    const double *u = 0; /* there are no motors */"]
     for name, values in point().items():
         given = ", ".join(map(repr, map(float, np.ravel(values))))
         lines.append(f"    const double {name}[] = {{{given}}};")
