@@ -20,6 +20,7 @@ CELL_COLUMNS = {
     "period_n": "walking steps until the gait repeats",
     "multipliers": "Floquet multipliers",
     "arclength": "distance along the branch",
+    "steps": "section point and period of each step",
     "gait": "whether a walker could walk it",
     "type": "what happens at a special point",
     "value": "value of the parameter that varies",

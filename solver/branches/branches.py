@@ -43,6 +43,10 @@ class SpecialPoint:
         Of the whole cycle.
     period_n : int
         Number of walking steps after which it closes.
+    steps : tuple of tuple of float, shape (period_n, nz + 1)
+        Section point and period of each step.
+    arclength : float
+        Where it lies along its branch, as in the column of that name.
     multipliers : tuple of complex
     residual : float
         Largest entry of the equations that define it.
@@ -65,6 +69,8 @@ class SpecialPoint:
     state: dict[str, float]
     period: float
     period_n: int
+    steps: tuple[tuple[float, ...], ...]
+    arclength: float
     multipliers: tuple[complex, ...]
     residual: float
     gait: bool
@@ -76,6 +82,7 @@ class SpecialPoint:
     def to_dict(self) -> dict[str, Any]:
         """Plain values for JSON; complex numbers are pairs."""
         plain = {**vars(self), "multipliers": [_pair(value) for value in self.multipliers]}
+        plain["steps"] = [list(step) for step in self.steps]
         plain["multiplier"] = None if self.multiplier is None else _pair(self.multiplier)
         plain["null"] = self.null and {name: _pair(value) for name, value in self.null.items()}
         return plain
@@ -130,21 +137,22 @@ class Branches(Sequence[Branch]):
 
     def _special_of(self, number: int, branch: Branch) -> Iterator[SpecialPoint]:
         gait = branch.is_gait
-        placed: list[tuple[int, float, Special | End, int]] = []
+        lengths = branch.arclength
+        placed: list[tuple[float, int, Special | End, int]] = []
         for place, (before, special) in enumerate(branch.specials):
-            placed.append((before, self._along(branch, before, special.x), special, place))
+            placed.append((lengths[before] + branch.distance(before, special.x), before, special, place))
         for before, end in branch.ends:
-            placed.append((before, self._along(branch, before, end.point.x), end, -1))
-        for before, _, one, place in sorted(placed, key=lambda item: item[:2]):
+            placed.append((lengths[before] + branch.distance(before, end.point.x), before, end, -1))
+        for arclength, before, one, place in sorted(placed, key=lambda item: item[0]):
             if isinstance(one, End):
                 multipliers = one.point.multipliers
                 yield self._special_point(
-                    number, branch, one.type, one.point.x, multipliers, one.residual, True
+                    number, branch, one.type, one.point.x, arclength, multipliers, one.residual, True
                 )
                 continue
             on_gait = bool(gait[before] and gait[min(before + 1, len(gait) - 1)])
             point = self._special_point(
-                number, branch, one.type, one.x, one.multipliers, one.residual, on_gait
+                number, branch, one.type, one.x, arclength, one.multipliers, one.residual, on_gait
             )
             first = np.asarray(one.null, dtype=np.complex128)[: len(self.model.section)]
             largest = first[np.abs(first).argmax()] if len(first) else 1.0
@@ -162,13 +170,16 @@ class Branches(Sequence[Branch]):
                 }
             )
 
-    @staticmethod
-    def _along(branch: Branch, before: int, x: Array) -> float:
-        point = branch.points[before]
-        return branch.curve.dot(x - point.x, point.tangent)
-
     def _special_point(
-        self, number: int, branch: Branch, kind: str, x: Array, multipliers: Any, residual: float, gait: bool
+        self,
+        number: int,
+        branch: Branch,
+        kind: str,
+        x: Array,
+        arclength: float,
+        multipliers: Any,
+        residual: float,
+        gait: bool,
     ) -> SpecialPoint:
         steps = x[:-1].reshape(branch.period_n, -1)
         params = dict(zip(self.model.spec.names, branch.curve.point(x[-1]).tolist(), strict=True))
@@ -180,6 +191,8 @@ class Branches(Sequence[Branch]):
             dict(zip(self.model.section, steps[0, :-1].tolist(), strict=True)),
             float(steps[:, -1].sum()),
             branch.period_n,
+            tuple(map(tuple, steps.tolist())),
+            float(arclength),
             tuple(multipliers.tolist()),
             residual,
             gait,
@@ -218,12 +231,11 @@ class Branches(Sequence[Branch]):
         x, nz, m = branch.x, len(self.model.section), len(branch.points)
         steps = x[:, :-1].reshape(m, branch.period_n, nz + 1)
         params = np.array([branch.curve.point(value) for value in x[:, -1]])
-        lengths = [branch.curve.norm(one) for one in np.diff(x, axis=0)]
         out: dict[str, Any] = {
             "branch": np.full(m, number),
             "period_n": np.full(m, branch.period_n),
             "gait": branch.is_gait,
-            "arclength": np.concatenate([[0.0], np.cumsum(lengths)]),
+            "arclength": branch.arclength,
         }
         out |= dict(zip(self.model.spec.names, params.T, strict=True))
         out |= dict(zip(self.model.section, steps[:, 0, :-1].T, strict=True))

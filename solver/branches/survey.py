@@ -64,6 +64,16 @@ class Branch:
         return np.array([point.x for point in self.points])
 
     @property
+    def arclength(self) -> Array:
+        """Length of the branch up to each point, in terms of the scales of the entries, shape (m,)."""
+        lengths = [self.curve.norm(one) for one in np.diff(self.x, axis=0)]
+        return np.concatenate([[0.0], np.cumsum(lengths)])
+
+    def distance(self, before: int, x: Array) -> float:
+        """How far beyond a point of the branch another one lies, in terms of the scales."""
+        return self.curve.norm(x - self.points[before].x)
+
+    @property
     def is_gait(self) -> NDArray[np.bool_]:
         """Which points are gaits that a walker could walk, shape (m,)."""
         gait: NDArray[np.bool_] = np.all([one > 0 for one in self.conditions.values()], axis=0)

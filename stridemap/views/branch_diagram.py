@@ -1,5 +1,6 @@
 """Bifurcation diagrams: branches of limit cycles over a parameter, with their special points."""
 
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -7,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stridemap.errors import InputError
-from stridemap.solver.branches.branches import Branches
+from stridemap.solver.branches.branches import Branches, SpecialPoint
 from stridemap.solver.model.model import Model
 from stridemap.views.optional import require_pictures
 from stridemap.words import multiplier_columns
@@ -15,8 +16,6 @@ from stridemap.words import multiplier_columns
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
-
-    from stridemap.solver.branches.survey import Branch
 
 Array = NDArray[np.float64]
 
@@ -36,6 +35,9 @@ MARKERS = {
     "friction": ("P", "friction"),
 }
 """Marker and label of each type of special point; LP, PD, NS and BP are the field's letters."""
+
+NO_GAIT, UNSTABLE, STABLE = range(3)
+"""Looks of a piece of a branch, from the least to the most."""
 
 
 def branch_diagram(branches: Branches, y: str = "period", *, gaits_only: bool = False) -> "Figure":
@@ -70,10 +72,10 @@ def branch_diagram(branches: Branches, y: str = "period", *, gaits_only: bool = 
     with style.styled():
         figure = style.new_figure(*SIZE)
         axes = figure.subplots()
-        curves = [_values(branches, number, y) for number in range(len(branches))]
-        for branch, values in zip(branches, curves, strict=True):
-            _draw(axes, branch, values, gaits_only)
-        _mark(axes, branches, curves, gaits_only)
+        for number in range(len(branches)):
+            drawn = _drawn(branches, number, y)
+            _draw(axes, drawn, gaits_only)
+            _mark(axes, drawn, gaits_only)
         axes.set(xlabel=branches.vary, ylabel=_label(branches, y), xlim=branches.range)
         axes.set_title(branches.model.title)
         if axes.get_legend_handles_labels()[1]:
@@ -112,71 +114,87 @@ def check_picture(path: Path) -> None:
         raise InputError(f"{path} has no ending that names a kind of picture: {', '.join(kinds)}")
 
 
-def _values(branches: Branches, number: int, y: str) -> Array:
-    """What is drawn of a branch, shape (points, curves)."""
+@dataclass(frozen=True)
+class _Drawn:
+    """A branch as it is drawn, its special points among its points."""
+
+    x: Array
+    """Values of the parameter, shape (m,)."""
+    y: Array
+    """What is drawn, shape (m, curves)."""
+    look: NDArray[np.int_]
+    """Of the piece after each point but the last, shape (m - 1,)."""
+    special: dict[int, SpecialPoint]
+    """By their place among the points."""
+
+
+def _drawn(branches: Branches, number: int, y: str) -> _Drawn:
+    """A branch with its special points put where they lie, so that looks change there and not beside them."""
     branch = branches[number]
+    special = [one for one in branches.special if one.branch == number]
+    lengths = np.array([*branch.arclength, *(one.arclength for one in special)])
+    x = np.array([*branch.x[:, -1], *(one.value for one in special)])
     names = [*branches.model.section, "period"]
+    n = len(branch.points)
     if y in names:
-        steps = branch.x[:, :-1].reshape(len(branch.points), branch.period_n, -1)
-        values: Array = steps[:, :, names.index(y)]
-        return values
-    frame = branches.to_frame()
-    column: Array = frame.loc[frame["branch"] == number, y].to_numpy(dtype=np.float64)[:, None]
-    return column
+        steps = branch.x[:, :-1].reshape(n, branch.period_n, -1)
+        at_special = [[step[names.index(y)] for step in one.steps] for one in special]
+        values = np.concatenate([steps[:, :, names.index(y)], np.reshape(at_special, (-1, branch.period_n))])
+    else:
+        frame = branches.to_frame()
+        column = frame.loc[frame["branch"] == number, y].to_numpy(dtype=np.float64)
+        values = np.append(column, np.interp(lengths[n:], lengths[:n], column))[:, None]
+    order = np.argsort(lengths, kind="stable")
+    stable = np.array([np.abs(point.multipliers).max(initial=0.0) < 1.0 for point in branch.points])
+    kinds = np.where(branch.is_gait, np.where(stable, STABLE, UNSTABLE), NO_GAIT)
+    # A piece between two points without a special point between them looks as the less of both.
+    ordinary = order < n
+    before = np.maximum.accumulate(np.where(ordinary, order, 0))
+    after = np.minimum(before + 1, n - 1)
+    look = np.minimum(kinds[before], kinds[after])
+    look = np.where(ordinary & ~np.append(ordinary[1:], True), kinds[before], look)
+    look = np.where(~ordinary & np.append(ordinary[1:], False), kinds[after], look)
+    places = {int(np.flatnonzero(order == n + i)[0]): one for i, one in enumerate(special)}
+    return _Drawn(x[order], values[order], look[:-1], places)
 
 
-def _draw(axes: "Axes", branch: "Branch", values: Array, gaits_only: bool) -> None:
+def _draw(axes: "Axes", drawn: _Drawn, gaits_only: bool) -> None:
     """The curves of one branch, in pieces of one look each."""
     from stridemap.views import style
 
-    x, gait = branch.x[:, -1], branch.is_gait
-    stable = np.array([np.abs(point.multipliers).max(initial=0.0) < 1.0 for point in branch.points])
     looks: dict[int, dict[str, Any]] = {
-        2: {"color": style.BLUE, "linewidth": 1.6, "linestyle": "-"},
-        1: {"color": style.DARK, "linewidth": 0.9, "linestyle": (0, (4, 2))},
-        0: {"color": style.GREY, "linewidth": 0.5, "linestyle": (0, (4, 2))},
+        STABLE: {"color": style.BLUE, "linewidth": 1.6, "linestyle": "-"},
+        UNSTABLE: {"color": style.DARK, "linewidth": 0.9, "linestyle": (0, (4, 2))},
+        NO_GAIT: {"color": style.GREY, "linewidth": 0.5, "linestyle": (0, (4, 2))},
     }
-    kind = np.where(gait, np.where(stable, 2, 1), 0)
-    # A piece between two points looks as the less of both.
-    piece = np.minimum(kind[:-1], kind[1:])
-    begins = np.flatnonzero(np.append(True, piece[1:] != piece[:-1]))
-    for first, last in zip(begins, [*begins[1:], len(piece)], strict=True):
-        look = int(piece[first])
+    begins = np.flatnonzero(np.append(True, drawn.look[1:] != drawn.look[:-1]))
+    for first, last in zip(begins, [*begins[1:], len(drawn.look)], strict=True):
+        look = int(drawn.look[first])
         if look or not gaits_only:
-            axes.plot(x[first : last + 1], values[first : last + 1], **looks[look])
+            piece = slice(first, last + 1)
+            axes.plot(drawn.x[piece], drawn.y[piece], **looks[look])
 
 
-def _mark(axes: "Axes", branches: Branches, curves: list[Array], gaits_only: bool) -> None:
+def _mark(axes: "Axes", drawn: _Drawn, gaits_only: bool) -> None:
     """Markers of the special points, one entry of the legend per type."""
     from stridemap.views import style
 
-    labelled: set[str] = set()
-    for one in branches.special:
+    labelled = set(axes.get_legend_handles_labels()[1])
+    for at, one in drawn.special.items():
         if gaits_only and not one.gait:
             continue
-        branch, values = branches[one.branch], curves[one.branch]
-        near = np.abs(branch.x[:, -1] - one.value) / branch.curve.width
-        state = np.array([one.state[name] for name in branches.model.section])
-        first = branch.x[:, : len(state)]
-        near = near + np.abs((first - state) / branch.curve.scale[: len(state)]).sum(axis=1)
-        at = int(near.argmin())
         marker, label = MARKERS[one.type]
-        solid = one.criticality != "subcritical"
         look: dict[str, Any] = {
             "marker": marker,
             "linestyle": "",
             "markersize": 4.5,
             "color": style.VERMILION if one.type in ("fold", "pd", "ns", "bp") else style.GREEN,
-            "markerfacecolor": None if solid else style.WHITE,
             "zorder": 3,
         }
-        look = {name: value for name, value in look.items() if value is not None}
-        axes.plot(
-            np.full(values.shape[1], one.value),
-            values[at],
-            label=None if label in labelled else label,
-            **look,
-        )
+        if one.criticality == "subcritical":
+            look["markerfacecolor"] = style.WHITE
+        values = drawn.y[at]
+        axes.plot(np.full(len(values), one.value), values, label=None if label in labelled else label, **look)
         labelled.add(label)
 
 
