@@ -36,6 +36,7 @@ ROOMS = {
 }
 SUBROOMS = {
     "api": ("what users call", "casadi"),
+    "boundaries": ("bifurcations over two parameters", "casadi"),
     "branches": ("continuation, folds, stability's edges", "casadi"),
     "walks": ("many steps forward", "casadi"),
     "cycles": ("Newton, multipliers, search", "casadi"),

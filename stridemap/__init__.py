@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from stridemap.paper.claim import Claim, Verdict
     from stridemap.paper.evaluate import claims
     from stridemap.quantities import QUANTITIES
+    from stridemap.solver.api.boundaries import boundaries
     from stridemap.solver.api.branches import branches
     from stridemap.solver.api.points import find_orbits, motion, simulate
     from stridemap.solver.api.targets import Matches, find
@@ -32,6 +33,7 @@ if TYPE_CHECKING:
     from stridemap.solver.backends.interpreter import Interpreter
     from stridemap.solver.backends.lanes import Lanes
     from stridemap.solver.backends.scalar import ScalarC
+    from stridemap.solver.boundaries.boundaries import Boundaries, DoublePoint
     from stridemap.solver.branches.branches import Branches, SpecialPoint
     from stridemap.solver.cycles.gait import is_physical_gait
     from stridemap.solver.cycles.orbit import Orbit
@@ -73,6 +75,7 @@ __all__ = ["__version__", *sorted(_HOMES)]
 
 provide(
     animate="stridemap.views.animation:animate",
+    boundary_map="stridemap.views.boundary_map:boundary_map",
     branch_diagram="stridemap.views.branch_diagram:branch_diagram",
     derive_file="stridemap.codegen:derive_file",
     plot="stridemap.views.plots:plot",

@@ -24,6 +24,10 @@ CELL_COLUMNS = {
     "gait": "whether a walker could walk it",
     "type": "what happens at a special point",
     "value": "value of the parameter that varies",
+    "boundary": "boundary in the plane of two parameters",
+    "borders_stable": "whether gaits beside it are stable",
+    "meets": "the other boundary at a corner",
+    "curve": "points in the plane of two parameters",
     "multiplier": "the multiplier that crosses the unit circle",
     "crossing_slope": "how fast a special point is crossed",
     "criticality": "on which side doubled cycles exist",
@@ -70,10 +74,10 @@ ATTRIBUTES = frozenset(
 OPTION_WORDS = frozenset(
     # options of the command line
     "acceptance backend cascade check claims config continuation cycle derive_timeout folder fps from "
-    "friction_limit group help json magnify model only out plot range rate resume search search_box seeds "
-    "set show size start starts state steps sweeps target thin trajectory vary workers "
+    "friction_limit group help json lines magnify model only out plot range rate resume search search_box "
+    "seeds set show size start starts state steps sweeps target thin trajectory vary workers "
     # arguments of public functions
-    "data executor options orbit orbits params path progress samples source tile_cells titles".split()
+    "data executor options orbit orbits params path progress ranges samples source tile_cells titles".split()
 )
 """Options of commands and arguments of public functions, which also take parameters by name."""
 

@@ -47,3 +47,36 @@ def section_state(names: tuple[str, ...], state: Mapping[str, Any]) -> NDArray[n
         ):
             raise InputError(f"{name} = {value!r} of the state is not a finite number")
     return np.array([float(state[name]) for name in names])
+
+
+def whole(name: str, value: Any, low: int, high: int) -> None:
+    """Refuse what is not a whole number from `low` to `high`.
+
+    Raises
+    ------
+    InputError
+        For anything else.
+    """
+    number = isinstance(value, int | np.integer) and not isinstance(value, bool)
+    if not number or not low <= value <= high:
+        raise InputError(f"{name} = {value!r} is not allowed: a whole number from {low} to {high} is needed")
+
+
+def limit_of_friction(value: Any) -> float | None:
+    """A largest ratio of horizontal to vertical ground force, or None where there is none.
+
+    Raises
+    ------
+    InputError
+        When it is not a number above 0.
+    """
+    if value is None:
+        return None
+    number = isinstance(value, int | float | np.number) and not isinstance(value, bool)
+    if not (number and np.isfinite(value) and value > 0):
+        raise InputError(f"friction_limit = {value!r} is not allowed: a number above 0 is needed")
+    return float(value)
+
+
+def quiet(line: str) -> None:
+    """Report nothing."""

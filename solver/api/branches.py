@@ -4,10 +4,8 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
 from stridemap.errors import InputError
-from stridemap.solver.api.arguments import joined
+from stridemap.solver.api.arguments import joined, limit_of_friction, quiet, whole
 from stridemap.solver.backends.base import Backend
 from stridemap.solver.backends.selection import named_backend
 from stridemap.solver.branches.branches import Branches
@@ -102,16 +100,14 @@ def branches(
         )
     point = loaded.point(given)
     low, high = span(loaded, vary, point, range)
-    _whole("period_n", period_n, 1, MAX_PERIOD_N)
-    _whole("cascade", cascade, 0, MAX_CASCADE)
-    _whole("seeds", seeds, 1, MAX_SEEDS)
+    whole("period_n", period_n, 1, MAX_PERIOD_N)
+    whole("cascade", cascade, 0, MAX_CASCADE)
+    whole("seeds", seeds, 1, MAX_SEEDS)
     if period_n * 2**cascade > MAX_PERIOD_N:
         raise InputError(
             f"cascade = {cascade} from period_n = {period_n} leads to cycles of {period_n * 2**cascade} "
             f"steps; at most {MAX_PERIOD_N} are followed: lower one of them"
         )
-    if friction_limit is not None and not (_is_number(friction_limit) and friction_limit > 0):
-        raise InputError(f"friction_limit = {friction_limit!r} is not allowed: a number above 0 is needed")
     solver = Solver.for_model(loaded, named_backend(backend))
     survey = Survey(
         solver,
@@ -124,25 +120,10 @@ def branches(
         seeds,
         SearchOptions.from_mapping({"starts": 256} if search is None else search),
         ArclengthOptions.from_mapping(options or {}),
-        GaitConditions(solver.kernels, friction_limit),
-        progress or _quiet,
+        GaitConditions(solver.kernels, limit_of_friction(friction_limit)),
+        progress or quiet,
     )
     fixed = {
         name: value for name, value in zip(loaded.spec.names, point.tolist(), strict=True) if name != vary
     }
     return Branches(loaded, vary, (low, high), fixed, survey.branches())
-
-
-def _quiet(line: str) -> None:
-    """Report nothing."""
-
-
-def _is_number(value: Any) -> bool:
-    number = isinstance(value, int | float | np.number) and not isinstance(value, bool)
-    return bool(number and np.isfinite(value))
-
-
-def _whole(name: str, value: Any, low: int, high: int) -> None:
-    whole = isinstance(value, int | np.integer) and not isinstance(value, bool)
-    if not whole or not low <= value <= high:
-        raise InputError(f"{name} = {value!r} is not allowed: a whole number from {low} to {high} is needed")

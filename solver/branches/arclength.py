@@ -1,6 +1,6 @@
 """Pseudo-arclength continuation of one curve of cycles, corrected by Newton's method at every point.
 
-(H. B. Keller 1977.) From a point x1 with the unit tangent tau, the next one solves ``R(x) = 0`` together with
+(H. B. Keller 1977.) From a point x1 with the unit tangent tau, the next one solves ``F(x) = 0`` together with
 
     <x - x1, tau> = ds,
 
@@ -16,7 +16,7 @@ from enum import StrEnum
 import numpy as np
 from numpy.typing import NDArray
 
-from stridemap.solver.branches.curve import Corrected, Curve
+from stridemap.solver.branches.curve import Corrected, ZeroCurve
 from stridemap.solver.options import ArclengthOptions
 
 Array = NDArray[np.float64]
@@ -26,7 +26,7 @@ class EndReason(StrEnum):
     """Why a curve was not followed any further."""
 
     RANGE = "range"
-    """It leaves the range of the parameter."""
+    """It leaves the range of a parameter."""
     PERIOD = "period_limit"
     """A walking step becomes shorter or longer than the range of periods allows."""
     CLOSED = "closed"
@@ -49,11 +49,11 @@ class CurvePoint:
 
     Parameters
     ----------
-    x : ndarray, shape (N + 1,)
-    tangent : ndarray, shape (N + 1,)
+    x : ndarray, shape (M + 1,)
+    tangent : ndarray, shape (M + 1,)
         Unit tangent, in the direction in which the curve is followed.
-    matrix : ndarray, shape (N, N + 1)
-        Derivative of the residual.
+    matrix : ndarray, shape (M, M + 1)
+        Derivative of the equations.
     multipliers : ndarray of complex, shape (nz,)
     n_rk : int
         RK steps per walking step with which it was computed.
@@ -66,10 +66,9 @@ class CurvePoint:
     n_rk: int
 
     @classmethod
-    def at(cls, curve: Curve, corrected: Corrected, ahead: Array, n_rk: int) -> "CurvePoint":
+    def at(cls, curve: ZeroCurve, corrected: Corrected, ahead: Array, n_rk: int) -> "CurvePoint":
         """A point that Newton's method found, with the tangent on the side of `ahead`."""
-        multipliers = curve.chain.multipliers(corrected.matrix[None, :, :-1])[0]
-        tangent = curve.tangent(corrected.matrix, ahead)
+        tangent, multipliers = curve.tangent(corrected.matrix, ahead), curve.multipliers(corrected.matrix)
         return cls(corrected.x, tangent, corrected.matrix, multipliers, n_rk)
 
     def reversed(self) -> "CurvePoint":
@@ -83,24 +82,47 @@ class Window:
 
     Parameters
     ----------
-    low, high : float
-        Range of the parameter.
+    low, high : tuple of float, length f
+        Ends of the ranges of the parameters that vary.
     shortest, longest : float
         Range of the periods of each walking step.
     """
 
-    low: float
-    high: float
+    low: tuple[float, ...]
+    high: tuple[float, ...]
     shortest: float
     longest: float
 
+    def left(self, here: Array, there: Array) -> tuple[int, float] | None:
+        """Which parameter leaves its range first between two points, and the end at which it does.
 
-def advanced(curve: Curve, start: CurvePoint, ds: float, iterations: int) -> CurvePoint | None:
+        Parameters
+        ----------
+        here, there : ndarray, shape (f,)
+            Values of the parameters.
+
+        Returns
+        -------
+        (int, float) or None
+            Number of the parameter and end of its range; None where `there` is within.
+        """
+        first, nearest = None, np.inf
+        for i, (low, high) in enumerate(zip(self.low, self.high, strict=True)):
+            if low <= there[i] <= high:
+                continue
+            end = high if there[i] > high else low
+            part = (end - here[i]) / (there[i] - here[i])
+            if part < nearest:
+                first, nearest = (i, end), part
+        return first
+
+
+def advanced(curve: ZeroCurve, start: CurvePoint, ds: float, iterations: int) -> CurvePoint | None:
     """The point at an arclength step from another one; None where Newton's method does not find it.
 
     Parameters
     ----------
-    curve : Curve
+    curve : ZeroCurve
     start : CurvePoint
     ds : float
     iterations : int
@@ -112,24 +134,25 @@ def advanced(curve: Curve, start: CurvePoint, ds: float, iterations: int) -> Cur
     return CurvePoint.at(curve, found, start.tangent, n_rk) if found.converged else None
 
 
-def at_value(curve: Curve, guess: Array, value: float, ahead: Array, iterations: int) -> CurvePoint | None:
-    """The point with a value of the parameter, from a guess; None where Newton's method does not find it."""
-    guess = np.append(guess[:-1], value)
-    across = np.zeros(len(guess))
-    across[-1] = curve.scale[-1]
+def at_value(
+    curve: ZeroCurve, guess: Array, value: float, ahead: Array, iterations: int, which: int = -1
+) -> CurvePoint | None:
+    """The point with a value of a parameter, from a guess; None where Newton's method does not find it."""
+    guess, across = guess.copy(), np.zeros(len(guess))
+    guess[which], across[which] = value, curve.scale[which]
     n_rk = curve.n_rk(guess)
     found = curve.corrected(guess, across, n_rk, iterations)
     return CurvePoint.at(curve, found, ahead, n_rk) if found.converged else None
 
 
 def follow(
-    curve: Curve, start: CurvePoint, window: Window, options: ArclengthOptions, ds: float | None = None
+    curve: ZeroCurve, start: CurvePoint, window: Window, options: ArclengthOptions, ds: float | None = None
 ) -> tuple[list[CurvePoint], EndReason]:
     """Follow a curve from a point, in the direction of its tangent.
 
     Parameters
     ----------
-    curve : Curve
+    curve : ZeroCurve
     start : CurvePoint
     window : Window
     options : ArclengthOptions
@@ -152,8 +175,8 @@ def follow(
             if ds < options.ds_min:
                 return points, EndReason.STALLED
             continue
-        if not window.low <= there.x[-1] <= window.high:
-            points += _last_point(curve, here, there, window, options)
+        if left := window.left(curve.values(here.x), curve.values(there.x)):
+            points += _last_point(curve, here, there, left, options)
             return points, EndReason.RANGE
         points.append(there)
         if reason := _ended(curve, points, window):
@@ -164,7 +187,7 @@ def follow(
 
 
 def both_ways(
-    curve: Curve, start: CurvePoint, window: Window, options: ArclengthOptions
+    curve: ZeroCurve, start: CurvePoint, window: Window, options: ArclengthOptions
 ) -> tuple[list[CurvePoint], tuple[EndReason, EndReason]]:
     """Follow a curve from a point in both directions: see `follow`.
 
@@ -182,33 +205,35 @@ def both_ways(
     return [point.reversed() for point in behind[:0:-1]] + ahead, (first, last)
 
 
-def _strays(curve: Curve, here: CurvePoint, there: CurvePoint, ds: float) -> bool:
+def _strays(curve: ZeroCurve, here: CurvePoint, there: CurvePoint, ds: float) -> bool:
     """Whether the corrections led far from where the tangent pointed, perhaps onto another curve."""
     return curve.norm(there.x - here.x - ds * here.tangent) > MAX_CORRECTION * ds
 
 
 def _last_point(
-    curve: Curve, here: CurvePoint, there: CurvePoint, window: Window, options: ArclengthOptions
+    curve: ZeroCurve, here: CurvePoint, there: CurvePoint, left: tuple[int, float], options: ArclengthOptions
 ) -> list[CurvePoint]:
-    """The point at the end of the parameter's range that lies between two; none where it is the first."""
-    end = window.high if there.x[-1] > window.high else window.low
-    if here.x[-1] == end:
+    """The point at the end of a parameter's range that lies between two; none where it is the first."""
+    number, end = left
+    which = number - len(curve.values(here.x))
+    if here.x[which] == end:
         return []
-    part = (end - here.x[-1]) / (there.x[-1] - here.x[-1])
+    part = (end - here.x[which]) / (there.x[which] - here.x[which])
     guess = here.x + part * (there.x - here.x)
-    last = at_value(curve, guess, end, here.tangent, options.max_corrections + 4)
+    last = at_value(curve, guess, end, here.tangent, options.max_corrections + 4, which)
     return [last] if last is not None else []
 
 
-def _ended(curve: Curve, points: list[CurvePoint], window: Window) -> EndReason | None:
+def _ended(curve: ZeroCurve, points: list[CurvePoint], window: Window) -> EndReason | None:
     """Whether a curve ends at its newest point, and why."""
     x = points[-1].x
-    steps = x[:-1].reshape(-1, curve.chain.width)
+    steps, model = curve.equations.steps(x), curve.equations.model
     if not ((steps[:, -1] > window.shortest) & (steps[:, -1] <= window.longest)).all():
         return EndReason.PERIOD
-    if np.abs(steps[:, :-1] / curve.model.spec.scales).max() < STANDING:
+    if np.abs(steps[:, :-1] / model.spec.scales).max() < STANDING:
         return EndReason.STANDING
-    if (np.abs(steps[:, :-1] - curve.middle) > FARTHEST * np.asarray(curve.model.spec.scales)).any():
+    middle = np.array([model.spec.search_box[name][0] for name in model.section])
+    if (np.abs(steps[:, :-1] - middle) > FARTHEST * np.asarray(model.spec.scales)).any():
         return EndReason.REGION
     if len(points) > 3:
         first, across = points[0], points[0].tangent

@@ -1,6 +1,6 @@
 """All branches over one parameter as a value: tables of points and of special points, JSON, a picture."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -182,7 +182,7 @@ class Branches(Sequence[Branch]):
         gait: bool,
     ) -> SpecialPoint:
         steps = x[:-1].reshape(branch.period_n, -1)
-        params = dict(zip(self.model.spec.names, branch.curve.point(x[-1]).tolist(), strict=True))
+        params = dict(zip(self.model.spec.names, branch.curve.equations.point(x[-1]).tolist(), strict=True))
         return SpecialPoint(
             number,
             str(kind),
@@ -230,7 +230,7 @@ class Branches(Sequence[Branch]):
     def _columns(self, number: int, branch: Branch) -> dict[str, Any]:
         x, nz, m = branch.x, len(self.model.section), len(branch.points)
         steps = x[:, :-1].reshape(m, branch.period_n, nz + 1)
-        params = np.array([branch.curve.point(value) for value in x[:, -1]])
+        params = np.array([branch.curve.equations.point(value) for value in x[:, -1]])
         out: dict[str, Any] = {
             "branch": np.full(m, number),
             "period_n": np.full(m, branch.period_n),
@@ -271,16 +271,7 @@ class Branches(Sequence[Branch]):
         StorageError
             When a file cannot be written.
         """
-        path, writer = Path(path), table_writer(path)
-        paths = [path, path.with_stem(f"{path.stem}_special")]
-        for target, frame in zip(paths, (self.to_frame(), self.special_frame()), strict=True):
-            try:
-                getattr(frame, writer)(target, index=False)
-            except OSError as error:
-                raise StorageError(
-                    f"cannot write {target} ({error.strerror or error}); give a path that can be written"
-                ) from None
-        return paths
+        return save_tables(path, {"": self.to_frame, "_special": self.special_frame})
 
     def to_dict(self) -> dict[str, Any]:
         """Plain values for JSON: branches with their special points, without the points between."""
@@ -307,6 +298,36 @@ class Branches(Sequence[Branch]):
     def plot(self, y: str = "period", **options: Any) -> Any:
         """Draw a bifurcation diagram with matplotlib: see `stridemap.views.branch_diagram`."""
         return service("branch_diagram")(self, y, **options)
+
+
+def save_tables(path: str | Path, tables: Mapping[str, Callable[[], Any]]) -> list[Path]:
+    """Write tables beside each other, each under the path's name with an addition.
+
+    Parameters
+    ----------
+    path : str or path
+        Ends in ``.parquet`` or ``.csv``.
+    tables : mapping of str to callable
+        By addition, what makes a `pandas.DataFrame`.
+
+    Raises
+    ------
+    InputError
+        For another ending.
+    StorageError
+        When a file cannot be written.
+    """
+    path, writer, paths = Path(path), table_writer(path), []
+    for addition, make in tables.items():
+        target = path.with_stem(f"{path.stem}{addition}")
+        try:
+            getattr(make(), writer)(target, index=False)
+        except OSError as error:
+            raise StorageError(
+                f"cannot write {target} ({error.strerror or error}); give a path that can be written"
+            ) from None
+        paths.append(target)
+    return paths
 
 
 def table_writer(path: str | Path) -> str:

@@ -59,8 +59,10 @@ class GaitConditions:
             left_out.add(GaitEnd.FALL)
         return tuple(name for name in GaitEnd if name not in left_out)
 
-    def of_steps(self, n_rk: int, u: Array, params: Array) -> dict[GaitEnd, Array]:
-        """Every condition on walking steps, shape (m,) each: positive where it holds.
+    def of_steps(
+        self, n_rk: int, u: Array, params: Array, names: Sequence[GaitEnd] | None = None
+    ) -> dict[GaitEnd, Array]:
+        """Conditions on walking steps, shape (m,) each: positive where they hold.
 
         Parameters
         ----------
@@ -69,25 +71,42 @@ class GaitConditions:
         u : ndarray, shape (m, nz + 1)
             Section points and periods.
         params : ndarray, shape (m, n_params)
+        names : sequence of GaitEnd, optional
+            Which of them; by default all.
         """
         trace = Trace.of(self.kernels, u, params, self.kernels.trace(n_rk, u, params))
         model, n = self.kernels.model, len(self.kernels.model.coordinates)
         q, v = trace.w[:, :, :n], trace.w[:, :, n : 2 * n]
-        side = model.evaluate("touchdown_condition", q=q, v=v, p=params[:, None, :])["side"]
-        out = {
-            GaitEnd.GRAZING: trace.dg[:, -1, trace.row("touchdown")],
-            GaitEnd.EARLY_TOUCHDOWN: -_highest_inner_touchdown(trace),
-            GaitEnd.BACKWARD: -side[:, -1],
-            GaitEnd.CONTACT: -extreme(trace, "vertical_force", np.negative),
-        }
-        if model.stance_index is not None:
-            out[GaitEnd.FALL] = 0.5 * np.pi - np.abs(q[:, :, model.stance_index]).max(axis=1)
-        if self.friction_limit is not None:
-            out[GaitEnd.FRICTION] = self.friction_limit - extreme(trace, "friction", np.absolute)
-        return {name: out[name] for name in self.names}
 
-    def of_cycles(self, n_rk: Sequence[int], u: Array, params: Array, n_steps: int) -> dict[GaitEnd, Array]:
-        """Every condition on cycles of several steps, shape (m,) each: that of the worst step.
+        def value(name: GaitEnd) -> Array:
+            """One of the conditions."""
+            if name == GaitEnd.GRAZING:
+                return trace.dg[:, -1, trace.row("touchdown")]
+            if name == GaitEnd.EARLY_TOUCHDOWN:
+                return -_highest_inner_touchdown(trace)
+            if name == GaitEnd.BACKWARD:
+                last = {"q": q[:, -1:], "v": v[:, -1:], "p": params[:, None, :]}
+                side: Array = model.evaluate("touchdown_condition", **last)["side"]
+                return -side[:, -1]
+            if name == GaitEnd.CONTACT:
+                return -extreme(trace, "vertical_force", np.negative)
+            if name == GaitEnd.FALL:
+                fallen: Array = np.abs(q[:, :, model.stance_index]).max(axis=1)
+                return 0.5 * np.pi - fallen
+            assert self.friction_limit is not None
+            return self.friction_limit - extreme(trace, "friction", np.absolute)
+
+        return {name: value(name) for name in (self.names if names is None else names)}
+
+    def of_cycles(
+        self,
+        n_rk: Sequence[int],
+        u: Array,
+        params: Array,
+        n_steps: int,
+        names: Sequence[GaitEnd] | None = None,
+    ) -> dict[GaitEnd, Array]:
+        """Conditions on cycles of several steps, shape (m,) each: those of the worst step.
 
         Parameters
         ----------
@@ -95,12 +114,15 @@ class GaitConditions:
         u : ndarray, shape (m, n_steps * (nz + 1))
         params : ndarray, shape (m, n_params)
         n_steps : int
+        names : sequence of GaitEnd, optional
+            Which of them; by default all.
         """
-        resolution, out = np.asarray(n_rk), {name: np.empty(len(u)) for name in self.names}
+        names = self.names if names is None else names
+        resolution, out = np.asarray(n_rk), {name: np.empty(len(u)) for name in names}
         for n in np.unique(resolution).tolist():
             at = np.flatnonzero(resolution == n)
             steps = u[at].reshape(len(at) * n_steps, -1)
-            each = self.of_steps(n, steps, np.repeat(params[at], n_steps, axis=0))
+            each = self.of_steps(n, steps, np.repeat(params[at], n_steps, axis=0), names)
             for name, values in each.items():
                 out[name][at] = values.reshape(len(at), n_steps).min(axis=1)
         return out

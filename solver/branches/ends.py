@@ -1,6 +1,6 @@
 """Where gaits end along a curve of cycles: points at which one of the conditions of a gait is zero."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from stridemap.solver.branches.arclength import CurvePoint, advanced
 from stridemap.solver.branches.conditions import GaitConditions, GaitEnd
-from stridemap.solver.branches.curve import Curve
+from stridemap.solver.branches.curve import ZeroCurve
 from stridemap.solver.kernels.catalogue import CYCLE_N_RK
 from stridemap.solver.options import ArclengthOptions
 
@@ -33,17 +33,21 @@ class End:
 
 
 def conditions_along(
-    curve: Curve, points: list[CurvePoint], conditions: GaitConditions
+    curve: ZeroCurve,
+    points: list[CurvePoint],
+    conditions: GaitConditions,
+    names: Sequence[GaitEnd] | None = None,
 ) -> dict[GaitEnd, Array]:
-    """Every condition of a gait at points of a curve, shape (m,) each."""
+    """Conditions of a gait at points of a curve, shape (m,) each: those named, or all."""
     x = np.array([point.x for point in points])
-    params = np.array([curve.point(value) for value in x[:, -1]])
+    params = np.array([curve.equations.point(curve.values(one)) for one in x])
     n_rk = [min(2 * point.n_rk, 2 * CYCLE_N_RK[-1]) for point in points]
-    return conditions.of_cycles(n_rk, x[:, :-1], params, curve.chain.n_steps)
+    u = x[:, : curve.equations.n_unknowns]
+    return conditions.of_cycles(n_rk, u, params, curve.chain.n_steps, names)
 
 
 def gait_ends(
-    curve: Curve,
+    curve: ZeroCurve,
     points: list[CurvePoint],
     values: dict[GaitEnd, Array],
     conditions: GaitConditions,
@@ -56,7 +60,7 @@ def gait_ends(
 
     Parameters
     ----------
-    curve : Curve
+    curve : ZeroCurve
     points : list of CurvePoint
     values : dict of GaitEnd to ndarray
         As from `conditions_along`.
@@ -80,7 +84,7 @@ def gait_ends(
 
 
 def _located(
-    curve: Curve,
+    curve: ZeroCurve,
     name: GaitEnd,
     one: CurvePoint,
     other: CurvePoint,
@@ -90,7 +94,7 @@ def _located(
     """Where a condition is zero between two points: regula falsi (Illinois) on the arclength step."""
 
     def value(point: CurvePoint) -> float:
-        return float(conditions_along(curve, [point], conditions)[name][0])
+        return float(conditions_along(curve, [point], conditions, [name])[name][0])
 
     low, high = 0.0, curve.dot(other.x - one.x, one.tangent)
     f_low, f_high = value(one), value(other)

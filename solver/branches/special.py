@@ -27,6 +27,7 @@ from numpy.typing import NDArray
 
 from stridemap.solver.branches.arclength import CurvePoint, advanced
 from stridemap.solver.branches.curve import Curve
+from stridemap.solver.branches.equations import CycleEquations
 from stridemap.solver.kernels.catalogue import CYCLE_N_RK
 from stridemap.solver.linear import solved
 from stridemap.solver.options import ArclengthOptions
@@ -205,10 +206,10 @@ def _within(curve: Curve, one: CurvePoint, other: CurvePoint, x: Array) -> bool:
 # -- systems ---------------------------------------------------------------------------------------------
 
 
-def wrap(curve: Curve) -> Array:
+def wrap(equations: CycleEquations) -> Array:
     """The matrix W: what leads from the first point to the residual of the last step, shape (N, N)."""
-    width, nz = curve.chain.width, curve.chain.width - 1
-    size = curve.chain.n_steps * width
+    width, nz = equations.chain.width, equations.chain.width - 1
+    size = equations.n_unknowns
     matrix = np.zeros((size, size))
     matrix[np.arange(size - width, size - 1), np.arange(nz)] = 1.0
     return matrix
@@ -256,7 +257,7 @@ def _real_multiplier(kind: SpecialType, value: float) -> Callable[[Curve, CurveP
     """A solver of ``R = 0, g = 0`` for a fixed real multiplier."""
 
     def solve(curve: Curve, guess: CurvePoint) -> Special | None:
-        x, turned, parts = guess.x.copy(), (1.0 - value) * wrap(curve), None
+        x, turned, parts = guess.x.copy(), (1.0 - value) * wrap(curve.equations), None
         n_rk = _finer(guess.n_rk)
         for _ in range(ITERATIONS):
             matrix, residual = curve.linearised(x, n_rk)
@@ -277,8 +278,8 @@ def _real_multiplier(kind: SpecialType, value: float) -> Callable[[Curve, CurveP
                 if kind == SpecialType.FOLD:
                     slope = _fold_curvature(curve, x, np.real(w), solution, n_rk)
                 else:  # M w = 0 along the curve: the multiplier's change is psi' dM w / psi' W w
-                    slope = float(-(gradient @ tangent) / (solution.psi @ wrap(curve) @ w))
-                multipliers = curve.chain.multipliers(matrix[None, :, :-1])[0]
+                    slope = float(-(gradient @ tangent) / (solution.psi @ wrap(curve.equations) @ w))
+                multipliers = curve.multipliers(matrix)
                 return Special(kind, x, multipliers, w, size, slope, complex(value), tangent[-1])
             x += change
         return None
@@ -296,7 +297,7 @@ def _fold_curvature(curve: Curve, x: Array, w: Array, solution: Bordered, n_rk: 
 
 def _torus(curve: Curve, guess: CurvePoint) -> Special | None:
     """A solver of ``R = 0, g(theta) = 0`` with complex g."""
-    x, weave = guess.x.copy(), wrap(curve)
+    x, weave = guess.x.copy(), wrap(curve.equations)
     complex_ones = guess.multipliers[guess.multipliers.imag > 0]
     if not len(complex_ones):
         return None  # a pair of real multipliers whose product is 1
@@ -331,7 +332,7 @@ def _torus(curve: Curve, guess: CurvePoint) -> Special | None:
             x += change[:-1]
             if not 1e-6 < theta < np.pi - 1e-6:
                 return None
-            multipliers = curve.chain.multipliers(matrix[None, :, :-1])[0]
+            multipliers = curve.multipliers(matrix)
             tangent = curve.tangent(matrix, guess.tangent)
             # dlambda = psi' dM w / psi' W w; its component along lambda is the change of the modulus.
             growth = -(gradient @ tangent) / (solution.psi @ weave @ w)
@@ -384,7 +385,7 @@ def _branch_point_at(
     kernel = np.linalg.svd(matrix * curve.scale)[2][-2:]
     along = kernel @ (guess.tangent / curve.scale)
     across = np.array([-along[1], along[0]]) @ kernel
-    multipliers = curve.chain.multipliers(matrix[None, :, :-1])[0]
+    multipliers = curve.multipliers(matrix)
     singular = np.linalg.svd(matrix * curve.scale, compute_uv=False)
     slope = float(singular[-2]) if len(singular) > 1 else 1.0
     return Special(

@@ -121,12 +121,12 @@ class Survey:
     def window(self) -> Window:
         """Where branches are followed."""
         shortest, longest = self.search.resolved_for(self.solver.model).period_range
-        return Window(self.low, self.high, shortest, longest)
+        return Window((self.low,), (self.high,), shortest, longest)
 
     def branches(self) -> list[Branch]:
         """All branches, those of seeds first, then those that leave them, in the order of discovery."""
         found: list[Branch] = []
-        curve = Curve(
+        curve = Curve.over(
             Chain(self.solver.kernels, self.period_n), self.params, self.parameter, self.high - self.low
         )
         for value in self.values():

@@ -67,7 +67,7 @@ def _leaving(curve: Curve, x: Array, direction: Array, options: ArclengthOptions
     tangent = direction / curve.norm(direction)
     n_rk = curve.n_rk(x)
     matrix, _ = curve.linearised(x, n_rk)
-    here = CurvePoint(x, tangent, matrix, curve.chain.multipliers(matrix[None, :, :-1])[0], n_rk)
+    here = CurvePoint(x, tangent, matrix, curve.multipliers(matrix), n_rk)
     ds = options.ds
     while ds >= options.ds_min:
         there = advanced(curve, here, ds, options.max_corrections)

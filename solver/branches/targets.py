@@ -94,7 +94,7 @@ class Line:
 
     def params(self, values: Array) -> Array:
         """Parameter points at values of the parameter, shape (n, n_params)."""
-        return np.array([self.curve.point(value) for value in values]).reshape(len(values), -1)
+        return np.array([self.curve.equations.point(value) for value in values]).reshape(len(values), -1)
 
     def traced(self, u: Array, value: float) -> Array:
         """The branch through a limit cycle, from one end to the other, shape (n, nz + 2)."""
@@ -122,8 +122,8 @@ def hits(
     options : SearchOptions
     """
     period_range = options.resolved_for(solver.model).period_range
-    curve = Curve(Chain(solver.kernels), point, target.parameter, target.high - target.low)
-    line = Line(solver, curve, Window(target.low, target.high, *period_range))
+    curve = Curve.over(Chain(solver.kernels), point, target.parameter, target.high - target.low)
+    line = Line(solver, curve, Window((target.low,), (target.high,), *period_range))
     _, seeds = find_all(solver, line.params(values), options)
     left, parts, branches = seeds, [seeds], []
     while len(left):

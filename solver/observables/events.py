@@ -145,7 +145,7 @@ def brackets(trace: Trace, name: str, derivative: bool = False) -> Brackets:
     """
     row = trace.row(name)
     g, dg = trace.observable(name)
-    f, slope = (dg, np.gradient(dg, axis=1) / trace.h[:, None]) if derivative else (g, dg)
+    f, slope = (dg, np.gradient(dg, axis=1, edge_order=2) / trace.h[:, None]) if derivative else (g, dg)
     left, right, s_left, s_right = f[:, :-1], f[:, 1:], slope[:, :-1], slope[:, 1:]
     change = (left < 0) != (right < 0)
 

@@ -15,12 +15,13 @@ from typing import Any, NoReturn
 import typer
 
 from stridemap.cli.animate import animate
+from stridemap.cli.boundary import boundary
 from stridemap.cli.branch import branch
 from stridemap.cli.claims import claims
 from stridemap.cli.derive import derive
 from stridemap.cli.figures import figures
 from stridemap.cli.find import find
-from stridemap.cli.options import FOUND, INTERRUPTED, PARAMETERS, UNUSABLE, WithParameters
+from stridemap.cli.options import FOUND, INTERRUPTED, PARAMETERS, UNUSABLE, WithParameters, WithRanges
 from stridemap.cli.orbit import orbit
 from stridemap.cli.report import report
 from stridemap.cli.simulate import simulate
@@ -43,6 +44,7 @@ _WITH_PARAMETERS: tuple[Callable[..., int], ...] = (orbit, find, branch, simulat
 _PLAIN: tuple[Callable[..., int], ...] = (sweep, report, claims, figures, derive, version)
 for command in _WITH_PARAMETERS:
     app.command(cls=WithParameters, context_settings=PARAMETERS)(command)
+app.command(cls=WithRanges, context_settings=PARAMETERS)(boundary)
 for command in _PLAIN:
     app.command()(command)
 

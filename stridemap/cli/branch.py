@@ -75,12 +75,12 @@ def branch(
         friction_limit=friction_limit,
         search=SearchOptions.from_mapping({"starts": starts, **option_values("--search", search)}),
         options=ArclengthOptions.from_mapping(option_values("--continuation", continuation)),
-        progress=None if json_ else _say,
+        progress=None if json_ else say,
     )
     if out is not None:
         found.save(out)
     if plot is not None:
-        _write(found.plot(show), plot)
+        write_figure(found.plot(show), plot)
     if json_:
         print(json.dumps(found.to_dict(), indent=1, allow_nan=False))
     elif len(found):
@@ -104,7 +104,7 @@ def branch(
     return FOUND if len(found) else NOTHING
 
 
-def _write(figure: Any, path: Path) -> None:
+def write_figure(figure: Any, path: Path) -> None:
     """Write a figure in the format that its path's ending names."""
     from stridemap.errors import StorageError
 
@@ -116,6 +116,6 @@ def _write(figure: Any, path: Path) -> None:
         ) from None
 
 
-def _say(line: str) -> None:
+def say(line: str) -> None:
     """Report on standard error what is being done."""
     print(line, file=sys.stderr, flush=True)

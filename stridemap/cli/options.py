@@ -44,6 +44,39 @@ class WithParameters(typer.core.TyperCommand):
             formatter.write_dl(rows)
 
 
+class WithRanges(WithParameters):
+    """Such a command with several ``--range LOW HIGH``: typer knows no option of two values given twice."""
+
+    def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
+        """Make one word of the two values of each range."""
+        joined, rest = [], iter(args)
+        for word in rest:
+            joined.append(word)
+            if word == "--range":
+                low, high = next(rest, None), next(rest, None)
+                if low is not None:
+                    joined.append(low if high is None else f"{low} {high}")
+        return super().parse_args(ctx, joined)
+
+
+def number_pairs(words: list[str], option: str) -> list[tuple[float, float]]:
+    """Pairs of numbers from words such as ``"0.5 30"``.
+
+    Raises
+    ------
+    InputError
+        Where a word is not two numbers.
+    """
+    pairs = []
+    for word in words:
+        try:
+            low, high = map(float, word.split())
+        except ValueError:
+            raise InputError(f"{option} {word} is not understood: it takes two numbers, LOW HIGH") from None
+        pairs.append((low, high))
+    return pairs
+
+
 def _count(text: str) -> int:
     try:
         return int(text)

@@ -8,15 +8,17 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from stridemap.views.animation import animate
+    from stridemap.views.boundary_map import boundary_map
     from stridemap.views.branch_diagram import branch_diagram
     from stridemap.views.plots import plot
     from stridemap.views.report.write import ReportSummary, write_report
 
-__all__ = ["ReportSummary", "animate", "branch_diagram", "plot", "write_report"]
+__all__ = ["ReportSummary", "animate", "boundary_map", "branch_diagram", "plot", "write_report"]
 
 _HOMES = {
     "ReportSummary": "report.write",
     "animate": "animation",
+    "boundary_map": "boundary_map",
     "branch_diagram": "branch_diagram",
     "plot": "plots",
     "write_report": "report.write",

@@ -1,0 +1,103 @@
+"""``stridemap boundary``: all bifurcations and ends of gaits as curves in the plane of two parameters."""
+
+import json
+import sys
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from stridemap.cli.branch import say, write_figure
+from stridemap.cli.options import (
+    FOUND,
+    NOTHING,
+    JsonOption,
+    ModelOption,
+    SetOption,
+    number_pairs,
+    option_values,
+    parameters,
+    whole,
+)
+
+
+def boundary(
+    context: typer.Context,
+    vary: Annotated[list[str], typer.Option(metavar="NAME", help="A parameter that varies: give two.")],
+    range_: Annotated[
+        list[str],
+        typer.Option("--range", metavar="LOW HIGH", help="Lowest and highest value, in the same order."),
+    ],
+    model: ModelOption = "wobbling",
+    set_: SetOption = None,
+    period_n: Annotated[int, whole("Number of walking steps after which the cycles close.")] = 1,
+    lines: Annotated[int, whole("Values of each parameter at which branches are followed.")] = 4,
+    seeds: Annotated[int, whole("Values on each of these lines at which cycles are searched for.")] = 6,
+    friction_limit: Annotated[
+        float | None, typer.Option(help="Largest ratio of horizontal to vertical ground force of a gait.")
+    ] = None,
+    starts: Annotated[int, whole("Number of quasi-random starts at each of these values.")] = 256,
+    search: Annotated[
+        list[str] | None,
+        typer.Option(metavar="NAME=VALUE", help="An option of the search: seed, period_min, period_max."),
+    ] = None,
+    continuation: Annotated[
+        list[str] | None,
+        typer.Option(metavar="NAME=VALUE", help="An option of the step control, such as ds_max."),
+    ] = None,
+    out: Annotated[
+        Path | None, typer.Option(metavar="FILE.parquet", help="Write all points as a table.")
+    ] = None,
+    plot: Annotated[
+        Path | None, typer.Option(metavar="FILE", help="Draw the boundaries (.svg, .png, .pdf).")
+    ] = None,
+    json_: JsonOption = False,
+) -> int:
+    """Follow all bifurcations and ends of gaits in the plane of two parameters."""
+    from stridemap.cli.output import print_table
+    from stridemap.solver.api.boundaries import boundaries
+    from stridemap.solver.branches.branches import table_writer
+    from stridemap.solver.options import ArclengthOptions, SearchOptions
+    from stridemap.views.branch_diagram import check_picture
+
+    if out is not None:
+        table_writer(out)
+    if plot is not None:
+        check_picture(plot)
+    found = boundaries(
+        model,
+        vary,
+        number_pairs(range_, "--range"),
+        parameters(context.args, set_),
+        period_n=period_n,
+        lines=lines,
+        seeds=seeds,
+        friction_limit=friction_limit,
+        search=SearchOptions.from_mapping({"starts": starts, **option_values("--search", search)}),
+        options=ArclengthOptions.from_mapping(option_values("--continuation", continuation)),
+        progress=None if json_ else say,
+    )
+    if out is not None:
+        found.save(out)
+    if plot is not None:
+        write_figure(found.plot(), plot)
+    if json_:
+        print(json.dumps(found.to_dict(), indent=1, allow_nan=False))
+    elif len(found):
+        print(found)
+        rows = [["type", *found.vary, "period", "meets", "boundary"]]
+        rows += [
+            [
+                one.type,
+                *(f"{one.params[name]:.12g}" for name in found.vary),
+                f"{one.period:.10g}",
+                one.meets or "-",
+                str(one.boundary),
+            ]
+            for one in found.points
+        ]
+        if len(rows) > 1:
+            print_table(rows)
+    else:
+        print("no boundary found", file=sys.stderr)
+    return FOUND if len(found) else NOTHING

@@ -1,0 +1,117 @@
+"""Boundaries of gaits and their bifurcations in the plane of two parameters."""
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from stridemap.solver.boundaries.boundaries import Boundaries
+from stridemap.views.branch_diagram import MARKERS
+from stridemap.views.optional import require_pictures
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+SIZE = (5.2, 4.2)
+"""Width and height in inches."""
+
+LINES = {"fold": "-", "pd": (0, (6, 2)), "ns": (0, (6, 2, 1, 2)), "period_limit": (0, (1, 1.5))}
+"""Dashes of each type; ends of gaits are solid, with colours of their own."""
+
+POINTS = {
+    "cusp": ("o", "CP"),
+    "gpd": ("D", "GPD"),
+    "fold_flip": ("s", "LPPD"),
+    "r1": ("^", "R1"),
+    "r2": ("v", "R2"),
+    "r3": ("<", "R3"),
+    "r4": (">", "R4"),
+    "fold_ns": ("P", "LPNS"),
+    "pd_ns": ("X", "PDNS"),
+    "corner": (".", "corner"),
+}
+"""Marker and label of each type of double point; CP to PDNS are the field's letters."""
+
+
+def boundary_map(boundaries: Boundaries, *, gaits_only: bool = True, stable_only: bool = False) -> "Figure":
+    """Draw boundaries in the plane of their two parameters.
+
+    Where a boundary limits stable gaits it is thick; elsewhere thin.
+
+    Parameters
+    ----------
+    boundaries : Boundaries
+    gaits_only : bool
+        Whether parts on which cycles are not gaits are left out.
+    stable_only : bool
+        Whether parts that do not limit stable gaits are left out.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        It belongs to no window; ``figure.savefig(path)`` writes it.
+
+    Raises
+    ------
+    InputError
+        When matplotlib is missing.
+    """
+    require_pictures()
+    from stridemap.views import style
+
+    colours = {
+        "fold": style.DARK,
+        "pd": style.VERMILION,
+        "ns": style.BLUE,
+        "period_limit": style.GREY,
+    }
+    with style.styled():
+        figure = style.new_figure(*SIZE)
+        axes = figure.subplots()
+        labelled: set[str] = set()
+        for one in boundaries:
+            plane = one.cycles[:, -2:]
+            gait, stable = one.is_gait, one.borders_stable
+            label = MARKERS[one.type][1] if one.type in MARKERS else "period limit"
+            for weight in (0, 1, 2):
+                shown = (gait & stable, gait & ~stable, ~gait)[2 - weight]
+                if (weight == 0 and gaits_only) or (weight < 2 and stable_only):
+                    continue
+                piece = shown[:-1] & shown[1:]
+                if not piece.any():
+                    continue
+                x, y = (np.where(_kept(piece), plane[:, k], np.nan) for k in (0, 1))
+                axes.plot(
+                    x,
+                    y,
+                    color=colours.get(one.type, style.GREEN),
+                    linestyle=LINES.get(one.type, "-"),
+                    linewidth=(0.4, 0.8, 1.8)[weight],
+                    label=None if label in labelled else label,
+                )
+                labelled.add(label)
+        for point in boundaries.points:
+            marker, name = POINTS[point.type]
+            if point.type != "corner":
+                first, second = boundaries.vary
+                axes.plot(
+                    [point.params[first]],
+                    [point.params[second]],
+                    marker=marker,
+                    linestyle="",
+                    markersize=4.5,
+                    color=style.DARK,
+                    label=None if name in labelled else name,
+                )
+                labelled.add(name)
+        axes.set(xlabel=boundaries.vary[0], ylabel=boundaries.vary[1])
+        axes.set(xlim=boundaries.ranges[0], ylim=boundaries.ranges[1])
+        axes.set_title(boundaries.model.title)
+        if labelled:
+            axes.legend(loc="best")
+    return figure
+
+
+def _kept(piece: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Points at either end of a piece that is drawn."""
+    return np.append(piece, False) | np.append(False, piece)
