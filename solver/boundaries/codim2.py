@@ -86,16 +86,52 @@ def codim2_points(curve: BoundaryCurve, points: list[CurvePoint]) -> Iterator[tu
         tests = list(_multiplier_tests(curve, points))
     elif isinstance(curve, TorusBoundary):
         tests = [_torus_tests(curve, point) for point in points]
+        yield from _at_ends(curve, points)
     else:
         return
     for number, (first, second) in enumerate(itertools.pairwise(tests)):
         for kind in first:
-            if first[kind] * second[kind] < 0:
+            if (first[kind] > 0) != (second[kind] > 0):
                 part = first[kind] / (first[kind] - second[kind])
                 one, other = points[number], points[number + 1]
                 found = _located(curve, kind, one.x + part * (other.x - one.x), other.n_rk)
                 if found is not None and _between(curve, one.x, other.x, found.cycle):
                     yield number, found
+
+
+def with_ends(curve: TorusBoundary, points: list[CurvePoint]) -> list[CurvePoint]:
+    """A curve of tori, its ends beyond a resonance 1:1 or 1:2 replaced by the resonance itself.
+
+    Where the resonance is not found, the curve ends before it.
+    """
+    if len(points) < 2:
+        return points
+    first = [_end(curve, points[0], points[1])] if curve.beyond(points[0].x) else points[:1]
+    last = [_end(curve, points[-1], points[-2])] if curve.beyond(points[-1].x) else points[-1:]
+    return [point for point in [*first, *points[1:-1], *last] if point is not None]
+
+
+def _end(curve: TorusBoundary, beyond: CurvePoint, inner: CurvePoint) -> CurvePoint | None:
+    """The resonance between two points, with the tangent of the inner one."""
+    theta, before = curve.angle(beyond.x), curve.angle(inner.x)
+    limit = np.pi if theta >= np.pi else 0.0
+    x = inner.x + (limit - before) / (theta - before) * (beyond.x - inner.x)
+    double = MultiplierBoundary(curve.equations, 1.0 if limit == 0.0 else -1.0)
+    found = _located(double, _DOUBLE[double.multiplier], curve.cycle(x), inner.n_rk)
+    if found is None:
+        return None
+    x = np.insert(found.cycle, curve.equations.n_unknowns, limit)
+    return CurvePoint(x, inner.tangent, inner.matrix, found.multipliers, inner.n_rk)
+
+
+def _at_ends(curve: TorusBoundary, points: list[CurvePoint]) -> Iterator[tuple[int, Codim2Point]]:
+    """The resonances at the ends of a curve of tori, as `with_ends` makes it."""
+    for number, end in {0: points[0], max(len(points) - 2, 0): points[-1]}.items():
+        if curve.beyond(end.x):
+            cycle = curve.cycle(end.x)
+            residual = float(np.abs(curve.equations.linearised(cycle, end.n_rk)[1]).max())
+            kind = Codim2.R1 if curve.angle(end.x) == 0.0 else Codim2.R2
+            yield number, Codim2Point(kind, cycle, end.multipliers, residual)
 
 
 def _between(curve: BoundaryCurve, one: Array, other: Array, cycle: Array) -> bool:

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from stridemap.solver.boundaries.codim2 import Codim2Point, codim2_points
+from stridemap.solver.boundaries.codim2 import Codim2Point, codim2_points, with_ends
 from stridemap.solver.boundaries.systems import (
     BoundaryCurve,
     EndBoundary,
@@ -222,6 +222,8 @@ class BoundarySurvey:
         )
         self.progress(f"following boundary {len(self.found)} ({kind}) from {where}")
         points, reasons = both_ways(curve, corrected, self.window, self.options)
+        if isinstance(curve, TorusBoundary):
+            points = with_ends(curve, points)
         conditions = self.conditions
         names = [name for name in conditions.names if name != kind]
         values = conditions_along(curve, points, conditions, names)

@@ -162,6 +162,10 @@ class TorusBoundary(BoundaryCurve):
         theta = np.angle(pairs[np.abs(np.abs(pairs) - 1.0).argmin()])
         return np.insert(cycle, self.equations.n_unknowns, theta)
 
+    def beyond(self, x: Array) -> bool:
+        """Whether the angle has left the range from 0 to pi: from there on, the mirrored curve comes back."""
+        return not 0.0 < self.angle(x) < np.pi
+
     def others(self, x: Array, multipliers: Complex) -> Complex:
         """The multipliers without the pair of the curve."""
         pair = np.exp(1j * self.angle(x) * np.array([1, -1]))
@@ -173,7 +177,7 @@ class TorusBoundary(BoundaryCurve):
         The imaginary part is divided by sin theta, so that it stays regular towards the ends.
         """
         theta, size = self.angle(x), self.equations.n_unknowns
-        root, sine = np.exp(1j * theta), np.sin(theta)
+        root, sine = np.exp(1j * theta), np.sin(theta) or np.nan  # no solution: a shorter step is tried
         null = Null.at(self.equations, self.cycle(x), n_rk, root)
         turn = null.psi @ (1j * root * wrap(self.equations)) @ null.w
         gradient = np.insert(null.gradient.astype(np.complex128), size, turn)

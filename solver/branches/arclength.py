@@ -35,6 +35,8 @@ class EndReason(StrEnum):
     """The steps shrink to nothing: the walker stands."""
     STALLED = "stalled"
     """No shorter arclength step leads on."""
+    DOUBLE = "double_multiplier"
+    """The pair of multipliers of a torus becomes one double real multiplier."""
     REGION = "region"
     """A section coordinate is far outside the box in which cycles are searched for."""
     BRANCH_POINT = "branch_point"
@@ -235,6 +237,8 @@ def _ended(curve: ZeroCurve, points: list[CurvePoint], window: Window) -> EndRea
     middle = np.array([model.spec.search_box[name][0] for name in model.section])
     if (np.abs(steps[:, :-1] - middle) > FARTHEST * np.asarray(model.spec.scales)).any():
         return EndReason.REGION
+    if curve.beyond(x):
+        return EndReason.DOUBLE
     if len(points) > 3:
         first, across = points[0], points[0].tangent
         ahead = curve.dot(x - first.x, across)

@@ -83,7 +83,7 @@ class GaitConditions:
             if name == GaitEnd.GRAZING:
                 return trace.dg[:, -1, trace.row("touchdown")]
             if name == GaitEnd.EARLY_TOUCHDOWN:
-                return -_highest_inner_touchdown(trace)
+                return _inner_touchdown_margin(trace)
             if name == GaitEnd.BACKWARD:
                 last = {"q": q[:, -1:], "v": v[:, -1:], "p": params[:, None, :]}
                 side: Array = model.evaluate("touchdown_condition", **last)["side"]
@@ -128,22 +128,25 @@ class GaitConditions:
         return out
 
 
-def _highest_inner_touchdown(trace: Trace) -> Array:
-    """Largest touchdown condition at a turning point within the step, where it is admissible; shape (n,).
+def _inner_touchdown_margin(trace: Trace) -> Array:
+    """How far every step is from a touchdown before its end, shape (n,): negative where there is one.
 
-    It is negative while the foot is above the ground, and -infinity where there is no such turning point.
+    At a turning point within the step the foot is above the ground, or where a touchdown is not admissible;
+    the larger of both margins counts, so that the least over all turning points is continuous where one
+    becomes admissible. It is infinite where there is no turning point.
     """
     found = brackets(trace, "touchdown", derivative=True)
     found = found.take(found.f_lower > found.f_upper)  # maxima only
-    highest = np.full(len(trace.period), -np.inf)
+    margin = np.full(len(trace.period), np.inf)
     if not len(found.orbit):
-        return highest
+        return margin
     time, w, g = locate(trace, found)
     model, n = trace.kernels.model, len(trace.kernels.model.coordinates)
     p = trace.params[found.orbit]
     side = model.evaluate("touchdown_condition", q=w[:, :n], v=w[:, n : 2 * n], p=p)["side"]
     # At the ends of the step the condition is zero: a turning point there is the beginning or the end itself.
     h = trace.h[found.orbit]
-    inner = (side < 0) & (time > 1e-3 * h) & (time < trace.period[found.orbit] - 1e-3 * h)
-    np.maximum.at(highest, found.orbit[inner], g[inner, found.row])
-    return highest
+    inner = (time > 1e-3 * h) & (time < trace.period[found.orbit] - 1e-3 * h)
+    each = np.maximum(-g[:, found.row], side)
+    np.minimum.at(margin, found.orbit[inner], each[inner])
+    return margin

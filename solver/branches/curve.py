@@ -44,6 +44,10 @@ class ZeroCurve(ABC):
         """The parameters that vary at x, shape (f,)."""
         return x[-len(self.equations.names) :]
 
+    def beyond(self, x: Array) -> bool:
+        """Whether x lies beyond an end that the equations do not show."""
+        return False
+
     def multipliers(self, matrix: Array) -> NDArray[np.complex128]:
         """Floquet multipliers where F has a derivative, shape (nz,)."""
         size = self.equations.n_unknowns
