@@ -8,6 +8,9 @@ from numpy.typing import NDArray
 
 from stridemap.errors import InputError
 
+MAX_PERIOD_N = 64
+"""Most steps of a cycle: the unknowns of all steps are solved for together."""
+
 
 def joined(params: Mapping[str, float] | None, keywords: Mapping[str, float]) -> dict[str, float]:
     """Parameters given as a mapping and as keywords.

@@ -5,8 +5,8 @@ from pathlib import Path
 from typing import Any
 
 from stridemap.errors import InputError
-from stridemap.solver.api.arguments import joined, limit_of_friction, quiet, whole
-from stridemap.solver.api.branches import MAX_PERIOD_N, MAX_SEEDS
+from stridemap.solver.api.arguments import MAX_PERIOD_N, joined, limit_of_friction, quiet, whole
+from stridemap.solver.api.branches import MAX_SEEDS
 from stridemap.solver.backends.base import Backend
 from stridemap.solver.backends.selection import named_backend
 from stridemap.solver.boundaries.boundaries import Boundaries

@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import Any
 
 from stridemap.errors import InputError
-from stridemap.solver.api.arguments import joined, limit_of_friction, quiet, whole
+from stridemap.solver.api.arguments import MAX_PERIOD_N, joined, limit_of_friction, quiet, whole
 from stridemap.solver.backends.base import Backend
 from stridemap.solver.backends.selection import named_backend
 from stridemap.solver.branches.branches import Branches
@@ -16,9 +16,6 @@ from stridemap.solver.cycles.solver import Solver
 from stridemap.solver.model.loading import load
 from stridemap.solver.model.model import Model
 from stridemap.solver.options import ArclengthOptions, SearchOptions
-
-MAX_PERIOD_N = 64
-"""Most steps of a cycle: the unknowns of all steps are solved for together."""
 
 MAX_CASCADE = 6
 """Doublings in a row: one more than lead to `MAX_PERIOD_N` steps are refused in any case."""

@@ -7,12 +7,13 @@ from typing import Any
 import numpy as np
 
 from stridemap.errors import InputError
-from stridemap.solver.api.arguments import joined, section_state
+from stridemap.solver.api.arguments import MAX_PERIOD_N, joined, section_state, whole
 from stridemap.solver.backends.base import Backend
 from stridemap.solver.backends.selection import named_backend
 from stridemap.solver.cycles.orbit import Orbit
 from stridemap.solver.cycles.orbits import Orbits
 from stridemap.solver.cycles.search import find_all
+from stridemap.solver.cycles.several_steps import find_all_of_steps
 from stridemap.solver.cycles.solver import Solver
 from stridemap.solver.model.loading import load
 from stridemap.solver.model.model import Model
@@ -25,12 +26,13 @@ def find_orbits(
     model: str | Path | Model,
     params: Mapping[str, float] | None = None,
     *,
+    period_n: int = 1,
     options: SearchOptions | Mapping[str, Any] | None = None,
     acceptance: AcceptanceOptions | Mapping[str, Any] | None = None,
     backend: str | Backend | None = None,
     **keywords: float,
 ) -> Orbits:
-    """All limit cycles of one walking step at one point of parameter space, ordered by period.
+    """All limit cycles of a number of walking steps at one point of parameter space, ordered by period.
 
     Parameters
     ----------
@@ -39,6 +41,9 @@ def find_orbits(
         what `load` or `derive_model` returned.
     params : mapping of str to float, optional
         Parameters by name; what is not given comes from the preset.
+    period_n : int
+        Number of walking steps after which the cycles close, and not before; 1 by default. Cycles of several
+        steps have a search of their own, because they need not lie on a branch that leaves one of one step.
     options : SearchOptions or mapping, optional
     acceptance : AcceptanceOptions or mapping, optional
     backend : str or Backend, optional
@@ -61,12 +66,21 @@ def find_orbits(
     >>> orbits = find_orbits("wobbling", {"k": 6, "alpha": 0.25, "omega": 3})
     >>> [round(orbit.period, 4) for orbit in orbits]
     [1.1545, 1.1837]
+
+    A gait of three steps beside the stable gait of one:
+
+    >>> three = find_orbits("simplest_walker", period_n=3, slope=0.0124)
+    >>> [(round(orbit.period, 4), orbit.stable) for orbit in three]
+    [(11.4129, True), (11.5243, False)]
     """
     loaded = load(model)
     point = loaded.point(joined(params, keywords))
     search = SearchOptions.from_mapping(options or {})
     accepted = AcceptanceOptions.from_mapping(acceptance or {})
+    whole("period_n", period_n, 1, MAX_PERIOD_N)
     solver = Solver.for_model(loaded, named_backend(backend), accepted)
+    if period_n > 1:
+        return find_all_of_steps(solver, point, period_n, search)
     return find_all(solver, point[None, :], search)[1]
 
 

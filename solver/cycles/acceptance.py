@@ -170,21 +170,8 @@ class Candidates:
 
     def _verdict(self, period_range: tuple[float, float]) -> Index:
         """Codes of the statuses of the points that closed."""
-        trace, model = self.trace, self.trace.kernels.model
-        n = len(model.coordinates)
-        q, v = trace.w[:, :, :n], trace.w[:, :, n : 2 * n]
-        side = model.evaluate("touchdown_condition", q=q, v=v, p=trace.params[:, None, :])["side"]
-        descending = trace.dg[:, -1, trace.row("touchdown")] > 0
-        step = descending & (side[:, -1] < -self.options.standing_angle * Scales.of(model).side)
-        if model.stance_index is not None:
-            stance = q[:, :, model.stance_index]
-            step &= np.abs(stance).max(axis=1, initial=0.0) < np.pi / 2
-        early = earlier_touchdown(trace, side)
-        inside = (trace.period > period_range[0]) & (trace.period <= period_range[1])
         accurate = self.integration_error[self.closed] < self.options.max_integration_error
-        conditions = [~step, early, ~inside, accurate]
-        first = np.argmax(np.stack([*conditions, np.ones_like(step)]), axis=0)
-        return _VERDICTS[first]
+        return verdicts(self.trace, period_range, accurate, self.options)
 
     def _cycles(self) -> Cycles:
         """Points that are all limit cycles, to be measured."""
@@ -218,6 +205,35 @@ class Candidates:
         rest = 1 / (1 - ratio)
         state = np.hypot(size(self.change + rest[:, None] * second, scale), again.rounding)
         return state, rest * multiplier_error(self.jacobian, jacobian, scale)
+
+
+def verdicts(
+    trace: Trace, period_range: tuple[float, float], accurate: Mask, options: AcceptanceOptions
+) -> Index:
+    """Codes of the statuses of steps that belong to closed motions, shape (m,).
+
+    Parameters
+    ----------
+    trace : Trace
+        Of m steps.
+    period_range : (float, float)
+    accurate : ndarray of bool, shape (m,)
+        Whose integration error is small enough.
+    options : AcceptanceOptions
+    """
+    model = trace.kernels.model
+    n = len(model.coordinates)
+    q, v = trace.w[:, :, :n], trace.w[:, :, n : 2 * n]
+    side = model.evaluate("touchdown_condition", q=q, v=v, p=trace.params[:, None, :])["side"]
+    descending = trace.dg[:, -1, trace.row("touchdown")] > 0
+    step = descending & (side[:, -1] < -options.standing_angle * Scales.of(model).side)
+    if model.stance_index is not None:
+        stance = q[:, :, model.stance_index]
+        step &= np.abs(stance).max(axis=1, initial=0.0) < np.pi / 2
+    early = earlier_touchdown(trace, side)
+    inside = (trace.period > period_range[0]) & (trace.period <= period_range[1])
+    first = np.argmax(np.stack([~step, early, ~inside, accurate, np.ones_like(step)]), axis=0)
+    return _VERDICTS[first]
 
 
 def depends_on_resolution(kernels: Kernels, n_rk: int, u: Array, params: Array) -> Mask:

@@ -48,10 +48,13 @@ class Orbit:
     state : mapping of str to float
         The section point, just after touchdown.
     period : float
+        Of the whole cycle.
     multipliers : tuple of complex
         Floquet multipliers by falling modulus.
     measures : mapping of str
-        The measured quantities by name.
+        The measured quantities by name, over the whole cycle.
+    steps : tuple of mapping of str to float
+        Of a cycle of several steps: section point and period of each. Empty for a cycle of one step.
     """
 
     model: Model
@@ -61,10 +64,12 @@ class Orbit:
     period: float = math.nan
     multipliers: tuple[complex, ...] = ()
     measures: Mapping[str, Any] = field(default_factory=dict)
+    steps: tuple[Mapping[str, float], ...] = ()
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "params", FrozenDict(self.params))
         object.__setattr__(self, "state", FrozenDict(self.state))
+        object.__setattr__(self, "steps", tuple(FrozenDict(step) for step in self.steps))
         everything = {name: self.measures.get(name, missing(q)) for name, q in self.model.measured.items()}
         object.__setattr__(self, "measures", FrozenDict(everything))
 
@@ -86,10 +91,16 @@ class Orbit:
         if not self.status.found:
             return f"no limit cycle, {self.status.value} ({self.reason})"
         kind = f"group {self.group}, " if self.group else ""
+        kind += f"{self.period_n} steps, " if self.steps else ""
         return (
             f"limit cycle, {kind}period {self.period:.6g}, {self.stability} "
             f"(largest multiplier {self.spectral_radius:.4g})"
         )
+
+    @property
+    def period_n(self) -> int:
+        """Number of walking steps after which it closes."""
+        return len(self.steps) or 1
 
     @property
     def stability(self) -> str:
@@ -115,14 +126,18 @@ class Orbit:
             "status": self.status.value,
             "state": {name: _json(value) for name, value in self.state.items()},
             "period": _json(self.period),
+            "period_n": self.period_n,
             "multipliers": [[m.real, m.imag] for m in self.multipliers],
         }
+        if self.steps:
+            out["steps"] = [dict(step) for step in self.steps]
         return out | {name: _json(value) for name, value in self.measures.items()}
 
     @property
     def section_point(self) -> list[float]:
-        """Section point and period: the unknowns that the cycle solves."""
-        return [*(self.state[name] for name in self.model.section), self.period]
+        """Section point and period of the first step: the unknowns that a cycle of one step solves."""
+        period = self.steps[0]["period"] if self.steps else self.period
+        return [*(self.state[name] for name in self.model.section), period]
 
     def _require_found(self) -> None:
         if not self.status.found:
@@ -132,7 +147,7 @@ class Orbit:
             )
 
     def motion(self, samples: int = 201) -> Motion:
-        """The cycle as a motion over one step.
+        """The cycle as a motion over one step, or, with a leading axis, over each of several steps.
 
         Parameters
         ----------
@@ -146,7 +161,11 @@ class Orbit:
         """
         self._require_found()
         point = self.model.point(self.params)[None, :]
-        return motions(self.model, [self.section_point], point, samples, squeeze=True)
+        if not self.steps:
+            return motions(self.model, [self.section_point], point, samples, squeeze=True)
+        names = (*self.model.section, "period")
+        steps = [[step[name] for name in names] for step in self.steps]
+        return motions(self.model, steps, np.repeat(point, len(steps), axis=0), samples)
 
     def simulate(self, steps: int = 10) -> Any:
         """Walk from the cycle's section point with the event-driven integrator: see `stridemap.simulate`."""

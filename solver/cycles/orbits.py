@@ -41,7 +41,7 @@ class Orbits(Sequence[Orbit]):
     model : Model
     params : ndarray, shape (n, n_params)
     u : ndarray, shape (n, nz + 1)
-        Section points and periods.
+        Section points, and periods of the whole cycles.
     codes : ndarray of int, shape (n,)
         `Status.code` of each.
     jacobian : ndarray, shape (n, nz + 1, nz + 1)
@@ -51,7 +51,10 @@ class Orbits(Sequence[Orbit]):
     measures : mapping of str to ndarray, shape (n,)
         Every measured quantity; an array of None where the model lacks it.
     search : SearchReport or None
-        What the search did that found them, and what it threw away; None for a selection of them.
+        What the search did that found them, and what it threw away; None for a selection of them, and for
+        cycles of several steps.
+    steps : ndarray, shape (n, period_n, nz + 1), or None
+        Section point and period of each step of cycles of several steps; None for those of one step.
     """
 
     model: Model
@@ -62,6 +65,7 @@ class Orbits(Sequence[Orbit]):
     multipliers: NDArray[np.complex128]
     measures: Mapping[str, NDArray[Any]]
     search: SearchReport | None = None
+    steps: Array | None = None
 
     def __post_init__(self) -> None:
         """Truths that are all known are an array of bool, as any mask."""
@@ -95,7 +99,10 @@ class Orbits(Sequence[Orbit]):
             return cls.empty(model)
         if len(found) == 1:
             return found[0]
-        arrays = {name: np.concatenate([getattr(part, name) for part in found]) for name in _ARRAYS}
+        if len({part.period_n for part in found}) > 1:
+            raise InputError("cycles of different numbers of steps cannot stand in one Orbits")
+        names = _ARRAYS if found[0].steps is None else (*_ARRAYS, "steps")
+        arrays = {name: np.concatenate([getattr(part, name) for part in found]) for name in names}
         measures = {name: np.concatenate([part.measures[name] for part in found]) for name in model.measured}
         return cls(model=model, measures=measures, search=None, **arrays)
 
@@ -153,7 +160,8 @@ class Orbits(Sequence[Orbit]):
             if index.dtype == object:  # a mask with None for what is not known: that is not selected
                 index = np.array([one is not None and bool(one) for one in index.tolist()], dtype=np.bool_)
             index = index if index.size else index.astype(np.intp)  # an empty list is one of floats
-        arrays = {name: getattr(self, name)[index] for name in _ARRAYS}
+        names = _ARRAYS if self.steps is None else (*_ARRAYS, "steps")
+        arrays = {name: getattr(self, name)[index] for name in names}
         return Orbits(
             model=self.model, measures={name: m[index] for name, m in self.measures.items()}, **arrays
         )
@@ -207,7 +215,13 @@ class Orbits(Sequence[Orbit]):
             plain(period),
             tuple(self.multipliers[i].tolist()),
             {name: self._measure(name, i) for name in self.measures},
+            () if self.steps is None else self._steps(i),
         )
+
+    def _steps(self, i: int) -> tuple[dict[str, float], ...]:
+        names = (*self.model.section, "period")
+        assert self.steps is not None
+        return tuple(dict(zip(names, step, strict=True)) for step in self.steps[i].tolist())
 
     def _measure(self, name: str, i: int) -> Any:
         value = plain(self.measures[name][i])
@@ -242,9 +256,19 @@ class Orbits(Sequence[Orbit]):
         """Periods, shape (n,)."""
         return self.u[:, -1]
 
+    @property
+    def period_n(self) -> int:
+        """Number of walking steps after which the cycles close."""
+        return 1 if self.steps is None else self.steps.shape[1]
+
     def columns(self) -> dict[str, NDArray[Any]]:
-        """One array per column, in the order of the tables that a sweep writes, without the cell."""
+        """One array per column, in the order of the tables that a sweep writes, without the cell.
+
+        Cycles of several steps have one column more, ``period_n``.
+        """
         out = dict(zip(self.model.spec.names, self.params.T, strict=True))
+        if self.steps is not None:
+            out["period_n"] = np.full(len(self), self.period_n)
         out["status"] = _WORDS[self.codes]
         out |= dict(zip((*self.model.section, "period"), self.u.T, strict=True))
         for i, multiplier in enumerate(self.multipliers.T):

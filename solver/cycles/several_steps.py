@@ -10,10 +10,17 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from stridemap.solver.cycles.acceptance import verdicts
 from stridemap.solver.cycles.chain import Chain
+from stridemap.solver.cycles.chain_measures import chain_measures
 from stridemap.solver.cycles.duplicates import DUPLICATE
+from stridemap.solver.cycles.orbits import Orbits, column
 from stridemap.solver.cycles.search import find_all, starts
 from stridemap.solver.cycles.solver import Solver
+from stridemap.solver.cycles.status import FOUND, Status
+from stridemap.solver.kernels.catalogue import CYCLE_N_RK
+from stridemap.solver.linear import solved
+from stridemap.solver.observables.events import Trace
 from stridemap.solver.options import SearchOptions
 
 Array = NDArray[np.float64]
@@ -83,6 +90,71 @@ def find_chains(
     guesses = _guesses(solver, point, n_steps, options, single.u, n_rk)
     params = np.repeat(point[None, :], len(guesses), axis=0)
     return _distinct(chain, chain.newton(n_rk, guesses, params), options.period_range), n_rk
+
+
+def find_all_of_steps(
+    solver: Solver, point: Array, n_steps: int, options: SearchOptions | None = None
+) -> Orbits:
+    """All limit cycles of n steps at a point, ordered by their whole period.
+
+    Each is refined until its state is accurate, as a cycle of one step is. What closes but is not a gait is
+    left out.
+
+    Parameters
+    ----------
+    solver : Solver
+    point : ndarray, shape (n_params,)
+    n_steps : int
+        At least 2.
+    options : SearchOptions, optional
+    """
+    options = (options or SearchOptions()).resolved_for(solver.model)
+    u, n_rk = find_chains(solver, point, n_steps, options)
+    chain = Chain(solver.kernels, n_steps)
+    parts = [_accepted(solver, chain, one[None, :], point[None, :], n_rk, options) for one in u]
+    found = Orbits.concatenate(solver.model, [part for part in parts if part is not None])
+    return found.take(np.argsort(found.period, kind="stable"))
+
+
+def _accepted(
+    solver: Solver, chain: Chain, u: Array, params: Array, n_rk: int, options: SearchOptions
+) -> Orbits | None:
+    """One cycle at the resolution that it needs, measured; None where it is not a gait."""
+    limits, model = solver.acceptance, solver.model
+    finer = [n for n in CYCLE_N_RK if n > n_rk]
+    while True:
+        matrix, closing = chain.jacobian(n_rk, u, params)
+        u = u - solved(matrix, closing)  # the last correction: near a fold a small residual is not enough
+        matrix = chain.jacobian(n_rk, u, params).jacobian
+        multipliers = chain.multipliers(matrix)
+        measures = chain_measures(chain, [n_rk], u, params, multipliers)
+        integration, state = (float(measures[name][0]) for name in ("integration_error", "state_error"))
+        if (integration <= limits.target_integration_error and state <= limits.max_state_error) or not finer:
+            break
+        n_rk = finer.pop(0)
+        u = chain.newton(n_rk, u, params)
+        if not np.isfinite(u).all():
+            return None
+    steps = u.reshape(chain.n_steps, -1)
+    each = np.repeat(params, chain.n_steps, axis=0)
+    trace = Trace.of(solver.kernels, steps, each, solver.kernels.trace(2 * n_rk, steps, each))
+    accurate = np.full(chain.n_steps, integration < limits.max_integration_error)
+    codes = verdicts(trace, options.period_range, accurate, limits)
+    if not np.isin(codes, FOUND).all():
+        return None
+    good = state < limits.max_state_error and (codes == Status.CONVERGED.code).all()
+    status = Status.CONVERGED if good else Status.INACCURATE
+    width = chain.width
+    return Orbits(
+        model,
+        params,
+        np.append(steps[0, :-1], steps[:, -1].sum())[None, :],
+        np.array([status.code]),
+        np.full((1, width, width), np.nan),
+        multipliers,
+        {name: column(model.measured[name], values, 1) for name, values in measures.items()},
+        steps=steps[None, :, :],
+    )
 
 
 def _guesses(

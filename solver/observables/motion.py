@@ -64,6 +64,12 @@ class Motion:
     lines: dict[str, Array]
     masses: Array
 
+    def step(self, number: int) -> "Motion":
+        """One step of a cycle of several, whose arrays have no leading axis."""
+        columns = {name: getattr(self, name)[number] for name in _COLUMNS}
+        lines = {name: line[number] for name, line in self.lines.items()}
+        return Motion(self.model, **columns, lines=lines)
+
     def coordinate(self, name: str) -> Array:
         """A coordinate, or with a leading ``d`` its rate, by name, shape (..., n).
 
@@ -79,6 +85,9 @@ class Motion:
             return self.v[..., names.index(name[1:])]
         known = ", ".join(names)
         raise InputError(f"{self.model.name} has no coordinate {name!r}; its coordinates are {known}")
+
+
+_COLUMNS = ("t", "q", "v", "torque", "d", "cop", "contact", "force", "com", "positions", "masses")
 
 
 def motions(

@@ -24,7 +24,8 @@ def animate(
     set_: SetOption = None,
     group: Annotated[str | None, typer.Option(help="Show the most stable cycle of this group.")] = None,
     cycle: Annotated[int | None, whole("Show this cycle, as `stridemap orbit` numbers them.")] = None,
-    steps: Annotated[int, whole("Number of steps until it repeats, an even number.")] = 2,
+    period_n: Annotated[int, whole("Number of walking steps after which the cycles close.")] = 1,
+    steps: Annotated[int | None, whole("Number of steps until it repeats, an even number.")] = None,
     fps: Annotated[int, whole("Frames per second.")] = 25,
     size: Annotated[int, whole("Width and height in pixels.")] = 320,
     magnify: Annotated[
@@ -37,7 +38,7 @@ def animate(
     from stridemap.views.animation import animate as animate_
     from stridemap.views.animation import choose
 
-    orbits = find_orbits(model, parameters(context.args, set_))
+    orbits = find_orbits(model, parameters(context.args, set_), period_n=period_n)
     if not orbits:
         print("no limit cycle found", file=sys.stderr)
         return NOTHING

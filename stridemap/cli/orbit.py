@@ -24,6 +24,7 @@ def orbit(
     context: typer.Context,
     model: ModelOption = "wobbling",
     set_: SetOption = None,
+    period_n: Annotated[int, whole("Number of walking steps after which the cycles close.")] = 1,
     starts: Annotated[int, whole("Number of quasi-random starts.")] = 512,
     search: Annotated[
         list[str] | None,
@@ -60,7 +61,9 @@ def orbit(
     chosen = {"starts": starts, **option_values("--search", search), "search_box": box(search_box)}
     options = SearchOptions.from_mapping(chosen)
     accepted = AcceptanceOptions.from_mapping(option_values("--acceptance", acceptance))
-    orbits = find_orbits(model, params, options=options, acceptance=accepted, backend=backend)
+    orbits = find_orbits(
+        model, params, period_n=period_n, options=options, acceptance=accepted, backend=backend
+    )
     if json_:
         loaded = load(model)
         point = dict(zip(loaded.spec.names, loaded.point(params).tolist(), strict=True))

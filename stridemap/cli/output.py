@@ -16,6 +16,8 @@ def print_orbits(orbits: Orbits, varied: str | None = None) -> None:
     if varied is not None:
         rows.append((varied, [f"{o.params[varied]:.14g}" for o in shown]))
     rows.append(("status", [o.status.value for o in shown]))
+    if shown[0].steps:
+        rows.append(("steps", [str(o.period_n) for o in shown]))
     rows += [(name, [f"{o.state[name]:.12f}" for o in shown]) for name in shown[0].state]
     rows.append(("period", [f"{o.period:.12f}" for o in shown]))
     for i in range(len(shown[0].multipliers)):

@@ -15,6 +15,9 @@ SECONDS = 1.2
 TITLE_WIDTH = 40
 """Letters that a panel is wide."""
 
+STEPS_MAX = 128
+"""Most steps of a film."""
+
 FPS, SIZE, WALKERS = (2, 50), (80, 1600), 6
 """Frames per second and pixels that are allowed, and how many walkers."""
 
@@ -24,7 +27,7 @@ def animate(
     path: str | Path,
     *,
     titles: Sequence[str] | None = None,
-    steps: int = 2,
+    steps: int | None = None,
     fps: int = 25,
     size: int = 320,
     magnify: float = 1.0,
@@ -42,8 +45,9 @@ def animate(
         Where the GIF goes.
     titles : sequence of str, optional
         One for each; by default the model's title, group and stability, and the parameters that differ.
-    steps : int
-        Steps until it repeats, an even number: after an odd number left and right leg are exchanged.
+    steps : int, optional
+        Steps until it repeats, an even number: after an odd number left and right leg are exchanged. For
+        cycles of several steps, a multiple of these too; by default the smallest number.
     fps : int
         Frames per second; the duration of a frame is rounded to hundredths of a second, as GIF has it.
     size : int
@@ -65,21 +69,24 @@ def animate(
     _check_range("orbits", len(shown), (1, WALKERS), "walkers side by side")
     _check_range("fps", fps, FPS, "frames per second")
     _check_range("size", size, SIZE, "pixels")
-    if steps < 2 or steps % 2 or steps > 100:
-        raise InputError(f"steps = {steps} is not allowed: an even number from 2 to 100 is needed")
+    least = math.lcm(2, *(orbit.period_n for orbit in shown))
+    steps = least if steps is None else steps
+    if steps < 2 or steps % least or steps > STEPS_MAX:
+        what = "an even number" if least == 2 else f"a multiple of {least}"
+        raise InputError(f"steps = {steps} is not allowed: {what} from {least} to {STEPS_MAX} is needed")
     if not (math.isfinite(magnify) and 0 < magnify <= 100):
         raise InputError(f"magnify = {magnify:g} is not allowed: a number above 0 and up to 100 is needed")
     if titles is not None and len(titles) != len(shown):
         raise InputError(f"{len(titles)} titles were given for {len(shown)} orbits; give one for each")
     require_pictures()
     from stridemap.views.film import film
-    from stridemap.views.scene import scene
+    from stridemap.views.scene import scenes
     from stridemap.views.style import put
 
     hundredths = round(100 / fps)
     frames = round(100 * SECONDS / hundredths)
-    scenes = [scene(orbit, frames, magnify) for orbit in shown]
-    content = film(scenes, titles or _titles(shown), steps, hundredths, size, magnify)
+    walkers = [scenes(orbit, frames, magnify) for orbit in shown]
+    content = film(walkers, titles or _titles(shown), steps, hundredths, size, magnify)
     return put(Path(path), content)
 
 
@@ -119,7 +126,8 @@ def _titles(orbits: Sequence[Orbit]) -> list[str]:
     for orbit in orbits:
         group = f"group {orbit.group}, " if orbit.group else ""
         words = [textwrap.fill(orbit.model.title, TITLE_WIDTH)]
-        words += [f"{group}{orbit.stability}"]
+        several = f"{orbit.period_n} steps, " if orbit.steps else ""
+        words += [f"{group}{several}{orbit.stability}"]
         shown = differing or [n for n in orbit.params if n in ("k", "alpha", "omega")]
         values = ", ".join(f"{n} = {orbit.params[n]:g}" for n in shown)
         words += [

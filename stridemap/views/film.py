@@ -20,16 +20,21 @@ COLOURS = 32
 
 
 def film(
-    scenes: Sequence[Scene], titles: Sequence[str], steps: int, hundredths: int, size: int, magnify: float
+    walkers: Sequence[Sequence[Scene]],
+    titles: Sequence[str],
+    steps: int,
+    hundredths: int,
+    size: int,
+    magnify: float,
 ) -> bytes:
     """A GIF that loops for ever.
 
     Parameters
     ----------
-    scenes : sequence of Scene
-        All with the same number of frames.
+    walkers : sequence of sequence of Scene
+        The steps of each walker, over and over again; all with the same number of frames.
     titles : sequence of str
-        One for each scene.
+        One for each walker.
     steps : int
     hundredths : int
         Duration of a frame in hundredths of a second.
@@ -38,10 +43,12 @@ def film(
     magnify : float
         As the scenes were made with; the picture says so if it is not 1.
     """
-    frames = len(scenes[0].middle) - 1
+    frames = len(walkers[0][0].middle) - 1
     with style.styled():
         images = [
-            _frame(scenes, titles, i // frames, i % frames, size, magnify) for i in range(steps * frames)
+            _frame([of[step % len(of)] for of in walkers], titles, step, i, size, magnify)
+            for step in range(steps)
+            for i in range(frames)
         ]
     return _gif(images, hundredths)
 

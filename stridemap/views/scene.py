@@ -1,6 +1,6 @@
 """A limit cycle as a scene: where everything is that a frame of an animation shows."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -80,8 +80,17 @@ class Scene:
         return self.seen.model.spec.lines
 
 
-def scene(orbit: Orbit, frames: int, magnify: float = 1.0) -> Scene:
-    """The scene of a limit cycle.
+def scenes(orbit: Orbit, frames: int, magnify: float = 1.0) -> list[Scene]:
+    """The scenes of all steps of a limit cycle, in one view: see `scene`."""
+    each = [scene(orbit, frames, magnify, number) for number in range(orbit.period_n)]
+    left, _, bottom, _ = min((one.view for one in each), key=lambda view: view[0])
+    height = max(one.view[3] - one.view[2] for one in each)
+    side = max(-2 * left, height)
+    return [replace(one, view=(-side / 2, side / 2, bottom, bottom + side)) for one in each]
+
+
+def scene(orbit: Orbit, frames: int, magnify: float = 1.0, number: int = 0) -> Scene:
+    """The scene of one step of a limit cycle.
 
     Parameters
     ----------
@@ -90,6 +99,8 @@ def scene(orbit: Orbit, frames: int, magnify: float = 1.0) -> Scene:
         Frames per step.
     magnify : float
         Factor by which the displacement of the wobbling mass is drawn larger than it is.
+    number : int
+        Which step of a cycle of several.
 
     Raises
     ------
@@ -97,6 +108,8 @@ def scene(orbit: Orbit, frames: int, magnify: float = 1.0) -> Scene:
         When the orbit was not found, or has no wobbling mass whose displacement could be magnified.
     """
     seen = orbit.motion(frames + 1)
+    if orbit.steps:
+        seen = seen.step(number)
     positions, lines = seen.positions, seen.lines
     if magnify != 1:
         positions, lines = _magnified(seen, orbit, magnify)
@@ -105,7 +118,8 @@ def scene(orbit: Orbit, frames: int, magnify: float = 1.0) -> Scene:
     load = model.evaluate("total_mass", p=p)
     stance = model.evaluate("stance_foot", q=seen.q, p=p)["stance"] / height
     swing = model.evaluate("swing_foot", q=seen.q, v=seen.v, p=p)["foot"] / height
-    step, rise = orbit.step_length / height, float(swing[-1, 1] - stance[0, 1])
+    step = float(swing[-1, 0] - stance[0, 0]) if orbit.steps else orbit.step_length / height
+    rise = float(swing[-1, 1] - stance[0, 1])
     if abs(rise) < LEVEL:
         rise = 0.0
     middle = step * (np.linspace(0, 1, frames + 1) - 0.5)

@@ -18,7 +18,7 @@ from tests.oracles.reference import REFERENCE, reference_name
 from tests.oracles.sweeping import STRIDEMAP, tables
 
 ORBIT_KEYS = (
-    "status state period multipliers spectral_radius multiplier_error stable undecided group step_length "
+    "status state period period_n multipliers spectral_radius multiplier_error stable undecided group step_length "
     "speed d_max cop_max work work_positive work_net peak_torque peak_power cot cot_per_speed "
     "min_vertical_force friction clearance peaks x_zero_crossings wobble_amplitude touchdown_speed "
     "impact_friction lift_off_speed trailing_lifts_off residual state_error integration_error"
@@ -30,7 +30,7 @@ TWO = ["--k", "6", "--alpha", "0.25", "--omega", "3"]
 
 @pytest.mark.quick
 def test_the_keys_are_those_of_the_registry():
-    assert ORBIT_KEYS == ["status", "state", "period", "multipliers", *MEASURED]
+    assert ORBIT_KEYS == ["status", "state", "period", "period_n", "multipliers", *MEASURED]
 
 
 def printed(result):

@@ -102,7 +102,7 @@ def test_orbit_pickles(status):
 def test_orbit_is_json_without_nan(status):
     _, _, orbit = continue_one(*GUESSES[status])
     entry = json.loads(json.dumps(orbit.to_dict(), allow_nan=False))
-    assert list(entry) == ["status", "state", "period", "multipliers", *MEASURED]
+    assert list(entry) == ["status", "state", "period", "period_n", "multipliers", *MEASURED]
     assert entry["status"] == status.value
     if status.found:
         assert entry["state"] == dict(orbit.state)
