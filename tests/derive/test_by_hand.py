@@ -12,7 +12,8 @@ import pytest
 import sympy as sp
 
 from stridemap.derive import STANCE_FOOT, TIME, Body, Coordinate, Parameter, Touchdown, Walker, rolling_arc
-from stridemap.derive.models import WALKERS, compass
+from stridemap.derive.mechanics import Mechanics
+from stridemap.derive.models import WALKERS, compass, round_feet
 from stridemap.derive.models.controller import CLOCK, GAINS, hip_torque
 from tests.oracles.newton import by_hand
 from tests.oracles.rewritten import light_model
@@ -82,48 +83,74 @@ def test_a_hip_that_moves_as_desired_feels_no_torque():
 
 # -- a foot that rolls -------------------------------------------------------------------------------------
 
-ANGLE = Coordinate("theta", "rad", "angle of the leg, positive leaning back")
+ALONG = Coordinate("s", "1", "grows with the leg's angle, and not in proportion to it")
 RADIUS = Parameter("r", 0.3, "L", "radius of the foot", 0.0)
-theta, r = ANGLE.symbol, RADIUS.symbol
-tip = STANCE_FOOT + (1 - r) * sp.Matrix([-sp.sin(theta), sp.cos(theta)])
+s, r = ALONG.symbol, RADIUS.symbol
+lean = s + s**3 / 3
+tip = STANCE_FOOT + (1 - r) * sp.Matrix([-sp.sin(lean), sp.cos(lean)])
 ROCKER = Walker(
     name="rocker",
     title="A leg with a mass at its tip, on a round foot",
     reference="none",
-    coordinates=(ANGLE,),
+    coordinates=(ALONG,),
     parameters=(RADIUS,),
-    bodies=(Body("tip", sp.Integer(2), tip, sp.Rational(1, 5), theta),),
+    bodies=(Body("tip", sp.Integer(2), tip, sp.Rational(1, 5), lean),),
     gravity=sp.Matrix([0, -1]),
-    dissipation=sp.Rational(3, 20) * ANGLE.rate**2,
-    stance=rolling_arc(r, theta),
-    swing_foot=tip - (1 - r) * sp.Matrix([-sp.sin(theta + 1), sp.cos(theta + 1)]),
-    touchdown=Touchdown(sp.cos(sp.Rational(1, 2)) - sp.cos(theta), region=theta),
-    relabel={theta: theta + 1},
-    search_box={"theta": (0.5, 0.3), "dtheta": (-1.0, 0.5)},
+    dissipation=sp.Rational(3, 20) * ALONG.rate**2,
+    stance=rolling_arc(r, lean),
+    swing_foot=tip - (1 - r) * sp.Matrix([-sp.sin(lean + 1), sp.cos(lean + 1)]),
+    touchdown=Touchdown(sp.cos(sp.Rational(1, 2)) - sp.cos(lean), region=s),
+    relabel={s: -s},
+    search_box={"s": (0.5, 0.3), "ds": (-1.0, 0.5)},
 )
 
 
 @pytest.mark.quick
 def test_a_rolling_foot_has_an_acceleration_of_its_own():
-    """With the tip at ``(-r theta - e sin theta, r + e cos theta)``, e = 1 - r, differentiated by hand."""
+    """The tip at ``(-r a - e sin a, r + e cos a)``, e = 1 - r, a = s + s^3 / 3, differentiated by hand."""
     model = light_model(ROCKER)
     rng = np.random.default_rng(6)
     q, v = rng.uniform(-0.7, 0.7, (50, 1)), rng.uniform(-2, 2, (50, 1))
     radius, mass, inertia, damping = 0.3, 2.0, 0.2, 0.3
-    e, s, c, w = 1 - radius, np.sin(q[:, 0]), np.cos(q[:, 0]), v[:, 0]
-    along, bend = np.stack([-radius - e * c, -e * s], axis=1), np.stack([e * s, -e * c], axis=1)
-    matrix = mass * (along**2).sum(axis=1) + inertia
-    turning, weight = -mass * radius * e * s * w**2, -mass * e * s
+    e, x, w = 1 - radius, q[:, 0], v[:, 0]
+    sine, cosine, once, twice = np.sin(x + x**3 / 3), np.cos(x + x**3 / 3), 1 + x**2, 2 * x
+    by_angle = np.stack([-radius - e * cosine, -e * sine], axis=1)
+    first = by_angle * once[:, None]
+    second = np.stack([e * sine, -e * cosine], axis=1) * once[:, None] ** 2 + by_angle * twice[:, None]
+    matrix = mass * (first**2).sum(axis=1) + inertia * once**2
+    turning = (mass * (first * second).sum(axis=1) + inertia * once * twice) * w**2
+    weight = mass * first[:, 1]
+    dv = -(turning + weight + damping * w) / matrix
+    force = mass * (first * dv[:, None] + second * w[:, None] ** 2 + np.array([0.0, 1.0]))
     seen = {
         key: value
         for function in ("mass_matrix", "bias_forces", "state_derivative", "ground_force")
         for key, value in model.evaluate(function, q=q, v=v, p=np.full((50, 1), radius)).items()
     }
-    dv = -(turning + weight + damping * w) / matrix
-    force = mass * (along * dv[:, None] + bend * w[:, None] ** 2 + np.array([0.0, 1.0]))
     np.testing.assert_allclose(seen["M"][:, 0, 0], matrix, rtol=1e-13)
-    np.testing.assert_allclose(seen["h"][:, 0], turning, atol=1e-13)
+    np.testing.assert_allclose(seen["h"][:, 0], turning, atol=1e-12)
     np.testing.assert_allclose(seen["v_gravity"][:, 0], weight, atol=1e-13)
     np.testing.assert_allclose(seen["damping"][:, 0], damping * w, atol=1e-13)
-    np.testing.assert_allclose(seen["dv"][:, 0], dv, atol=1e-13)
-    np.testing.assert_allclose(seen["force"], force, atol=1e-12)
+    np.testing.assert_allclose(seen["dv"][:, 0], dv, atol=1e-12)
+    np.testing.assert_allclose(seen["force"], force, atol=1e-11)
+
+
+@pytest.mark.quick
+def test_the_step_of_a_round_foot_is_that_of_its_contact():
+    """Legs at a after and -a before: the arcs' centres are 2 sin a apart, and the foot has rolled 2 r a."""
+    walker = round_feet.WALKER
+    a, radius = 0.19, 0.2
+    at = {round_feet.q1: a, round_feet.q2: 2 * a, round_feet.RADIUS.symbol: radius}
+    mechanics = Mechanics(walker)
+    length, rise = (float(e.subs(at).evalf()) for e in (mechanics.step_length, mechanics.step_rise))
+    assert length == pytest.approx(2 * np.sin(a) + 2 * radius * a, rel=1e-14)
+    assert abs(rise) < 1e-15
+
+
+def test_a_lock_stops_what_it_names_before_the_legs_swap_names():
+    """The stance leg of the step that ends stands still after the impact; it is the swing leg then."""
+    locked = light_model(compass.WALKER.with_(name="stiff", locks=(compass.theta1,)))
+    at = some("compass")
+    after = call(locked.equations.impact_map, MP, at)["v_plus"]
+    assert largest(after[:, 0] - after[:, 1]) < 1e-14
+    assert largest(after[:, 0]) > 1e-2
