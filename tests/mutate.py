@@ -1,7 +1,7 @@
 """``python -m tests.mutate [--only WORD] [--list]``: whether the tests notice changes of meaning.
 
-Each change in `tests.mutations` is applied by itself to a copy of the checkout, and the tests that must notice
-it are run there. It is not part of the tests: all of them take some minutes.
+Each change in `tests.mutations` is applied by itself to a copy of the checkout, and tests that must notice it
+are run there. It is not part of the tests: all of them take a quarter of an hour.
 """
 
 import argparse
