@@ -24,6 +24,10 @@ def test_conditions_are_what_is_measured():
     np.testing.assert_allclose(seen[GaitEnd.FRICTION], 0.2 - orbits.friction, rtol=0, atol=1e-10)
     for name in (GaitEnd.GRAZING, GaitEnd.EARLY_TOUCHDOWN, GaitEnd.BACKWARD, GaitEnd.FALL):
         assert (seen[name] > 0).all(), name
+    # The stance leg leans most at the ends of a step: back by theta, then ahead by as much.
+    theta = orbits.u[:, 0]
+    np.testing.assert_allclose(seen[GaitEnd.FALL], np.pi / 2 - theta, rtol=0, atol=1e-10)
+    np.testing.assert_allclose(seen[GaitEnd.BACKWARD], theta, rtol=0, atol=1e-10)
     without = GaitConditions(solver.kernels).of_steps(96, orbits.u, orbits.params)
     assert set(without) == set(GaitEnd) - {GaitEnd.FRICTION}
 

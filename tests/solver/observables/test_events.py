@@ -13,7 +13,7 @@ from numpy.polynomial import Polynomial
 
 from stridemap.solver.backends.base import Advanced
 from stridemap.solver.observables.events import LOCATE_TOLERANCE, Trace, brackets, locate
-from stridemap.solver.observables.reductions import count_zeros, extreme
+from stridemap.solver.observables.reductions import count_zeros, earlier_touchdown, extreme
 
 pytestmark = pytest.mark.quick
 
@@ -118,6 +118,25 @@ def test_zeros_of_many_orbits_are_in_order():
         np.testing.assert_allclose(mine, exact[exact < 1], rtol=0, atol=2 * LOCATE_TOLERANCE * 0.1)
         assert (np.diff(mine) > 0).all()
     assert (np.diff(found.orbit) >= 0).all()
+
+
+@pytest.mark.parametrize(
+    ("zeros", "early"),
+    [
+        ((1.0,), False),
+        ((0.92, 0.96, 1.0), True),  # in the interval that ends with the touchdown
+        ((0.31, 0.38, 1.0), True),
+        ((0.35, 1.0), False),  # the foot leaves the ground and comes down
+        ((-0.5, 0.42, 1.0), False),
+    ],
+)
+def test_a_touchdown_before_the_end_of_the_step_is_early(zeros, early):
+    """The condition rises through zero at the end, whatever it did before."""
+    function = Polynomial.fromroots(zeros)
+    trace = Drawn.of_functions(function if function.deriv()(1.0) > 0 else -function)
+    ahead = np.full((1, NODES), -1.0)
+    assert earlier_touchdown(trace, ahead).tolist() == [early]
+    assert earlier_touchdown(trace, -ahead).tolist() == [False]  # none counts behind
 
 
 @pytest.mark.parametrize(
