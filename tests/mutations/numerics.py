@@ -432,7 +432,7 @@ CYCLES = (
         "TIME_LIMIT = 25.0",
         "TIME_LIMIT = 2.5",
         "slow steps are given up",
-        (f"{OUTCOMES}::test_a_wheel_that_just_passes_takes_its_time"),
+        (f"{OUTCOMES}::test_a_wheel_that_just_passes_takes_its_time",),
     ),
     Mutation(
         "solver/walks/events.py",

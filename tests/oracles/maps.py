@@ -1,0 +1,90 @@
+"""Maps in the place of a walker's step map, whose cycles and bifurcations are known in closed form.
+
+A curve of such cycles is the same curve as a walker's for all that follows it: only the kernels are others.
+Their derivatives are SymPy's.
+"""
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+import sympy as sp
+
+from stridemap.solver.backends.base import Directional, Linearised
+from stridemap.solver.branches.curve import Curve
+from stridemap.solver.cycles.chain import Chain
+
+x, y, p, T = sp.symbols("x y p T", real=True)
+
+
+@dataclass(frozen=True)
+class MapKernels:
+    """Kernels of the residual ``(P(z) - z, T - period)``.
+
+    Parameters
+    ----------
+    images : tuple of sympy.Expr
+        P, in terms of x, y and p: one for each entry of z.
+    period : sympy.Expr
+    """
+
+    images: tuple[Any, ...]
+    period: Any = sp.S.One
+
+    @property
+    def z(self):
+        return (x, y)[: len(self.images)]
+
+    @cached_property
+    def model(self):
+        names = tuple(map(str, self.z))
+        spec = SimpleNamespace(
+            names=("p",), scales=(1.0,) * len(names), search_box=dict.fromkeys(names, (0.0, 1.0))
+        )
+        scales = SimpleNamespace(
+            residual=np.ones(len(names) + 1), unknowns=np.ones(len(names) + 1)
+        )  # where `Scales.of` keeps them
+        return SimpleNamespace(section=names, period_range=(0.5, 1.5), spec=spec, _scales=scales)
+
+    @cached_property
+    def functions(self):
+        """The residual, and its first and second derivatives with respect to (z, T, p)."""
+        unknowns = (*self.z, T, p)
+        residual = sp.Matrix([*(a - b for a, b in zip(self.images, self.z, strict=True)), T - self.period])
+        first = residual.jacobian(unknowns)
+        second = [sp.hessian(row, unknowns) for row in residual]
+        return tuple(sp.lambdify(unknowns, one, "numpy") for one in (residual, first, second))
+
+    def _each(self, number, u, params):
+        with np.errstate(all="ignore"):
+            rows = [self.functions[number](*a, *b) for a, b in zip(u, params, strict=True)]
+        return np.array(rows, dtype=float)
+
+    def residual(self, n_rk, u, params):
+        return self._each(0, u, params)[:, :, 0]
+
+    def jacobian(self, n_rk, u, params):
+        return Linearised(self._each(1, u, params)[:, :, :-1], self.residual(n_rk, u, params))
+
+    def directional(self, n_rk, u, params, a, b):
+        first, second = self._each(1, u, params), self._each(2, u, params)
+        along = [np.einsum("nij,nj->ni", first, one) for one in (a, b)]
+        mixed = np.einsum("nkij,ni,nj->nk", second, a, b)
+        return Directional(self.residual(n_rk, u, params), *along, mixed)
+
+
+class MapCurve(Curve):
+    """A curve of cycles of a map: there is nothing to integrate."""
+
+    def n_rk(self, x):
+        return 24
+
+    def with_steps(self, n_steps):
+        return replace(self, chain=Chain(self.chain.kernels, n_steps))
+
+
+def curve(*images, period=sp.S.One, width=1.0):
+    """Cycles of a map over p; 1 along the curve is 1 in every entry of z and in the period, `width` in p."""
+    return MapCurve(Chain(MapKernels(images, period)), np.zeros(1), "p", width)
