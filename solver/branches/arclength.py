@@ -153,8 +153,11 @@ def follow(
                 return points, EndReason.STALLED
             continue
         if not window.low <= there.x[-1] <= window.high:
-            points += _last_point(curve, here, there, window, options)
-            return points, EndReason.RANGE
+            last = _last_point(curve, here, there, window, options)
+            if last is None and ds * options.step_shrink >= options.ds_min:
+                ds *= options.step_shrink  # from nearer by, it is found
+                continue
+            return points + (last or []), EndReason.RANGE
         points.append(there)
         if reason := _ended(curve, points, window):
             return points, reason
@@ -189,15 +192,18 @@ def _strays(curve: Curve, here: CurvePoint, there: CurvePoint, ds: float) -> boo
 
 def _last_point(
     curve: Curve, here: CurvePoint, there: CurvePoint, window: Window, options: ArclengthOptions
-) -> list[CurvePoint]:
-    """The point at the end of the parameter's range that lies between two; none where it is the first."""
+) -> list[CurvePoint] | None:
+    """The point at the end of the parameter's range that lies between two; none where it is the first.
+
+    None where Newton's method does not find it.
+    """
     end = window.high if there.x[-1] > window.high else window.low
     if here.x[-1] == end:
         return []
     part = (end - here.x[-1]) / (there.x[-1] - here.x[-1])
     guess = here.x + part * (there.x - here.x)
     last = at_value(curve, guess, end, here.tangent, options.max_corrections + 4)
-    return [last] if last is not None else []
+    return [last] if last is not None else None
 
 
 def _ended(curve: Curve, points: list[CurvePoint], window: Window) -> EndReason | None:

@@ -1,5 +1,7 @@
 """Branches, bifurcations and their ends on maps whose cycles are known in closed form."""
 
+import itertools
+
 import numpy as np
 import pytest
 import sympy as sp
@@ -169,6 +171,61 @@ def test_a_fold_and_a_doubling_between_two_points_are_both_found():
     assert set(found) == {SpecialType.FOLD, SpecialType.PD}
     assert found[SpecialType.FOLD].x[-1] == pytest.approx(0.0, abs=1e-11)
     assert found[SpecialType.PD].x[0] == pytest.approx(0.01, abs=1e-11)
+
+
+# -- points of branches --------------------------------------------------------------------------------------
+
+
+def test_second_derivatives_are_differences_of_the_first():
+    """Of a chain of two steps whose period depends on both, along real and complex directions."""
+    one = curve(p * x * (1 - y) + p**2 * y, sp.sin(p * x) - y**2, period=1 + p * x * y)
+    two = one.with_steps(2)
+    rng = np.random.default_rng(8)
+    at = rng.uniform(0.2, 0.9, 7)
+    for v in (rng.normal(size=7), rng.normal(size=7) + 1j * rng.normal(size=7)):
+
+        def along(place, v=v):
+            return two.linearised(place, 24)[0] @ v
+
+        size = 1e-5
+        columns = [(along(at + size * e) - along(at - size * e)) / (2 * size) for e in np.eye(7)]
+        np.testing.assert_allclose(two.second(at, v, 24), np.array(columns).T, rtol=0, atol=1e-8)
+
+
+def test_every_point_of_a_branch_closes_to_rounding():
+    on = logistic()
+    points, _ = traced(on, 0.6, 2.5, 1.2, 3.9, ArclengthOptions(ds=0.05, ds_max=0.3))
+    assert len(points) > 8
+    for point in points:
+        assert abs(point.x[0] - (1 - 1 / point.x[-1])) < 2e-14
+        assert abs(on.dot(point.tangent, point.tangent) - 1) < 1e-14
+
+
+def wavy():
+    """x = 1/2 + sin(80 p) / 50: tangents a whole wave apart are the same."""
+    return curve(x + x - HALF - sp.sin(80 * p) / 50)
+
+
+def test_the_tangent_turns_little_from_point_to_point():
+    on = curve(x + x**2 + p**2 - sp.Rational(1, 4))
+    for options in (OPTIONS, ArclengthOptions(ds=0.1, ds_max=0.4)):
+        points, _ = traced(on, 0.5, 0.0, -1.0, 1.0, options)
+        turns = [on.dot(a.tangent, b.tangent) for a, b in itertools.pairwise(points)]
+        assert min(turns) >= options.min_tangent_cosine
+
+
+def test_a_correction_that_leads_far_is_not_taken():
+    """Every point lies where the tangent of the one before points, to within 0.3 of the way."""
+    on, wave = wavy(), 2 * np.pi / 80
+    # Steps that are nearly a wave long end where the tangent is as it was.
+    for ds in np.array([0.95, 1.0, 1.05]) * wave * np.hypot(1, 80 / 50):
+        options = ArclengthOptions(ds=ds, ds_max=ds, max_steps=20)
+        points, _ = traced(on, 0.5, 0.0, -0.6, 0.6, options)
+        assert len(points) > 2
+        for here, there in itertools.pairwise(points[1:-1]):
+            step = there.x - here.x
+            way = on.dot(step, here.tangent)
+            assert on.norm(step - way * here.tangent) <= 0.3 * way * (1 + 1e-9)
 
 
 # -- where branches end --------------------------------------------------------------------------------------
