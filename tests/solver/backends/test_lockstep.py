@@ -92,10 +92,10 @@ def test_what_is_no_number_stops_at_once_and_keeps_its_guess(library):
 
 
 def test_a_step_that_is_no_number_is_the_last(library):
-    """The derivative is singular at x = 0: the step is infinite there, and not a number after it."""
+    """The derivative is singular at x = 0, so that elimination divides zero by zero."""
     u, calls = newton(library, [[0.0, 1.0]], [[2.0]])
-    assert not np.isfinite(u).all()
-    assert calls <= 3
+    assert np.isnan(u).any()
+    assert calls == 1
 
 
 def test_it_ends_after_so_many_iterations(library):

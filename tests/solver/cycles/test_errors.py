@@ -91,7 +91,7 @@ def test_stability_is_not_known_where_1_lies_within_the_error():
 
 @pytest.mark.quick
 def test_what_is_known_of_a_radius():
-    radius, error = np.array([0.5, 1.5, 1 - 1e-9, 1 + 1e-9, 1 - 1e-9, 0.5]), np.full(6, 1e-8)
+    radius, error = np.array([0.5, 1.05, 1 - 1e-9, 1 + 1e-9, 1 - 1e-9, 0.5]), np.full(6, 1e-8)
     error[4], error[5] = 1e-10, np.nan
     assert decided(radius, error).tolist() == [True, False, None, None, True, None]
 
