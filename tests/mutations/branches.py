@@ -8,7 +8,6 @@ LOGISTIC = f"{MAPS}::test_the_doublings_of_the_logistic_map"
 TORUS = f"{MAPS}::test_the_torus_of_the_delayed_logistic_map"
 PITCHFORK = f"{MAPS}::test_a_pitchfork_is_a_branch_point_from_which_both_sides_are_reached"
 TWO = f"{MAPS}::test_two_doublings_between_two_points_are_both_found"
-SPECIAL = "tests/solver/branches/test_special.py"
 ENDS = "tests/solver/branches/test_ends.py"
 CONTINUATION = "tests/solver/branches/test_continuation.py"
 
@@ -161,14 +160,14 @@ BIFURCATIONS = (
         "    while n_rk < CYCLE_N_RK[-1]:\n",
         "    while False:\n",
         "special points are those of the first resolution",
-        (f"{SPECIAL}::test_the_first_doubling_of_the_compass_gait",),
+        (f"{MAPS}::test_special_points_are_refined_until_the_resolution_does_not_move_them",),
     ),
     Mutation(
         "solver/branches/special.py",
         "SPECIAL_RESIDUAL, SETTLED = 1e-11, 1e-7",
         "SPECIAL_RESIDUAL, SETTLED = 1e-3, 1e-1",
         "special points are where Newton's method has hardly begun",
-        (MAPS,),
+        (TORUS,),
     ),
     Mutation(
         "solver/branches/switching.py",

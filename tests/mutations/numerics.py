@@ -39,6 +39,13 @@ KERNELS = (
         ("tests/solver/kernels/test_resolution.py",),
     ),
     Mutation(
+        "solver/backends/base.py",
+        "return matrices.transpose(0, 2, 1)",
+        "return matrices",
+        "rows and columns of derivatives change places",
+        ("tests/solver/backends/test_base.py::test_results_are_named_and_matrices_are_row_by_row",),
+    ),
+    Mutation(
         "solver/backends/lockstep.h",
         "int done = !(norm(r, rows, nu) > abstol);",
         "int done = norm(r, rows, nu) <= abstol;",
@@ -215,6 +222,13 @@ CYCLES = (
         "own[name[1:]] * time for name",
         "rates have a scale with the wrong unit",
         ("tests/solver/test_units.py::test_the_scales_of_the_built_in_models_are_their_units",),
+    ),
+    Mutation(
+        "solver/model/scales.py",
+        "return length, math.sqrt(length / gravity)",
+        "return length, math.sqrt(gravity / length)",
+        "the scale of time is a frequency",
+        ("tests/solver/test_units.py::test_the_scales_have_the_units_of_the_model",),
     ),
     Mutation(
         "solver/walks/equations.py",

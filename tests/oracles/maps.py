@@ -28,10 +28,13 @@ class MapKernels:
     images : tuple of sympy.Expr
         P, in terms of x, y and p: one for each entry of z.
     period : sympy.Expr
+    error : float
+        By how much p is off with 24 RK steps, as if something were integrated; the order is 8.
     """
 
     images: tuple[Any, ...]
     period: Any = sp.S.One
+    error: float = 0.0
 
     @property
     def z(self):
@@ -57,19 +60,20 @@ class MapKernels:
         second = [sp.hessian(row, unknowns) for row in residual]
         return tuple(sp.lambdify(unknowns, one, "numpy") for one in (residual, first, second))
 
-    def _each(self, number, u, params):
+    def _each(self, number, n_rk, u, params):
+        off = self.error * (24 / n_rk) ** 8 if self.error else 0.0
         with np.errstate(all="ignore"):
-            rows = [self.functions[number](*a, *b) for a, b in zip(u, params, strict=True)]
+            rows = [self.functions[number](*a, *b) for a, b in zip(u, params + off, strict=True)]
         return np.array(rows, dtype=float)
 
     def residual(self, n_rk, u, params):
-        return self._each(0, u, params)[:, :, 0]
+        return self._each(0, n_rk, u, params)[:, :, 0]
 
     def jacobian(self, n_rk, u, params):
-        return Linearised(self._each(1, u, params)[:, :, :-1], self.residual(n_rk, u, params))
+        return Linearised(self._each(1, n_rk, u, params)[:, :, :-1], self.residual(n_rk, u, params))
 
     def directional(self, n_rk, u, params, a, b):
-        first, second = self._each(1, u, params), self._each(2, u, params)
+        first, second = self._each(1, n_rk, u, params), self._each(2, n_rk, u, params)
         along = [np.einsum("nij,nj->ni", first, one) for one in (a, b)]
         mixed = np.einsum("nkij,ni,nj->nk", second, a, b)
         return Directional(self.residual(n_rk, u, params), *along, mixed)
@@ -85,6 +89,6 @@ class MapCurve(Curve):
         return replace(self, chain=Chain(self.chain.kernels, n_steps))
 
 
-def curve(*images, period=sp.S.One, width=1.0):
+def curve(*images, period=sp.S.One, width=1.0, error=0.0):
     """Cycles of a map over p; 1 along the curve is 1 in every entry of z and in the period, `width` in p."""
-    return MapCurve(Chain(MapKernels(images, period)), np.zeros(1), "p", width)
+    return MapCurve(Chain(MapKernels(images, period, error)), np.zeros(1), "p", width)

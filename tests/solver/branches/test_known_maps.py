@@ -173,6 +173,20 @@ def test_a_fold_and_a_doubling_between_two_points_are_both_found():
     assert found[SpecialType.PD].x[0] == pytest.approx(0.01, abs=1e-11)
 
 
+@pytest.mark.parametrize("error", [1e-6, 1e-4])
+def test_special_points_are_refined_until_the_resolution_does_not_move_them(error):
+    """The branch is off by this with 24 RK steps, and the special points of it by rounding only."""
+    on = curve(x + p - x**2, error=error)
+    points, _ = traced(on, 0.6, 0.36, -1.0, 0.8)
+    assert points[0].x[-1] - points[0].x[0] ** 2 == pytest.approx(-error, rel=1e-3)
+    (fold,) = specials(on, points)
+    assert abs(fold.x[-1]) < 1e-12
+    on = curve(p * x * (1 - x), error=error)
+    points, _ = traced(on, 0.6, 2.5, 2.2, 3.6)
+    (doubling,) = specials(on, points)
+    assert abs(doubling.x[-1] - 3) < 1e-12
+
+
 # -- points of branches --------------------------------------------------------------------------------------
 
 
