@@ -167,7 +167,7 @@ BIFURCATIONS = (
         "SPECIAL_RESIDUAL, SETTLED = 1e-11, 1e-7",
         "SPECIAL_RESIDUAL, SETTLED = 1e-3, 1e-1",
         "special points are where Newton's method has hardly begun",
-        (TORUS,),
+        (PITCHFORK,),
     ),
     Mutation(
         "solver/branches/switching.py",
