@@ -178,8 +178,11 @@ def follow(
                 return points, EndReason.STALLED
             continue
         if left := window.left(curve.values(here.x), curve.values(there.x)):
-            points += _last_point(curve, here, there, left, options)
-            return points, EndReason.RANGE
+            last = _last_point(curve, here, there, left, options)
+            if last is None and ds * options.step_shrink >= options.ds_min:
+                ds *= options.step_shrink  # from nearer by, it is found
+                continue
+            return points + (last or []), EndReason.RANGE
         points.append(there)
         if reason := _ended(curve, points, window):
             return points, reason
@@ -214,8 +217,11 @@ def _strays(curve: ZeroCurve, here: CurvePoint, there: CurvePoint, ds: float) ->
 
 def _last_point(
     curve: ZeroCurve, here: CurvePoint, there: CurvePoint, left: tuple[int, float], options: ArclengthOptions
-) -> list[CurvePoint]:
-    """The point at the end of a parameter's range that lies between two; none where it is the first."""
+) -> list[CurvePoint] | None:
+    """The point at the end of a parameter's range that lies between two; none where it is the first.
+
+    None where Newton's method does not find it.
+    """
     number, end = left
     which = number - len(curve.values(here.x))
     if here.x[which] == end:
@@ -223,7 +229,7 @@ def _last_point(
     part = (end - here.x[which]) / (there.x[which] - here.x[which])
     guess = here.x + part * (there.x - here.x)
     last = at_value(curve, guess, end, here.tangent, options.max_corrections + 4, which)
-    return [last] if last is not None else []
+    return [last] if last is not None else None
 
 
 def _ended(curve: ZeroCurve, points: list[CurvePoint], window: Window) -> EndReason | None:

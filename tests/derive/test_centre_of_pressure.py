@@ -299,6 +299,17 @@ def test_a_wheel_about_the_hip():
     agree(Case(braked, {"load": 1}), moment=lambda t, q, v: np.sin(t))
 
 
+def test_a_wheel_about_a_hip_whose_bodies_count_backwards():
+    """The leg's angle grows from y to x, and so does the wheel's: a motor between them stays inside."""
+    psi = Coordinate("psi", "rad", "angle of a wheel about the hip, positive ahead")
+    motors = (Motor("wheel", sp.sin(TIME), drives=psi.symbol + th1.symbol),)
+    walker = with_body(goswami_compass.hip, psi.symbol, sp.Rational(1, 5), coordinates=(psi,), motors=motors)
+    hip, stance, *rest = walker.bodies
+    stance = Body(stance.name, stance.mass, stance.position, sp.Rational(1, 10), -th1.symbol)
+    walker = walker.with_(bodies=(hip, stance, *rest))
+    assert not np.any(agree(Case(walker, {stance.name: -1, "load": -1}), moment=lambda t, q, v: 0.0))
+
+
 def test_a_load_in_cartesian_coordinates():
     """A turn changes them by amounts that depend on where the load is."""
     x, y = Coordinate("lx", "L", "load ahead of the hip"), Coordinate("ly", "L", "load above the hip")

@@ -1,78 +1,105 @@
-"""Maps whose bifurcations are known in closed form, as if they were the step map of a walker."""
+"""Maps in the place of a walker's step map, whose cycles and bifurcations are known in closed form.
 
+A curve of such cycles is the same curve as a walker's for all that follows it: only the kernels are others.
+Their derivatives are SymPy's.
+"""
+
+from dataclasses import dataclass
 from functools import cached_property
 from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 import sympy as sp
 
 from stridemap.solver.backends.base import Directional, Linearised
+from stridemap.solver.branches.curve import Curve
 from stridemap.solver.branches.equations import CycleEquations
 from stridemap.solver.cycles.chain import Chain
 
+x, y, p, T = sp.symbols("x y p T", real=True)
 
-class Map:
-    """Kernels of a map z -> f(z, p); every step takes the time 1."""
 
-    def __init__(self, f, z, p):
-        self.f, self.z, self.p = sp.Matrix(f), list(z), list(p)
-        nz = len(self.z)
-        self.model = SimpleNamespace(
-            spec=SimpleNamespace(
-                names=tuple(map(str, self.p)),
-                scales=(1.0,) * nz,
-                search_box={str(one): (0.0, 1.0) for one in self.z},
-            ),
-            section=tuple(map(str, self.z)),
-            period_range=(0.5, 1.5),
-        )
+@dataclass(frozen=True)
+class MapKernels:
+    """Kernels of the residual ``(P(z) - z, T - period)``.
+
+    Parameters
+    ----------
+    images : tuple of sympy.Expr
+        P, in terms of x, y and p: one for each entry of z.
+    period : sympy.Expr
+    error : float
+        By how much p is off with 24 RK steps, as if something were integrated; the order is 8.
+    variables, parameters : tuple of sympy.Symbol
+        z, of which as many count as there are images, and p.
+    """
+
+    images: tuple[Any, ...]
+    period: Any = sp.S.One
+    error: float = 0.0
+    variables: tuple[Any, ...] = (x, y)
+    parameters: tuple[Any, ...] = (p,)
+
+    @property
+    def z(self):
+        return self.variables[: len(self.images)]
 
     @cached_property
-    def _functions(self):
-        both = [*self.z, *self.p]
-        first = self.f.jacobian(both)
-        second = [sp.hessian(one, both) for one in self.f]
-        return [sp.lambdify(both, what, "numpy") for what in (self.f, first, second)]
+    def model(self):
+        names = tuple(map(str, self.z))
+        spec = SimpleNamespace(
+            names=tuple(map(str, self.parameters)),
+            scales=(1.0,) * len(names),
+            search_box=dict.fromkeys(names, (0.0, 1.0)),
+        )
+        scales = SimpleNamespace(
+            residual=np.ones(len(names) + 1), unknowns=np.ones(len(names) + 1)
+        )  # where `Scales.of` keeps them
+        return SimpleNamespace(section=names, period_range=(0.5, 1.5), spec=spec, _scales=scales)
 
-    def _at(self, which, u, params):
-        values = [self._functions[which](*z[:-1], *p) for z, p in zip(u, params, strict=True)]
-        return np.array(values, dtype=float)
+    @cached_property
+    def functions(self):
+        """The residual, and its first and second derivatives with respect to (z, T, p)."""
+        unknowns = (*self.z, T, *self.parameters)
+        residual = sp.Matrix([*(a - b for a, b in zip(self.images, self.z, strict=True)), T - self.period])
+        first = residual.jacobian(unknowns)
+        second = [sp.hessian(row, unknowns) for row in residual]
+        return tuple(sp.lambdify(unknowns, one, "numpy") for one in (residual, first, second))
+
+    def _each(self, number, n_rk, u, params):
+        off = self.error * (24 / n_rk) ** 8 if self.error else 0.0
+        with np.errstate(all="ignore"):
+            rows = [self.functions[number](*a, *b) for a, b in zip(u, params + off, strict=True)]
+        return np.array(rows, dtype=float)
 
     def residual(self, n_rk, u, params):
-        value = self._at(0, u, params)[:, :, 0]
-        return np.column_stack([value - u[:, :-1], u[:, -1] - 1.0])
+        return self._each(0, n_rk, u, params)[:, :, 0]
 
     def jacobian(self, n_rk, u, params):
-        nz = len(self.z)
-        out = np.zeros((len(u), nz + 1, nz + 1))
-        out[:, :nz, :nz] = self._at(1, u, params)[:, :, :nz] - np.eye(nz)
-        out[:, nz, nz] = 1.0
-        return Linearised(out, self.residual(n_rk, u, params))
+        return Linearised(self._each(1, n_rk, u, params)[:, :, : u.shape[1]], self.residual(n_rk, u, params))
 
     def directional(self, n_rk, u, params, a, b):
-        nz = len(self.z)
-        first, second = self._at(1, u, params), self._at(2, u, params)
-        inner = [np.delete(one, nz, axis=1) for one in (a, b)]  # without the period
-        along = []
-        for one, direction in zip((a, b), inner, strict=True):
-            change = np.einsum("mij,mj->mi", first, direction) - one[:, :nz]
-            along.append(np.column_stack([change, one[:, nz]]))
-        bend = np.einsum("mijk,mj,mk->mi", second, *inner)
-        mixed = np.column_stack([bend, np.zeros(len(u))])
+        first, second = self._each(1, n_rk, u, params), self._each(2, n_rk, u, params)
+        along = [np.einsum("nij,nj->ni", first, one) for one in (a, b)]
+        mixed = np.einsum("nkij,ni,nj->nk", second, a, b)
         return Directional(self.residual(n_rk, u, params), *along, mixed)
 
 
 class MapEquations(CycleEquations):
-    """Cycles of a map, which need no resolution."""
+    """The equations of cycles of a map: there is nothing to integrate."""
 
     def n_rk(self, x):
         return 24
 
 
-def equations(f, z, p, params, n_steps=1, widths=None):
-    """Cycles of a map over the parameters p[:len(widths)], two by default; the others have values."""
-    free = 2 if widths is None else len(widths)
-    names = tuple(map(str, p))[:free]
-    return MapEquations(
-        Chain(Map(f, z, p), n_steps), np.array(params, dtype=float), names, widths or (1.0,) * free
-    )
+def curve(*images, period=sp.S.One, width=1.0, error=0.0):
+    """Cycles of a map over p; 1 along the curve is 1 in every entry of z and in the period, `width` in p."""
+    kernels = MapKernels(images, period, error)
+    return Curve(MapEquations(Chain(kernels), np.zeros(1), ("p",), (width,)))
+
+
+def equations(images, variables, parameters):
+    """Cycles of a map over two parameters."""
+    kernels = MapKernels(tuple(images), variables=tuple(variables), parameters=tuple(parameters))
+    return MapEquations(Chain(kernels), np.zeros(2), tuple(map(str, parameters)), (1.0, 1.0))

@@ -15,6 +15,7 @@ from stridemap.solver.model.loading import load
 from stridemap.solver.model.scales import Scales, rounded
 from stridemap.solver.walks.simulator import Outcome
 from tests.oracles.rescaled import Scale, factors, rescaled
+from tests.oracles.rewritten import light_model
 
 THOUSAND, THOUSANDTH = sp.Integer(1000), sp.Rational(1, 1000)
 LARGE, SMALL = Scale(THOUSAND, THOUSAND, THOUSAND), Scale(THOUSANDTH, THOUSANDTH, THOUSANDTH)
@@ -76,6 +77,16 @@ def test_the_scales_of_the_built_in_models_are_their_units():
         of = dict(zip(load(name).section, scales.section, strict=True))
         assert all(of[entry] == 1 for entry in of if entry.startswith("theta"))
         assert all(of[entry] == 1 / scales.time for entry in of if entry.startswith("dtheta"))
+
+
+@pytest.mark.quick
+def test_the_scales_have_the_units_of_the_model():
+    """A thousandth of the length, and a thousand times the time, which gravity then says."""
+    scales = Scales.of(light_model(rescaled(WHEEL, "other_units", MIXED)))
+    natural = Scales.of(load("rimless_wheel"))
+    assert scales.length == pytest.approx(1e-3 * natural.length, rel=1e-12)
+    assert scales.time == pytest.approx(1e3 * natural.time, rel=1e-12)
+    assert scales.section == pytest.approx((1.0, 1e-3 / natural.time), rel=1e-12)
 
 
 def test_the_periods_that_are_searched_by_default_are_the_models_own():

@@ -48,7 +48,7 @@ def henon(a, b, sign=1.0):
 
 def test_the_folds_of_henon():
     """They lie at a = -(1 - b)^2 / 4; there, the other multiplier is -b."""
-    curve = MultiplierBoundary(equations(*HENON, (0.0, 0.0)), 1.0)
+    curve = MultiplierBoundary(equations(*HENON), 1.0)
     window = Window((-10, -1.5), (10, 0.5), 0.4, 1.6)
     points, double = followed(curve, henon(-((1 - 0.3) ** 2) / 4, 0.3), window)
     plane = np.array([point.x[-2:] for point in points])
@@ -61,7 +61,7 @@ def test_the_folds_of_henon():
 
 def test_the_doublings_of_henon():
     """They lie at a = 3 (1 - b)^2 / 4; a double multiplier -1 at b = -1."""
-    curve = MultiplierBoundary(equations(*HENON, (0.0, 0.0)), -1.0)
+    curve = MultiplierBoundary(equations(*HENON), -1.0)
     points, double = followed(curve, henon(0.75 * 0.7**2, 0.3), Window((-10, -2), (10, 0.9), 0.4, 1.6))
     plane = np.array([point.x[-2:] for point in points])
     np.testing.assert_allclose(plane[:, 0], 0.75 * (1 - plane[:, 1]) ** 2, atol=1e-12)
@@ -73,7 +73,7 @@ def test_resonances_of_the_area_preserving_henon():
     """With b = -1 the multipliers lie on the unit circle: trace -2 a x = 2 cos(theta)."""
     u, v, p, q = sp.symbols("u v p q")
     delayed = ([v, p * v * (1 - u) + q * u * v**2], (u, v), (p, q))
-    curve = TorusBoundary(equations(*delayed, (0.0, 0.0)))
+    curve = TorusBoundary(equations(*delayed))
     # q = 0 is the delayed logistic map: a torus at p = 2, multipliers exp(+-i pi/3).
     start = [0.5, 0.5, 1.0, np.pi / 3, 2.0, 0.0]
     points, _ = followed(curve, start, Window((1.2, -2.0), (3.5, 2.0), 0.4, 1.6))
@@ -93,7 +93,7 @@ def test_angles_of_resonances():
         sp.Rational(1, 3) + (1 + q) * (sp.cos(p) * left - sp.sin(p) * up),
         sp.Rational(1, 4) + (1 + q) * (sp.sin(p) * left + sp.cos(p) * up),
     ]
-    curve = TorusBoundary(equations(f, (u, v), (p, q), (0.0, 0.0)))
+    curve = TorusBoundary(equations(f, (u, v), (p, q)))
     start = [1 / 3, 1 / 4, 1.0, 1.0, 1.0, 0.0]
     _, double = followed(curve, start, Window((0.1, -1.0), (3.0, 1.0), 0.4, 1.6))
     assert {kind: [one.cycle[-2] for one in found] for kind, found in double.items()} == {
@@ -107,7 +107,7 @@ def test_a_torus_ends_at_resonances():
     u, v, t, d = sp.symbols("u v t d")
     shift = sp.Rational(1, 3)
     f = [v, t * (v - shift) - d * (u - shift) + shift + (v - shift) ** 2 / 5]
-    curve = TorusBoundary(equations(f, (u, v), (t, d), (0.0, 0.0)))
+    curve = TorusBoundary(equations(f, (u, v), (t, d)))
     points, double = followed(curve, [1 / 3, 1 / 3, 1.0, np.pi / 2, 0.0, 1.0])
     assert {kind: [tuple(one.cycle[-2:]) for one in found] for kind, found in double.items()} == {
         "r1": [pytest.approx((2.0, 1.0), abs=1e-9)],
@@ -123,7 +123,7 @@ def test_a_torus_ends_at_resonances():
 def test_a_cusp():
     """x + p + q x - x^3 has its cusp at p = q = 0, and folds at p = +-2 (q/3)^(3/2)."""
     z, p, q = sp.symbols("z p q")
-    curve = MultiplierBoundary(equations([z + p + q * z - z**3], (z,), (p, q), (0.0, 0.0)), 1.0)
+    curve = MultiplierBoundary(equations([z + p + q * z - z**3], (z,), (p, q)), 1.0)
     first = 0.5
     start = [first, 1.0, first**3 - 3 * first**2 * first, 3 * first**2]
     points, double = followed(curve, start)
@@ -139,7 +139,7 @@ def test_a_generalised_doubling():
     shift = sp.Rational(1, 3)  # the cycle itself moves, so that quadratic terms matter
     w = z - shift
     f = [shift - (1 + p) * w + q * w**3 + sp.Rational(1, 2) * w**2 - w**5]
-    curve = MultiplierBoundary(equations(f, (z,), (p, q), (0.0, 0.0)), -1.0)
+    curve = MultiplierBoundary(equations(f, (z,), (p, q)), -1.0)
     points, double = followed(curve, [1 / 3, 1.0, 0.0, 0.6])
     np.testing.assert_allclose([point.x[-2] for point in points], 0.0, atol=1e-12)
     (one,) = double["gpd"]
@@ -160,7 +160,7 @@ def test_a_fold_flip(value):
         THIRD + left + p - left**2 + up**2 / 5,
         THIRD - (sp.Rational(1, 2) + p + q) * up + up**3,
     ]
-    curve = MultiplierBoundary(equations(f, (u, v), (p, q), (0.0, 0.0)), value)
+    curve = MultiplierBoundary(equations(f, (u, v), (p, q)), value)
     start = [0.0, 0.1] if value > 0 else [0.16, 0.34]
     _, double = followed(curve, [1 / 3 + start[0] ** 0.5, 1 / 3, 1.0, *start])
     (one,) = double["fold_flip"]
@@ -179,7 +179,7 @@ def test_a_pair_beside_a_real_multiplier(value, kind, on_torus):
         THIRD + turned * (sp.sin(angle) * left + sp.cos(angle) * up),
         THIRD + (last + p - last**2 if value > 0 else -(1 + p) * last + last**3),
     ]
-    eq = equations(f, (u, v, w), (p, q), (0.0, 0.0))
+    eq = equations(f, (u, v, w), (p, q))
     if on_torus:
         at = 1 / 3 + (0.3 if value > 0 else 0.0)
         _, double = followed(TorusBoundary(eq), [1 / 3, 1 / 3, at, 1.0, 1.1, 0.09, -0.09])

@@ -10,6 +10,7 @@ from stridemap.solver.cycles.search import find_all
 from stridemap.solver.cycles.solver import Solver
 from stridemap.solver.model.loading import load
 from stridemap.solver.options import ArclengthOptions, SearchOptions
+from stridemap.solver.walks.swing import swing
 
 
 @pytest.mark.quick
@@ -24,6 +25,14 @@ def test_conditions_are_what_is_measured():
     np.testing.assert_allclose(seen[GaitEnd.FRICTION], 0.2 - orbits.friction, rtol=0, atol=1e-10)
     for name in (GaitEnd.GRAZING, GaitEnd.EARLY_TOUCHDOWN, GaitEnd.BACKWARD, GaitEnd.FALL):
         assert (seen[name] > 0).all(), name
+    # The stance leg leans most at the ends of a step: back by theta, then ahead by as much.
+    theta = orbits.u[:, 0]
+    np.testing.assert_allclose(seen[GaitEnd.FALL], np.pi / 2 - theta, rtol=0, atol=1e-10)
+    np.testing.assert_allclose(seen[GaitEnd.BACKWARD], theta, rtol=0, atol=1e-10)
+    # The condition phi - 2 theta rises at the touchdown as an event-driven integrator sees it.
+    ends = [swing(solver.model, p, u[:-1]).end for p, u in zip(orbits.params, orbits.u, strict=True)]
+    rates = [dphi - 2 * dtheta for _, _, dtheta, dphi in ends]
+    np.testing.assert_allclose(seen[GaitEnd.GRAZING], rates, rtol=0, atol=1e-9)
     without = GaitConditions(solver.kernels).of_steps(96, orbits.u, orbits.params)
     assert set(without) == set(GaitEnd) - {GaitEnd.FRICTION}
 

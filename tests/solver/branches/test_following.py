@@ -2,9 +2,11 @@
 
 import numpy as np
 
+from stridemap.solver.branches import following
 from stridemap.solver.branches.following import MAX_CHANGE, follow_parameter
 from stridemap.solver.branches.main_branch import fixed_point_index
 from stridemap.solver.cycles.orbits import Orbits
+from stridemap.solver.cycles.search import continued
 
 
 def test_a_cycle_that_was_removed_is_found_again(solver, line):
@@ -44,6 +46,22 @@ def test_branches_end_at_a_fold_where_they_meet(solver, find):
             np.abs(np.array(one) - 1).min() for one in (start.multipliers, path.orbits[-1].multipliers)
         )
         assert after < before / 4
+
+
+def test_the_other_cycle_beside_a_fold_is_not_a_step_along_the_branch(solver, find, monkeypatch):
+    """Even where Newton's method goes astray and always ends at the other one, which is not far."""
+    both = find(k=5.961, starts=128)
+    assert fixed_point_index(both.multipliers).tolist() == [-1, 1]
+    assert np.abs(both.scaled[0] - both.scaled[1]).max() < 0.8 * MAX_CHANGE
+
+    def astray(solver, points, guesses, options):
+        return continued(solver, points, np.repeat(both.u[:1], len(points), axis=0), options)
+
+    monkeypatch.setattr(following, "continued", astray)
+    (other,) = follow_parameter(solver, both.take([1]), "k", np.array([5.9612]))
+    assert (other.reached, len(other.orbits)) == (False, 0)
+    (own,) = follow_parameter(solver, both.take([0]), "k", np.array([5.9612]))
+    assert own.reached
 
 
 def test_branches_do_not_depend_on_each_other(solver, line):

@@ -9,6 +9,7 @@ from stridemap.solver.cycles.floquet import multipliers
 from stridemap.solver.cycles.search import find_all
 from stridemap.solver.cycles.solver import Solver
 from stridemap.solver.model.loading import load
+from tests.oracles.maps import MapKernels, p, x
 
 N_RK = 48
 
@@ -72,3 +73,23 @@ def test_a_guess_that_leads_nowhere_is_reported_as_nan(simplest):
     chain = Chain(simplest, 2)
     guess = np.full((1, 2 * chain.width), np.nan)
     assert np.isnan(chain.newton(N_RK, guess, point)).all()
+
+
+@pytest.mark.quick
+def test_each_step_leads_to_the_next_and_the_last_to_the_first():
+    """Three steps of a map that is known: the residual by hand, and its derivative by differences."""
+    chain, value = Chain(MapKernels((p * x * (1 - x),), 1 + p * x), 3), 3.7
+    z, periods = np.array([0.2, 0.5, 0.9]), np.array([1.0, 2.0, 3.0])
+    u, params = np.stack([z, periods], axis=1).reshape(1, -1), np.array([[value]])
+    images = value * z * (1 - z)
+    expected = np.stack([images - z[[1, 2, 0]], periods - 1 - value * z], axis=1).reshape(1, -1)
+    np.testing.assert_allclose(chain.residual(0, u, params), expected, rtol=0, atol=1e-14)
+    exact = chain.jacobian(0, u, params)
+    np.testing.assert_allclose(exact.residual, expected, rtol=0, atol=1e-14)
+    shifts = 1e-6 * np.eye(6)
+    columns = [
+        (chain.residual(0, u + e, params) - chain.residual(0, u - e, params))[0] / 2e-6 for e in shifts
+    ]
+    np.testing.assert_allclose(exact.jacobian[0], np.array(columns).T, rtol=0, atol=1e-9)
+    slopes = value * (1 - 2 * z)
+    np.testing.assert_allclose(chain.multipliers(exact.jacobian)[0, 0], slopes.prod(), rtol=1e-12)

@@ -91,7 +91,7 @@ def test_stability_is_not_known_where_1_lies_within_the_error():
 
 @pytest.mark.quick
 def test_what_is_known_of_a_radius():
-    radius, error = np.array([0.5, 1.5, 1 - 1e-9, 1 + 1e-9, 1 - 1e-9, 0.5]), np.full(6, 1e-8)
+    radius, error = np.array([0.5, 1.05, 1 - 1e-9, 1 + 1e-9, 1 - 1e-9, 0.5]), np.full(6, 1e-8)
     error[4], error[5] = 1e-10, np.nan
     assert decided(radius, error).tolist() == [True, False, None, None, True, None]
 
@@ -153,3 +153,15 @@ def test_a_defective_multiplier_is_off_by_the_root_of_the_rounding():
     assert 1e-8 < rounding < 1e-6
     simple = residual_jacobian(np.diag([0.5, 0.25]))
     assert multiplier_error(simple, simple, np.ones(3))[0] < 1e-14
+
+
+@pytest.mark.quick
+def test_a_badly_conditioned_multiplier_is_off_by_its_condition():
+    """[[a, c], [0, b]] turned by an angle: the condition of both eigenvalues is sqrt(1 + (c / (a - b))^2)."""
+    derivative = np.array([[0.5, 1e6], [0.0, 0.25]])
+    jacobian = np.eye(3)[None].copy()
+    jacobian[0, :2, :2] = derivative - np.eye(2)
+    estimate = multiplier_error(jacobian, jacobian, np.ones(3))[0]
+    condition = np.hypot(1.0, 1e6 / 0.25)
+    rounding = 0.5 * np.finfo(float).eps * np.linalg.norm(derivative)
+    assert estimate == pytest.approx(rounding * condition, rel=1e-6)

@@ -146,6 +146,19 @@ def test_starts_are_added_while_a_cycle_was_reached_once():
 
 
 @pytest.mark.quick
+def test_a_cycle_that_one_start_reached_is_a_reason_for_more():
+    seen = set()
+    for n in (2, 4, 6, 8, 12, 16, 24, 32):
+        alone = find_orbits("simplest_walker", options=SearchOptions(starts=n, max_starts=n)).search
+        once = bool((alone.reached == 1).any())
+        assert alone.settled == (not once)
+        more = find_orbits("simplest_walker", options=SearchOptions(starts=n, max_starts=512)).search
+        assert (more.starts > n) == once
+        seen.add(once)
+    assert seen == {True, False}
+
+
+@pytest.mark.quick
 def test_batches_of_starts_are_one_sequence():
     """So that what is found does not depend on how many are made at once."""
     model = load("wobbling")

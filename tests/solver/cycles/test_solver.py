@@ -1,14 +1,16 @@
 """Limit cycles from guesses: how each failure is reported, and when a touchdown is the first."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
 from stridemap.solver.api.points import find_orbits
+from stridemap.solver.cycles.acceptance import Candidates
 from stridemap.solver.cycles.search import continued
 from stridemap.solver.cycles.solver import Solver
-from stridemap.solver.cycles.status import Status
+from stridemap.solver.cycles.status import STATUSES, Status
 from stridemap.solver.kernels.step_map import StepMap
 from stridemap.solver.model.loading import load
 from stridemap.solver.options import AcceptanceOptions
@@ -74,6 +76,31 @@ def test_side_of_the_vertical_is_judged_where_the_feet_meet(point, guess, status
     phase = swing(model, params, np.array(guess[:-1]))
     assert (abs(phase.duration - guess[-1]) < 1e-2) == (status is Status.CONVERGED)
     assert orbit.status is status
+
+
+@pytest.mark.quick
+@pytest.mark.parametrize(("angle", "status"), [(1.5, Status.CONVERGED), (1.65, Status.NOT_A_STEP)])
+def test_a_stance_leg_beyond_the_horizontal_is_not_a_step(angle, status):
+    """A cycle whose stance leg is made to lean so far at one instant of it, on either side."""
+    point, guess = GUESSES[Status.CONVERGED]
+    model = load("wobbling")
+    params = model.point(dict(zip(("k", "alpha", "omega"), point, strict=True)))[None]
+    solver = Solver.for_model(model)
+    found = Candidates.solve(solver.kernels, solver.acceptance, 48, np.array([guess]), params)
+    for sign in (1, -1):
+        w = found.trace.w.copy()
+        w[0, 20, model.stance_index] = sign * angle
+        leaning = replace(found, trace=replace(found.trace, w=w))
+        assert STATUSES[leaning._verdict((0.3, 3.0))].tolist() == [status]
+
+
+@pytest.mark.quick
+def test_an_end_of_a_search_below_the_ground_is_not_a_step():
+    """Just before touchdown the stance leg leans ahead by as much as it leans back after it."""
+    solver = Solver.for_model(load("simplest_walker"))
+    u = np.array([[angle, -0.2, 3.0] for angle in (0.2, 1.5, 1.65, -0.2)])
+    possible = solver._can_be_a_step(u, np.repeat(solver.model.point({})[None], 4, axis=0))
+    assert possible.tolist() == [True, True, False, False]
 
 
 @pytest.mark.quick

@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 import pytest
+from scipy.integrate import quad
 
 from stridemap.solver.model.loading import load
 from stridemap.solver.model.scales import Scales
@@ -52,6 +53,23 @@ def test_the_energy_decides_whether_a_wheel_passes(spokes, slope):
         start = -math.pi / spokes
         assert wheel(spokes, lambda2, slope, start, 1.001 * top, 1) == (Outcome.WALKED, 1)
         assert wheel(spokes, lambda2, slope, start, 0.999 * top, 1) == (Outcome.ROCKS_BACK, 0)
+
+
+def test_a_wheel_that_just_passes_takes_its_time():
+    """With a part of 1e-9 more speed than it needs: 21.7 units of time, by the energy and quadrature."""
+    top = needed(8, 1.0, 0.05)
+    model = load("rimless_wheel")
+    params = model.point({"spokes": 8, "lambda2": 1.0, "slope": 0.05})
+    phase = swing(model, params, np.array([-math.pi / 8, (1 + 1e-9) * top]))
+    assert phase.outcome is Outcome.WALKED
+    start, end = -math.pi / 8 + 0.05, math.pi / 8 + 0.05
+    excess = ((1 + 1e-9) ** 2 - 1) * top**2
+    time = quad(
+        lambda x: 1 / math.sqrt(excess + 4 * math.sin(x / 2) ** 2), start, end, points=[0.0], limit=400
+    )[0]
+    assert time > 20
+    # The integrator's 1e-12 is a thousandth of the energy that is left at the top.
+    assert phase.duration == pytest.approx(time, abs=1e-3)
 
 
 @pytest.mark.parametrize(("slope", "said"), [(0.05, "uphill"), (0.0, "backward"), (-0.05, "backward")])

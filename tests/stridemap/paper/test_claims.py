@@ -6,6 +6,7 @@ import subprocess
 import sys
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pandas as pd
@@ -18,6 +19,7 @@ from stridemap.paper.claim import Parts, Verdict
 from stridemap.paper.evaluate import STATEMENTS, evaluate
 from stridemap.paper.points import ALPHAS, OMEGAS, PLANE, TYPICAL
 from stridemap.paper.stable_runs import stable_runs
+from stridemap.paper.statements.stability import _length
 from stridemap.paper.sweeps import configurations, default_folder
 from stridemap.solver.cycles.gait import is_physical_gait
 from tests.oracles.claim_tables import changed, made_up, slow, swapped
@@ -140,6 +142,35 @@ def test_differs_after_the_opposite(id_):
     assert claim.verdict is Verdict.DIFFERS, claim.evidence
 
 
+def beside_the_compass(factor, column, letters):
+    """The tables with a column of some groups at a factor of the compass's own number, at each omega."""
+
+    def value(rows):
+        compass = made_up().compass.set_index("omega")[column]
+        return factor * rows["omega"].map(compass)
+
+    return changed(made_up(), "lines", group(*letters), **{column: value})
+
+
+@pytest.mark.parametrize(
+    ("id_", "column", "letters", "factor", "expected"),
+    [
+        ("C7", "spectral_radius", "ABCDE", 0.98, "differs"),
+        ("C7", "spectral_radius", "ABCDE", 1.02, "holds"),
+        ("C12", "d_max", "A", 0.98, "differs"),
+        ("C12", "d_max", "A", 1.02, "holds"),
+        ("C13", "d_max", "BC", 1.02, "differs"),
+        ("C13", "d_max", "BC", 0.98, "holds"),
+        ("C17", "cot", "A", 0.98, "differs"),
+        ("C17", "cot", "A", 1.02, "holds"),
+        ("C18", "cot", "BC", 1.02, "differs"),
+        ("C18", "cot", "BC", 0.98, "holds"),
+    ],
+)
+def test_comparisons_with_the_compass_are_with_its_own_number(id_, column, letters, factor, expected):
+    assert verdict(id_, beside_the_compass(factor, column, letters)) == expected
+
+
 @pytest.mark.parametrize("id_", IDS)
 def test_evidence_decides_again_and_is_plain(id_):
     for change in (lambda d: d, *CHANGES[id_]):
@@ -196,6 +227,14 @@ def test_ranges_are_closed_by_bisected_edges():
     ]
     assert [r.cut_low for r in runs] == [True, False, False]
     assert runs[0].width == pytest.approx(2.4)
+
+
+def test_ranges_that_overlap_count_once():
+    """1 to 3 and 2 to 5 and 7 to 8 and 7.5 to 7.75: five in all."""
+    k = np.array([[1.0, 3.0], [2.0, 5.0], [7.0, 8.0], [7.5, 7.75]])
+    runs = [SimpleNamespace(opens=low, closes=high) for low, high in k]
+    assert _length({"B": [runs[2], runs[1]], "A": [runs[0], runs[3]]}) == 5.0
+    assert _length({}) == 0.0
 
 
 @pytest.mark.parametrize(

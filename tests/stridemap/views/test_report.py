@@ -19,6 +19,7 @@ from stridemap.solver.model.loading import available, load
 from stridemap.sweeps import store
 from stridemap.sweeps.run import sweep
 from stridemap.sweeps.store import read_cells, read_provenance
+from stridemap.views.report.payload import _table
 from stridemap.views.report.sections import read_claims
 from stridemap.views.report.write import write_report
 from tests.oracles.sweeping import Inline
@@ -74,6 +75,21 @@ def test_it_holds_the_tables_to_the_last_bit(done, page):
         else:
             assert list(found) == [None if pd.isna(value) else value for value in orbits[name]], name
     assert decoded(data["cells"]["columns"]["status"]) == list(cells.status)
+
+
+def test_words_stand_where_they_stand_in_the_table():
+    """Of several words, which a sweep of one walker may lack."""
+    words = ["found", "empty", "failed", None, "empty", "found"]
+    columns = _table(pd.DataFrame({"status": words, "reason": [None] * 6}))["columns"]
+    assert decoded(columns["status"]) == words
+    assert decoded(columns["reason"]) == [None] * 6
+
+
+def test_what_is_not_known_is_not_false():
+    known = pd.DataFrame({"stable": pd.array([True, None, False], dtype="boolean")})
+    column = _table(known)["columns"]["stable"]
+    assert column["type"] == "bool"
+    assert list(base64.b64decode(column["data"])) == [1, 2, 0]
 
 
 def test_cells_are_numbered_as_in_the_tables(tmp_path):

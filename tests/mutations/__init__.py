@@ -1,0 +1,12 @@
+"""Changes of meaning that the tests must notice, by subject; `python -m tests.mutate` tries them."""
+
+from tests.mutations import branches, derivation, numerics, observables, tables
+from tests.mutations.mutation import Mutation
+
+MUTATIONS: tuple[Mutation, ...] = (
+    *derivation.MUTATIONS,
+    *observables.MUTATIONS,
+    *numerics.MUTATIONS,
+    *branches.MUTATIONS,
+    *tables.MUTATIONS,
+)

@@ -1,0 +1,166 @@
+"""Changes of sweeps, their tables, the report and the paper's statements."""
+
+from tests.mutations.mutation import Mutation
+
+TILES = "tests/sweeps/test_tiles.py"
+REPORT = "tests/stridemap/views/test_report.py"
+NOTATION = "tests/stridemap/views/test_notation.py"
+CLAIMS = "tests/stridemap/paper/test_claims.py"
+
+SWEEPS = (
+    Mutation(
+        "sweeps/tiles.py",
+        "NO_GAIT = (Status.NOT_A_STEP.code, Status.LATER_TOUCHDOWN.code)",
+        "NO_GAIT = ()",
+        "branches are not followed through cells in which they are not gaits",
+        (f"{TILES}::test_a_branch_is_followed_through_cells_in_which_it_is_not_a_gait",),
+    ),
+    Mutation(
+        "sweeps/tiles.py",
+        "MAX_ADHESION = 1.0",
+        "MAX_ADHESION = 0.0",
+        "branches end where the foot is pulled",
+        (f"{TILES}::test_a_foot_that_is_pulled_a_little_does_not_end_a_branch",),
+    ),
+    Mutation(
+        "sweeps/tiles.py",
+        "MAX_ADHESION = 1.0",
+        "MAX_ADHESION = 1e9",
+        "branches are followed however much the foot is pulled",
+        (f"{TILES}::test_a_foot_that_is_pulled_by_more_than_the_weight_does",),
+    ),
+    Mutation(
+        "solver/options.py",
+        "return 0.85 * low, 1.15 * high",
+        "return low, high",
+        "branches end where they leave the range of periods for a while",
+        (f"{TILES}::test_a_branch_is_followed_that_is_a_little_outside_the_range_of_periods",),
+    ),
+    Mutation(
+        "sweeps/tiles.py",
+        "SAME_BRANCH = 1e-3",
+        "SAME_BRANCH = 1e-1",
+        "of two cycles near a fold only one is followed",
+        (f"{TILES}::test_two_cycles_next_to_a_fold_are_followed_each",),
+    ),
+    Mutation(
+        "sweeps/tiles.py",
+        "self.outgoing += [end for end in ends if end.cell not in self._cycles]",
+        "self.outgoing += []",
+        "branches end at the border of a tile",
+        (f"{TILES}::test_what_leads_into_other_tiles_is_handed_on",),
+    ),
+    Mutation(
+        "sweeps/grid.py",
+        "np.array([-1, 1])",
+        "np.array([1, 1])",
+        "cells have neighbours on one side only",
+        ("tests/sweeps/test_grid.py::test_neighbours_are_one_step_along_one_axis",),
+    ),
+    Mutation(
+        "sweeps/run.py",
+        "return (period > shortest) & (period <= longest)",
+        "return (period > 0) & (period <= 2 * longest)",
+        "cycles outside the range of periods are rows",
+        ("tests/sweeps/test_run.py::test_cells_without_a_cycle_say_so",),
+    ),
+    Mutation(
+        "sweeps/store.py",
+        "if same_software and found != own:",
+        "if False:",
+        "a sweep is continued with other software",
+        ("tests/sweeps/test_store.py::test_resume_refuses_other_software",),
+    ),
+    Mutation(
+        "sweeps/config.py",
+        "for low, high in itertools.pairwise(values):",
+        "for low, high in ():",
+        "an axis may have a value twice",
+        ("tests/sweeps/test_config.py::test_bad_file_is_told_in_one_sentence",),
+    ),
+    Mutation(
+        "sweeps/tables.py",
+        '"stable_orbits": np.bincount(found[stable], minlength=n_cells)',
+        '"stable_orbits": np.bincount(found, minlength=n_cells)',
+        "all cycles of a cell are counted as stable",
+        ("tests/sweeps/test_store.py::test_cell_table_counts_orbits",),
+    ),
+)
+
+PAGES = (
+    Mutation(
+        "stridemap/views/report/payload.py",
+        '{"type": "word", "words": words,',
+        '{"type": "word", "words": words[::-1],',
+        "words in the report are in the wrong order: each cell has another's",
+        (f"{REPORT}::test_words_stand_where_they_stand_in_the_table",),
+    ),
+    Mutation(
+        "stridemap/views/report/payload.py",
+        '"unit": unit[q.kind],',
+        '"unit": unit["number"],',
+        "quantities in the report have no units",
+        (f"{REPORT}::test_measures_are_those_of_the_registry",),
+    ),
+    Mutation(
+        "stridemap/views/report/payload.py",
+        "np.where(values.isna(), 2, ",
+        "np.where(values.isna(), 0, ",
+        "what is not known to be stable is unstable in the report",
+        (f"{REPORT}::test_what_is_not_known_is_not_false",),
+    ),
+    Mutation(
+        "stridemap/quantities.py",
+        '"power": ("M g sqrt(g L)", "W")',
+        '"power": ("M g L", "W")',
+        "powers have the unit of energies",
+        ("tests/stridemap/test_units.py::test_every_quantity_has_the_dimension_of_its_si_unit",),
+    ),
+    Mutation(
+        "stridemap/views/notation.py",
+        "names.length: power(length=2) + gravity",
+        "names.length: power(length=2) - gravity",
+        "units of a model in units of its own are wrong",
+        (NOTATION,),
+    ),
+)
+
+STATEMENTS = (
+    Mutation(
+        "stridemap/paper/statements/stability.py",
+        "parts.add(name, least > reference, compass=reference, cycles_not_above=below, **found)",
+        "parts.add(name, least > 0.9 * reference, compass=reference, cycles_not_above=below, **found)",
+        "C7 compares with 0.9 of the compass",
+        (f"{CLAIMS}::test_comparisons_with_the_compass_are_with_its_own_number",),
+    ),
+    Mutation(
+        "stridemap/paper/statements/efficiency.py",
+        'parts.add(name, found.get("least", np.nan) > reference,',
+        'parts.add(name, found.get("least", np.nan) > 0.9 * reference,',
+        "C12 and C17 compare with 0.9 of the compass",
+        (f"{CLAIMS}::test_comparisons_with_the_compass_are_with_its_own_number",),
+    ),
+    Mutation(
+        "stridemap/paper/statements/efficiency.py",
+        "below = rows[rows[column] < reference]",
+        "below = rows[rows[column] < 1.1 * reference]",
+        "C13 and C18 compare with 1.1 of the compass",
+        (f"{CLAIMS}::test_comparisons_with_the_compass_are_with_its_own_number",),
+    ),
+    Mutation(
+        "stridemap/paper/statements/stability.py",
+        "length += max(0.0, run.closes - max(run.opens, reached))",
+        "length += max(0.0, run.closes - run.opens)",
+        "ranges of two groups that overlap count twice",
+        (f"{CLAIMS}::test_ranges_that_overlap_count_once",),
+    ),
+    Mutation(
+        "solver/cycles/gait.py",
+        "(orbit.min_vertical_force > 0)",
+        "(orbit.min_vertical_force > -1)",
+        "gaits whose foot is pulled are physical",
+        (f"{CLAIMS}::test_only_cycles_that_walk_count",),
+    ),
+)
+
+MUTATIONS = (*SWEEPS, *PAGES, *STATEMENTS)

@@ -1,0 +1,144 @@
+"""One tile of a sweep from guesses that are known: which branches are followed, and where to."""
+
+from dataclasses import dataclass
+
+import numpy as np
+import pytest
+
+from stridemap.solver.backends.lanes import Lanes
+from stridemap.solver.cycles.search import find_all
+from stridemap.solver.cycles.solver import Solver
+from stridemap.solver.cycles.status import Status
+from stridemap.solver.model.loading import load
+from stridemap.solver.model.scales import Scales
+from stridemap.solver.options import AcceptanceOptions, ContinuationOptions, SearchOptions
+from stridemap.sweeps.grid import Grid
+from stridemap.sweeps.tiles import NO_SOURCE, Guess, Task, work
+from tests.oracles.kernels import needs_compiler
+from tests.oracles.reference import GUESSES, LIFTING
+
+pytestmark = [needs_compiler, pytest.mark.quick]
+
+
+@dataclass(frozen=True)
+class Line:
+    """Cells of the wobbling walker along k, of which a tile has some; no starts are made."""
+
+    k: tuple[float, ...]
+    params: dict[str, float]
+    period_range: tuple[float, float] = (0.3, 3.0)
+
+    def result(self, incoming, cells=None):
+        """What a tile finds from guesses (cell, source, cycle)."""
+        model = load("wobbling")
+        fixed = {n: v for n, v in {**model.preset, **self.params}.items() if n != "k"}
+        low, high = self.period_range
+        task = Task(
+            model=model,
+            grid=Grid(("k",), (np.array(self.k),)),
+            params=fixed,
+            search=SearchOptions(starts=1, period_min=low, period_max=high),
+            acceptance=AcceptanceOptions(),
+            continuation=ContinuationOptions(),
+            backend=Lanes(),
+            round=1,
+            tile=0,
+            cells=np.arange(len(self.k)) if cells is None else np.array(cells),
+            seeds=np.array([], dtype=np.int64),
+            incoming=[Guess(*one) for one in incoming],
+            known=[],
+            seen=[],
+        )
+        return work(task)
+
+    def cycles(self, k):
+        """All limit cycles at one value of k, by a search of its own; unknowns by period."""
+        model = load("wobbling")
+        point = model.point({**self.params, "k": k})[None]
+        return find_all(Solver.for_model(model), point, SearchOptions(starts=128))[1]
+
+
+def test_a_branch_is_followed_to_the_neighbours_of_a_cell():
+    line = Line((8.0, 8.5, 9.0, 9.5), {})
+    start = line.cycles(8.5).u[0]
+    rows = line.result([(1, NO_SOURCE, start)]).orbits
+    assert rows["cell"].to_pylist() == [0, 1, 2, 3]
+    for k, period in zip(line.k, rows["period"].to_pylist(), strict=True):
+        assert np.abs(line.cycles(k).period - period).min() < 1e-10
+
+
+def test_what_leads_into_other_tiles_is_handed_on():
+    line = Line((8.0, 8.5, 9.0, 9.5), {})
+    found = line.result([(1, NO_SOURCE, line.cycles(8.5).u[0])], cells=[0, 1])
+    assert found.orbits["cell"].to_pylist() == [0, 1]
+    ((cell, source, u),) = found.outgoing
+    assert (cell, source) == (2, 1)
+    assert np.abs(line.cycles(9.0).u - u).max(axis=1).min() < 1e-2  # a guess
+
+
+def test_a_branch_is_followed_through_cells_in_which_it_is_not_a_gait():
+    """At k = 1.4 the foot is down before the end of the step, at 1.5 it is a gait."""
+    point, _ = GUESSES[Status.LATER_TOUCHDOWN]
+    line = Line((1.3, 1.4, 1.5), dict(zip(("alpha", "omega"), point[1:], strict=True)))
+    near = np.array([0.0813196831, -0.3064211610, -0.0040437340, 0.0015141253, -0.3212197710, 2.62971018])
+    found = line.result([(0, NO_SOURCE, near)])
+    assert found.discarded[0, Status.LATER_TOUCHDOWN.value] == 1
+    assert found.discarded[1, Status.LATER_TOUCHDOWN.value] == 1
+    assert found.orbits["cell"].to_pylist() == [2]
+    (period,) = found.orbits["period"].to_pylist()
+    assert np.abs(line.cycles(1.5).period - period).min() < 1e-10
+
+
+def test_a_foot_that_is_pulled_a_little_does_not_end_a_branch():
+    """It needs a pull of 0.6 of the weight; the neighbour has no other guess."""
+    line = Line((LIFTING["k"], LIFTING["k"] + 0.02), {n: v for n, v in LIFTING.items() if n != "k"})
+    u = np.array([0.0230059121, -1.4194402303, -0.0015022749, 0.0774067137, -7.4529883501, 0.6799971970])
+    found = line.result([(0, NO_SOURCE, u)])
+    assert found.orbits["cell"].to_pylist() == [0, 1]
+    pulls = -np.array(found.orbits["min_vertical_force"].to_pylist()) / (1 + 2 * LIFTING["beta"])
+    assert ((pulls > 0.5) & (pulls < 0.7)).all()
+
+
+def test_a_foot_that_is_pulled_by_more_than_the_weight_does():
+    """The pull grows as the spring gets softer: the first cell where it is too large is the last."""
+    k = tuple(LIFTING["k"] + np.arange(-20, 1) * 0.04)
+    line = Line(k, {n: v for n, v in LIFTING.items() if n != "k"})
+    u = np.array([0.0230059121, -1.4194402303, -0.0015022749, 0.0774067137, -7.4529883501, 0.6799971970])
+    rows = line.result([(len(k) - 1, NO_SOURCE, u)]).orbits
+    pulls = -np.array(rows["min_vertical_force"].to_pylist()) / (1 + 2 * LIFTING["beta"])
+    assert rows["cell"].to_pylist() == list(range(len(k) - len(pulls), len(k)))
+    assert (pulls[1:] < 1).all()
+    assert pulls[0] > 1
+
+
+@pytest.mark.parametrize(("first", "second"), [(22.5, 23.0), (23.0, 22.5)])
+@pytest.mark.parametrize("end", ["short", "long"])
+def test_a_branch_is_followed_that_is_a_little_outside_the_range_of_periods(first, second, end):
+    """By 1 in 10: the first cell's cycle does not count, and the second's does."""
+    line = Line((22.5, 23.0), {})
+    outside, inside = line.cycles(first), line.cycles(second)
+    u, period = outside.u[0], outside.period[0]
+    there = inside.period[np.abs(inside.period - period).argmin()]
+    # A range that ends between the two, or beyond both by a tenth: the branch is followed all the same.
+    limits = (1.1 * period, 9.0) if end == "short" else (0.1, period / 1.1)
+    found = Line(line.k, {}, limits).result([(line.k.index(first), NO_SOURCE, u)])
+    assert sorted(found.orbits["cell"].to_pylist()) == [0, 1]
+    assert np.abs(np.array(found.orbits["period"].to_pylist()) - there).min() < 1e-10
+    # By half is too far.
+    limits = (1.5 * period, 9.0) if end == "short" else (0.1, period / 1.5)
+    assert len(Line(line.k, {}, limits).result([(line.k.index(first), NO_SOURCE, u)]).orbits) == 0
+
+
+def test_two_cycles_next_to_a_fold_are_followed_each():
+    """One came from the neighbour and need not go back; the other one, 0.05 away from it, must."""
+    line = Line((5.965, 5.98), {})
+    one, other = line.cycles(5.965).u
+    apart = np.abs((one - other) / Scales.of(load("wobbling")).unknowns).max()
+    assert 1e-2 < apart < 0.1
+    found = line.result([(0, 1, one), (0, NO_SOURCE, other)])
+    cells = found.orbits["cell"].to_pylist()
+    assert cells.count(0) == 2
+    periods = [p for cell, p in zip(cells, found.orbits["period"].to_pylist(), strict=True) if cell == 1]
+    goes_on = line.cycles(5.98).u
+    nearest = goes_on[np.abs(goes_on - other).max(axis=1).argmin()]
+    assert np.abs(np.array(periods) - nearest[-1]).min() < 1e-9
