@@ -83,6 +83,12 @@ def directional_source(model: Model) -> str:
     return _joined(model, ("lanes.h", "jets.h"), "Jet", "directional.h", kernels)
 
 
+def precise_source(model: Model) -> str:
+    """The residuals in numbers of twice the digits, as one C++ file; see `source`."""
+    kernels = [kernel for kernel in BRANCH_FREE if kernel.kind == Kind.RESIDUAL]
+    return _joined(model, ("lanes.h", "pairs.h"), "Pair", "precise.h", kernels)
+
+
 def _joined(model: Model, numbers: Sequence[str], number: str, driver: str, shown: Sequence[Kernel]) -> str:
     """The kernels' C with another type of number, between the number's header and what calls the kernels."""
     here = Path(__file__).parent
@@ -168,6 +174,25 @@ class LaneKernels(Kernels):
             )  # fmt: skip
             check(status, kernel)
         return Directional(*outputs)
+
+    @cached_property
+    def _precise(self) -> ctypes.CDLL:
+        """The residuals in numbers of twice the digits; compiled when they are first asked for."""
+        compiler = Compiler.named(self._command)
+        return compiler.library(f"{self.model.name}_precise.cpp", precise_source(self.model), self._flags)
+
+    def precise_residual(self, n_rk: int, u: Array, p: Array) -> Array:
+        """Residuals in numbers of twice the digits: see `Kernels.precise_residual`."""
+        u, p = (np.ascontiguousarray(one, dtype=np.float64) for one in (u, p))
+        out, kernel = np.full(u.shape, np.nan), residual(n_rk)
+        if len(u) and kernel in self.functions:
+            status = self._precise.precise_map(
+                _shown(self._precise, "precise", c_name(self.model, kernel)),
+                *map(ctypes.c_longlong, (len(u), u.shape[1], p.shape[1])),
+                *(ctypes.c_void_p(one.ctypes.data) for one in (u, p, out)),
+            )  # fmt: skip
+            check(status, kernel)
+        return out
 
     @property
     def compiler(self) -> str:
