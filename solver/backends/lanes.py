@@ -8,6 +8,7 @@ The results do not depend on the processor, nor on which points are in a batch.
 """
 
 import ctypes
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -29,6 +30,7 @@ from stridemap.solver.kernels.catalogue import (
     jacobian,
     residual,
 )
+from stridemap.solver.kernels.tableau import rests
 from stridemap.solver.model.files import kernels_file
 from stridemap.solver.model.model import Model
 from stridemap.solver.model.scales import Scales, rounded
@@ -86,7 +88,15 @@ def directional_source(model: Model) -> str:
 def precise_source(model: Model) -> str:
     """The residuals in numbers of twice the digits, as one C++ file; see `source`."""
     kernels = [kernel for kernel in BRANCH_FREE if kernel.kind == Kind.RESIDUAL]
-    return _joined(model, ("lanes.h", "pairs.h"), "Pair", "precise.h", kernels)
+    rest = rests(tuple(kernel.n_rk for kernel in kernels))
+
+    def whole(found: re.Match[str]) -> str:
+        """A constant, with what its double leaves out where it is a coefficient of the integration."""
+        left_out = rest.get(float(found[0]), 0.0)
+        return f"Pair({found[0]}, {left_out!r})" if left_out else found[0]
+
+    text = _joined(model, ("lanes.h", "pairs.h"), "Pair", "precise.h", kernels)
+    return re.sub(r"\b\d\.\d{16}e[-+]\d\d\b", whole, text)  # as CasADi writes constants
 
 
 def _joined(model: Model, numbers: Sequence[str], number: str, driver: str, shown: Sequence[Kernel]) -> str:

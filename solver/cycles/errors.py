@@ -9,7 +9,9 @@ Rounding adds to both: what the residual's own rounding comes to through |J^-1|,
 through the condition of each eigenvalue.
 """
 
+import math
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,6 +25,9 @@ Complex = NDArray[np.complex128]
 
 ROUNDING = 0.5 * float(np.finfo(float).eps)
 """Rounding of the residual and of the derivative, in terms of what they are computed from: measured."""
+
+COARSE = 24
+"""RK steps with which it is so much."""
 
 
 @dataclass(frozen=True)
@@ -44,7 +49,9 @@ class Correction:
     spread: Array
 
     @classmethod
-    def of(cls, jacobian: Array, residual: Array, u: Array, scale: Array) -> "Correction":
+    def of(
+        cls, jacobian: Array, residual: Array, u: Array, scale: Array, n_rk: int = COARSE
+    ) -> "Correction":
         """The correction for a residual.
 
         Parameters
@@ -54,11 +61,13 @@ class Correction:
             At a higher resolution than the one at which `u` was solved.
         u : ndarray, shape (n, nz + 1)
         scale : ndarray, shape (nz + 1,)
+        n_rk : int, optional
+            RK steps whose rounding adds up, as in a random walk.
         """
         inverse = inverted(jacobian)
         change = -(inverse @ residual[:, :, None])[:, :, 0]
         # A row of the residual is rounded as the number that it is the difference of.
-        level = ROUNDING * np.maximum(np.abs(u), scale)
+        level = ROUNDING * math.sqrt(n_rk / COARSE) * np.maximum(np.abs(u), scale)
         with np.errstate(invalid="ignore"):
             level[:, -1] = ROUNDING * np.abs(jacobian[:, -1, -1]) * scale[-1]
             moved = inverse * level[:, None, :]
@@ -68,6 +77,26 @@ class Correction:
             spread = np.take_along_axis(moved, column[:, None, None], axis=2)[:, :, 0]
             side = np.where((spread * change / scale**2).sum(axis=1) < 0, -1.0, 1.0)
         return cls(change, rounding.max(axis=1, initial=0.0), side[:, None] * spread)
+
+
+    @classmethod
+    def unknown(cls, n: int, width: int) -> "Correction":
+        """None for n solutions: not a number."""
+        return cls(np.full((n, width), np.nan), np.full(n, np.nan), np.full((n, width), np.nan))
+
+    @property
+    def exact(self) -> NDArray[np.bool_]:
+        """For which of them the change is that of this very rounding, shape (n,)."""
+        none: NDArray[np.bool_] = self.rounding == 0
+        return none
+
+    def take(self, index: NDArray[Any]) -> "Correction":
+        """Some of the solutions."""
+        return Correction(self.change[index], self.rounding[index], self.spread[index])
+
+    def put(self, index: NDArray[Any], other: "Correction") -> None:
+        """Those of some of the solutions."""
+        self.change[index], self.rounding[index], self.spread[index] = other.change, other.rounding, other.spread
 
 
 def size(change: Array, scale: Array) -> Array:

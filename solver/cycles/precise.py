@@ -1,0 +1,114 @@
+"""Cycles of which rounding is much of the error, because they are close to a fold, by residuals to twice the digits."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from stridemap.solver.backends.base import Kernels, Solved, Traced
+from stridemap.solver.cycles.errors import Correction, size
+from stridemap.solver.kernels.catalogue import CYCLE_N_RK
+from stridemap.solver.kernels.runge_kutta import ORDER
+from stridemap.solver.linear import solved
+from stridemap.solver.model.scales import Scales
+
+Array = NDArray[np.float64]
+
+MUCH = 0.05
+"""Rounding in terms of a correction from which on it is looked at: it is estimated to a factor of some few."""
+
+TINY = 1e-14
+"""Rounding that is not looked at, in terms of the scales."""
+
+POLISHES = 3
+"""Corrections at most of a cycle that rounding has moved."""
+
+
+def finer(n_rk: int) -> int:
+    """A resolution at which the error is at most a tenth: the next one, or twice as many RK steps."""
+    return next((n for n in CYCLE_N_RK if n > n_rk), 2 * n_rk)
+
+
+def exact_residual(kernels: Kernels, n_rk: int, u: Array, params: Array) -> Array:
+    """Residuals of the exact step map as far as it matters for cycles at a resolution, shape (n, nz + 1).
+
+    NaN where there are no residuals to twice the digits.
+
+    Parameters
+    ----------
+    kernels : Kernels
+    n_rk : int
+        RK steps with which the cycles were solved.
+    u : ndarray, shape (n, nz + 1)
+    params : ndarray, shape (n, n_params)
+    """
+    finest = CYCLE_N_RK[-1]
+    fine = kernels.precise_residual(min(finer(n_rk), finest), u, params)
+    if n_rk < finest:
+        return fine
+    # There are none on more RK steps: the order says what they would be.
+    coarse = kernels.precise_residual(CYCLE_N_RK[-2], u, params)
+    return fine + (fine - coarse) / ((finest / CYCLE_N_RK[-2]) ** ORDER - 1)
+
+
+def rough(correction: Correction, scale: Array) -> NDArray[np.intp]:
+    """Those of which rounding may be much of the correction."""
+    with np.errstate(invalid="ignore"):
+        much: NDArray[np.bool_] = correction.rounding > np.maximum(MUCH * size(correction.change, scale), TINY)
+    return np.flatnonzero(much)
+
+
+def _known(kernels: Kernels, n_rk: int, cycles: Solved, params: Array, traced: Traced) -> Correction:
+    """The correction of cycles, with what rounding does to each in the place of what it may do where it is much."""
+    scale = Scales.of(kernels.model).unknowns
+    out = Correction.of(cycles.jacobian, traced.residual, cycles.u, scale, 2 * n_rk)
+    at = rough(out, scale)
+    change = -solved(cycles.jacobian[at], exact_residual(kernels, n_rk, cycles.u[at], params[at]))
+    good = np.isfinite(change).all(axis=1)
+    at, change = at[good], change[good]
+    out.put(at, Correction(change, np.zeros(len(at)), np.zeros_like(change)))
+    return out
+
+
+def polished(kernels: Kernels, n_rk: int, u: Array, params: Array, jacobian: Array) -> Array:
+    """Solutions at a resolution without the rounding of its residuals; as they are where that is not to be had."""
+    scale, out = Scales.of(kernels.model).unknowns, u.copy()
+    last = np.full(len(u), np.inf)
+    for _ in range(POLISHES):
+        step = -solved(jacobian, kernels.precise_residual(n_rk, out, params))
+        now = size(step, scale)
+        good = now < 0.5 * last
+        out[good] += step[good]
+        last = np.where(good, now, 0.0)
+    return out
+
+
+def checked(
+    kernels: Kernels, n_rk: int, cycles: Solved, params: Array, limit: float
+) -> tuple[Solved, Traced, Correction]:
+    """Solutions with their traces at twice the resolution, and what these change in them.
+
+    Those that rounding moves by more than a limit are solved without it.
+
+    Parameters
+    ----------
+    kernels : Kernels
+    n_rk : int
+        RK steps with which they were solved.
+    cycles : Solved
+        Of n points.
+    params : ndarray, shape (n, n_params)
+    limit : float
+        In terms of the scales.
+    """
+    scale = Scales.of(kernels.model).unknowns
+    traced = kernels.trace(2 * n_rk, cycles.u, params)
+    correction = _known(kernels, n_rk, cycles, params, traced)
+    far = np.flatnonzero(correction.exact & (size(correction.change, scale) > limit))
+    if not len(far) or n_rk > CYCLE_N_RK[-1]:
+        return cycles, traced, correction
+    u = polished(kernels, n_rk, cycles.u[far], params[far], cycles.jacobian[far])
+    better = Solved(u, *kernels.jacobian(n_rk, u, params[far]))
+    again = kernels.trace(2 * n_rk, u, params[far])
+    for whole, part in zip((*cycles, *traced), (*better, *again), strict=True):
+        whole[far] = part
+    correction.put(far, _known(kernels, n_rk, better, params[far], again))
+    return cycles, traced, correction
