@@ -21,8 +21,11 @@ from stridemap.solver.backends.base import Backend, Directional, Kernels
 from stridemap.solver.backends.compiler import Compiler, processor_features
 from stridemap.solver.backends.shared_library import check, pointers, sizes
 from stridemap.solver.kernels.catalogue import (
+    BEGIN,
     BRANCH_FREE,
+    END,
     NEWTON,
+    SWING,
     Kernel,
     Kind,
     Newton,
@@ -30,6 +33,7 @@ from stridemap.solver.kernels.catalogue import (
     jacobian,
     residual,
 )
+from stridemap.solver.kernels.step_map import BLOCK
 from stridemap.solver.kernels.tableau import rests
 from stridemap.solver.model.files import kernels_file
 from stridemap.solver.model.model import Model
@@ -89,6 +93,7 @@ def precise_source(model: Model) -> str:
     """The residuals in numbers of twice the digits, as one C++ file; see `source`."""
     kernels = [kernel for kernel in BRANCH_FREE if kernel.kind == Kind.RESIDUAL]
     rest = rests(tuple(kernel.n_rk for kernel in kernels))
+    kernels += [BEGIN, SWING, END]
 
     def whole(found: re.Match[str]) -> str:
         """A constant, with what its double leaves out where it is a coefficient of the integration."""
@@ -194,15 +199,25 @@ class LaneKernels(Kernels):
     def precise_residual(self, n_rk: int, u: Array, p: Array) -> Array:
         """Residuals in numbers of twice the digits: see `Kernels.precise_residual`."""
         u, p = (np.ascontiguousarray(one, dtype=np.float64) for one in (u, p))
-        out, kernel = np.full(u.shape, np.nan), residual(n_rk)
-        if len(u) and kernel in self.functions:
+        out = np.full(u.shape, np.nan)
+        if not len(u):
+            return out
+        sizes = [len(u), u.shape[1], p.shape[1]]
+        points = [ctypes.c_void_p(one.ctypes.data) for one in (u, p, out)]
+        kernel = residual(n_rk)
+        if kernel in self.functions:
             status = self._precise.precise_map(
-                _shown(self._precise, "precise", c_name(self.model, kernel)),
-                *map(ctypes.c_longlong, (len(u), u.shape[1], p.shape[1])),
-                *(ctypes.c_void_p(one.ctypes.data) for one in (u, p, out)),
-            )  # fmt: skip
-            check(status, kernel)
+                self._precisely(kernel), *map(ctypes.c_longlong, sizes), *points
+            )
+        else:
+            sizes = [n_rk // BLOCK, BLOCK, *sizes, self.functions[BEGIN].nnz_out(0)]
+            pieces = [self._precisely(piece) for piece in (BEGIN, SWING, END)]
+            status = self._precise.precise_chain(*pieces, *map(ctypes.c_longlong, sizes), *points)
+        check(status, kernel)
         return out
+
+    def _precisely(self, kernel: Kernel) -> ctypes.c_void_p:
+        return _shown(self._precise, "precise", c_name(self.model, kernel))
 
     @property
     def compiler(self) -> str:

@@ -47,4 +47,4 @@ def error_bars(
     ratio[~(size(change, scale) > 100 * rounding)] = 0.0  # or it is rounding
     rest = 1 / (1 - ratio)
     state = np.hypot(size(change + rest[:, None] * second, scale), rounding)
-    return state, rest * multiplier_error(jacobian, refined, scale)
+    return state, rest * multiplier_error(jacobian, refined, scale, n_rk)

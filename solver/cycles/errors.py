@@ -26,8 +26,11 @@ Complex = NDArray[np.complex128]
 ROUNDING = 0.5 * float(np.finfo(float).eps)
 """Rounding of the residual and of the derivative, in terms of what they are computed from: measured."""
 
+DERIVATIVE_ROUNDING = 3 * ROUNDING
+"""That of an entry of the derivative, in terms of the entry: measured."""
+
 COARSE = 24
-"""RK steps with which it is so much."""
+"""RK steps with which they are so much."""
 
 
 @dataclass(frozen=True)
@@ -104,7 +107,7 @@ def size(change: Array, scale: Array) -> Array:
     return np.abs(change / scale).max(axis=1, initial=0.0)
 
 
-def multiplier_error(jacobian: Array, refined: Array, scale: Array) -> Array:
+def multiplier_error(jacobian: Array, refined: Array, scale: Array, n_rk: int = COARSE) -> Array:
     """Largest error of a multiplier, shape (n,).
 
     Parameters
@@ -114,10 +117,12 @@ def multiplier_error(jacobian: Array, refined: Array, scale: Array) -> Array:
     refined : ndarray, shape (n, nz + 1, nz + 1)
         At twice the resolution, at the corrected cycle.
     scale : ndarray, shape (nz + 1,)
+    n_rk : int, optional
+        RK steps of `jacobian`.
     """
     derivative = step_map_derivative(jacobian)
     values, others = sorted_eigenvalues(derivative), sorted_eigenvalues(step_map_derivative(refined))
-    return np.hypot(differences(values, others), _rounding(derivative, scale[:-1]))
+    return np.hypot(differences(values, others), _rounding(derivative, scale[:-1], n_rk))
 
 
 def differences(values: Complex, others: Complex) -> Array:
@@ -137,11 +142,12 @@ def differences(values: Complex, others: Complex) -> Array:
     return apart
 
 
-def _rounding(derivative: Array, scale: Array) -> Array:
+def _rounding(derivative: Array, scale: Array, n_rk: int) -> Array:
     """What rounding may have done to the worst conditioned eigenvalue of each matrix.
 
-    To first order the matrix' rounding times the eigenvalue's condition. That is infinite for a defective
-    eigenvalue, whose error is the root of the rounding; of order m for m that coincide.
+    To first order an eigenvalue changes by that of the entries between its eigenvectors; entries are rounded
+    in terms of their own size. That is infinite for a defective eigenvalue, whose error is the root of the
+    rounding; of order m for m that coincide.
     """
     n, m = derivative.shape[:2]
     out = np.full(n, np.nan)
@@ -151,13 +157,13 @@ def _rounding(derivative: Array, scale: Array) -> Array:
     scaled = derivative[good] * scale[None, None, :] / scale[None, :, None]
     values, right = np.linalg.eig(scaled)
     norm = np.maximum(np.linalg.norm(scaled, axis=(1, 2)), 1.0)
+    level = DERIVATIVE_ROUNDING * math.sqrt(n_rk / COARSE)
     with np.errstate(all="ignore"):
-        left = inverted(right)
-        condition = np.linalg.norm(left, axis=2) * np.linalg.norm(right, axis=1)
-        first_order = ROUNDING * norm[:, None] * condition
-        root = norm[:, None] * ROUNDING ** (1 / np.arange(1, m + 1))
+        left = np.abs(inverted(right)) ** 2
+        first_order = level * np.sqrt((left @ scaled**2 * np.abs(right.transpose(0, 2, 1)) ** 2).sum(axis=2))
+        root = norm[:, None] * level ** (1 / np.arange(1, m + 1))
     # How many coincide: those that are nearer than the root of the rounding.
-    near = np.abs(values[:, :, None] - values[:, None, :]) < norm[:, None, None] * ROUNDING ** (1 / 3)
+    near = np.abs(values[:, :, None] - values[:, None, :]) < norm[:, None, None] * level ** (1 / 3)
     several = near.sum(axis=2)
     bound = np.take_along_axis(root, np.maximum(several - 1, 0), axis=1)
     first_order = np.where(np.isfinite(first_order), first_order, np.inf)

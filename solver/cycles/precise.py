@@ -6,7 +6,6 @@ from numpy.typing import NDArray
 from stridemap.solver.backends.base import Kernels, Solved, Traced
 from stridemap.solver.cycles.errors import Correction, size
 from stridemap.solver.kernels.catalogue import CYCLE_N_RK
-from stridemap.solver.kernels.runge_kutta import ORDER
 from stridemap.solver.linear import solved
 from stridemap.solver.model.scales import Scales
 
@@ -27,28 +26,6 @@ def finer(n_rk: int) -> int:
     return next((n for n in CYCLE_N_RK if n > n_rk), 2 * n_rk)
 
 
-def exact_residual(kernels: Kernels, n_rk: int, u: Array, params: Array) -> Array:
-    """Residuals of the exact step map as far as it matters for cycles at a resolution, shape (n, nz + 1).
-
-    NaN where there are no residuals to twice the digits.
-
-    Parameters
-    ----------
-    kernels : Kernels
-    n_rk : int
-        RK steps with which the cycles were solved.
-    u : ndarray, shape (n, nz + 1)
-    params : ndarray, shape (n, n_params)
-    """
-    finest = CYCLE_N_RK[-1]
-    fine = kernels.precise_residual(min(finer(n_rk), finest), u, params)
-    if n_rk < finest:
-        return fine
-    # There are none on more RK steps: the order says what they would be.
-    coarse = kernels.precise_residual(CYCLE_N_RK[-2], u, params)
-    return fine + (fine - coarse) / ((finest / CYCLE_N_RK[-2]) ** ORDER - 1)
-
-
 def rough(correction: Correction, scale: Array) -> NDArray[np.intp]:
     """Those of which rounding may be much of the correction."""
     with np.errstate(invalid="ignore"):
@@ -61,7 +38,7 @@ def _known(kernels: Kernels, n_rk: int, cycles: Solved, params: Array, traced: T
     scale = Scales.of(kernels.model).unknowns
     out = Correction.of(cycles.jacobian, traced.residual, cycles.u, scale, 2 * n_rk)
     at = rough(out, scale)
-    change = -solved(cycles.jacobian[at], exact_residual(kernels, n_rk, cycles.u[at], params[at]))
+    change = -solved(cycles.jacobian[at], kernels.precise_residual(finer(n_rk), cycles.u[at], params[at]))
     good = np.isfinite(change).all(axis=1)
     at, change = at[good], change[good]
     out.put(at, Correction(change, np.zeros(len(at)), np.zeros_like(change)))
@@ -103,7 +80,7 @@ def checked(
     traced = kernels.trace(2 * n_rk, cycles.u, params)
     correction = _known(kernels, n_rk, cycles, params, traced)
     far = np.flatnonzero(correction.exact & (size(correction.change, scale) > limit))
-    if not len(far) or n_rk > CYCLE_N_RK[-1]:
+    if not len(far):
         return cycles, traced, correction
     u = polished(kernels, n_rk, cycles.u[far], params[far], cycles.jacobian[far])
     better = Solved(u, *kernels.jacobian(n_rk, u, params[far]))
