@@ -91,16 +91,25 @@ def directional_source(model: Model) -> str:
 
 def precise_source(model: Model) -> str:
     """The residuals in numbers of twice the digits, as one C++ file; see `source`."""
-    kernels = [kernel for kernel in BRANCH_FREE if kernel.kind == Kind.RESIDUAL]
-    rest = rests(tuple(kernel.n_rk for kernel in kernels))
-    kernels += [BEGIN, SWING, END]
+    return _precise(model, [kernel for kernel in BRANCH_FREE if kernel.kind == Kind.RESIDUAL])
+
+
+def precise_pieces_source(model: Model) -> str:
+    """The pieces of which a residual is chained, in numbers of twice the digits, as one C++ file."""
+    apart = "#define PAIR_OPERATION static __attribute__((noinline))\n"
+    return apart + _precise(model, (BEGIN, SWING, END))
+
+
+def _precise(model: Model, shown: Sequence[Kernel]) -> str:
+    """Kernels in numbers of twice the digits, the coefficients of the integration to twice the digits too."""
+    rest = rests(tuple(kernel.n_rk for kernel in shown))
 
     def whole(found: re.Match[str]) -> str:
-        """A constant, with what its double leaves out where it is a coefficient of the integration."""
+        """A constant with what its double leaves out, where that is known."""
         left_out = rest.get(float(found[0]), 0.0)
         return f"Pair({found[0]}, {left_out!r})" if left_out else found[0]
 
-    text = _joined(model, ("lanes.h", "pairs.h"), "Pair", "precise.h", kernels)
+    text = _joined(model, ("lanes.h", "pairs.h"), "Pair", "precise.h", shown)
     return re.sub(r"\b\d\.\d{16}e[-+]\d\d\b", whole, text)  # as CasADi writes constants
 
 
@@ -172,9 +181,7 @@ class LaneKernels(Kernels):
     @cached_property
     def _directional(self) -> ctypes.CDLL:
         """The residuals with derivatives in two directions; compiled when they are first asked for."""
-        text = directional_source(self.model)
-        compiler = Compiler.named(self._command)  # what is found now: much may have changed since
-        return compiler.library(f"{self.model.name}_directional.cpp", text, self._flags)
+        return self._compiled_now("directional", directional_source(self.model))
 
     def directional(self, n_rk: int, u: Array, p: Array, a: Array, b: Array) -> Directional:
         """Residuals with exact derivatives in two directions of (u, p): see `Kernels.directional`."""
@@ -193,31 +200,33 @@ class LaneKernels(Kernels):
     @cached_property
     def _precise(self) -> ctypes.CDLL:
         """The residuals in numbers of twice the digits; compiled when they are first asked for."""
-        compiler = Compiler.named(self._command)
-        return compiler.library(f"{self.model.name}_precise.cpp", precise_source(self.model), self._flags)
+        return self._compiled_now("precise", precise_source(self.model))
+
+    @cached_property
+    def _precise_pieces(self) -> ctypes.CDLL:
+        """The pieces of those on more RK steps than a kernel has."""
+        return self._compiled_now("precise_pieces", precise_pieces_source(self.model))
 
     def precise_residual(self, n_rk: int, u: Array, p: Array) -> Array:
         """Residuals in numbers of twice the digits: see `Kernels.precise_residual`."""
         u, p = (np.ascontiguousarray(one, dtype=np.float64) for one in (u, p))
-        out = np.full(u.shape, np.nan)
+        out, kernel = np.full(u.shape, np.nan), residual(n_rk)
         if not len(u):
             return out
         sizes = [len(u), u.shape[1], p.shape[1]]
         points = [ctypes.c_void_p(one.ctypes.data) for one in (u, p, out)]
-        kernel = residual(n_rk)
         if kernel in self.functions:
-            status = self._precise.precise_map(
-                self._precisely(kernel), *map(ctypes.c_longlong, sizes), *points
-            )
+            shown, run, library = (kernel,), "precise_map", self._precise
         else:
+            shown, run, library = (BEGIN, SWING, END), "precise_chain", self._precise_pieces
             sizes = [n_rk // BLOCK, BLOCK, *sizes, self.functions[BEGIN].nnz_out(0)]
-            pieces = [self._precisely(piece) for piece in (BEGIN, SWING, END)]
-            status = self._precise.precise_chain(*pieces, *map(ctypes.c_longlong, sizes), *points)
-        check(status, kernel)
+        pieces = [_shown(library, "precise", c_name(self.model, one)) for one in shown]
+        check(getattr(library, run)(*pieces, *map(ctypes.c_longlong, sizes), *points), kernel)
         return out
 
-    def _precisely(self, kernel: Kernel) -> ctypes.c_void_p:
-        return _shown(self._precise, "precise", c_name(self.model, kernel))
+    def _compiled_now(self, what: str, text: str) -> ctypes.CDLL:
+        compiler = Compiler.named(self._command)  # what is found now: much may have changed since
+        return compiler.library(f"{self.model.name}_{what}.cpp", text, self._flags)
 
     @property
     def compiler(self) -> str:

@@ -7,6 +7,11 @@
 #ifndef STRIDEMAP_PAIRS_H
 #define STRIDEMAP_PAIRS_H
 
+/* Where a program is long, its operations are called: the compiler then takes a third of the time. */
+#ifndef PAIR_OPERATION
+#define PAIR_OPERATION static inline
+#endif
+
 struct Pair {
     Doubles hi, lo;
 
@@ -52,18 +57,18 @@ static inline Pair exact_product(Doubles a, Doubles b)
 /* ---- arithmetic ---- */
 
 static inline Pair operator-(const Pair& a) { return Pair(-a.hi, -a.lo); }
-static inline Pair operator+(const Pair& a, const Pair& b)
+PAIR_OPERATION Pair operator+(const Pair& a, const Pair& b)
 {
     const Pair s = exact_sum(a.hi, b.hi);
     return ordered_sum(s.hi, s.lo + (a.lo + b.lo));
 }
-static inline Pair operator-(const Pair& a, const Pair& b) { return a + (-b); }
-static inline Pair operator*(const Pair& a, const Pair& b)
+PAIR_OPERATION Pair operator-(const Pair& a, const Pair& b) { return a + (-b); }
+PAIR_OPERATION Pair operator*(const Pair& a, const Pair& b)
 {
     const Pair p = exact_product(a.hi, b.hi);
     return ordered_sum(p.hi, p.lo + (a.hi * b.lo + a.lo * b.hi));
 }
-static inline Pair operator/(const Pair& a, const Pair& b)
+PAIR_OPERATION Pair operator/(const Pair& a, const Pair& b)
 {
     const Doubles first = a.hi / b.hi;
     const Pair rest = a - Pair(first) * b;
@@ -92,7 +97,7 @@ static inline Pair fabs(const Pair& a) { return chosen(a.hi < 0.0, -a, a); }
 static inline Pair fmax(const Pair& a, const Pair& b) { return chosen((a - b).hi >= 0.0, a, b); }
 static inline Pair times_power(const Pair& a, double power_of_two) { return Pair(a.hi * power_of_two, a.lo * power_of_two); }
 
-static inline Pair sqrt(const Pair& a)
+PAIR_OPERATION Pair sqrt(const Pair& a)
 {
     const Doubles root = sqrt(Lanes(a.hi)).v;
     const Pair rest = a - exact_product(root, root);
@@ -127,7 +132,7 @@ static inline void sine_and_cosine(const Pair& x, Pair& sine, Pair& cosine, Word
 }
 
 /* The sine `quarters` quarter turns further on. */
-static inline Pair turned(const Pair& x, int quarters)
+PAIR_OPERATION Pair turned(const Pair& x, int quarters)
 {
     Pair sine, cosine;
     Words quadrant;
@@ -148,7 +153,7 @@ static inline Pair tan(const Pair& x) { return sin(x) / cos(x); }
  * exp x - 1 for a sixteenth of what is left of x without a multiple of log 2 by its series; then it is squared
  * four times. */
 
-static inline Pair exp(const Pair& x)
+PAIR_OPERATION Pair exp(const Pair& x)
 {
     const double round_off = 0x1.8p52;
     const Doubles n = (x.hi * 1.4426950408889634 + round_off) - round_off;
