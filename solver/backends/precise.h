@@ -81,15 +81,14 @@ extern "C" int precise_map(const Kernel* kernel, casadi_int n, casadi_int nu, ca
 }
 
 /* The same on any number of blocks of RK steps, chained from the kernels of its pieces: begin (u, p) -> y, with ny
- * numbers; swing (t, h, y, p) -> y, one block of RK steps of size h; end (y, u, p) -> (dR/du, R). */
+ * numbers; swing (t, h, y, p) -> y, one block of RK steps of size h; end (y, u, p) -> R. */
 extern "C" int precise_chain(const Kernel* begin, const Kernel* swing, const Kernel* end, casadi_int n_blocks,
     casadi_int block, casadi_int n, casadi_int nu, casadi_int np, casadi_int ny, const double* u, const double* p,
     double* out)
 {
     const Work first(begin), each(swing), last(end);
-    Pair *const point = new_array(2 * nu + np + nu * nu + 2 + 2 * ny), *const params = point + nu,
-                *const residual = params + np, *const jacobian = residual + nu, *const t = jacobian + nu * nu,
-                *const h = t + 1, *y = h + 1, *next = y + ny;
+    Pair *const point = new_array(2 * nu + np + 2 + 2 * ny), *const params = point + nu, *const t = params + np,
+                *const h = t + 1, *const residual = h + 1, *y = residual + nu, *next = y + ny;
     int status = first.ready() && each.ready() && last.ready() && point ? 0 : 1;
     for (casadi_int i = 0; i < n && !status; i += LANES) {
         take(n, i, nu, np, u, p, point);
@@ -113,8 +112,7 @@ extern "C" int precise_chain(const Kernel* begin, const Kernel* swing, const Ker
         last.arg[0] = y;
         last.arg[1] = point;
         last.arg[2] = params;
-        last.res[0] = jacobian;
-        last.res[1] = residual;
+        last.res[0] = residual;
         if (!status) status = last.run();
         put(n, i, nu, residual, out);
     }

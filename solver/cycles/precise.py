@@ -14,7 +14,7 @@ Array = NDArray[np.float64]
 MUCH = 0.05
 """Rounding in terms of a correction from which on it is looked at: it is estimated to a factor of some few."""
 
-TINY = 1e-14
+TINY = 3e-14
 """Rounding that is not looked at, in terms of the scales."""
 
 POLISHES = 3
@@ -22,8 +22,8 @@ POLISHES = 3
 
 
 def finer(n_rk: int) -> int:
-    """A resolution at which the error is at most a tenth: the next one, or twice as many RK steps."""
-    return next((n for n in CYCLE_N_RK if n > n_rk), 2 * n_rk)
+    """A resolution at which the error is at most a tenth: the next one, or half as many RK steps again."""
+    return next((n for n in CYCLE_N_RK if n > n_rk), 3 * n_rk // 2)
 
 
 def rough(correction: Correction, scale: Array) -> NDArray[np.intp]:
