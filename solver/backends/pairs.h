@@ -1,6 +1,7 @@
 /* Numbers of about twice the digits: each is the sum of two doubles, the second one what the first is rounded by.
  * The kernels' C, compiled as C++ with `Pair` for its numbers, rounds some thousand times finer than with `Lanes`.
- * The operations are those of T. Dekker 1971, doi:10.1007/BF01397083; functions are exact to 1e-20 or better.
+ * The operations are those of T. Dekker 1971, doi:10.1007/BF01397083, but for what makes the second number as
+ * small as it can be: it is no larger than some hundred roundings of the first. Functions are exact to 1e-19.
  *
  * Compiled after lanes.h. Like there, no lane looks at another and nothing is contracted.
  */
@@ -31,12 +32,6 @@ struct Pair {
 
 /* ---- sums and products without an error ---- */
 
-/* Of two numbers of which the first is the larger one. */
-static inline Pair ordered_sum(Doubles a, Doubles b)
-{
-    const Doubles s = a + b;
-    return Pair(s, b - (s - a));
-}
 static inline Pair exact_sum(Doubles a, Doubles b)
 {
     const Doubles s = a + b, t = s - a;
@@ -68,19 +63,26 @@ static inline Pair operator-(const Pair& a) { return Pair(-a.hi, -a.lo); }
 static inline Pair operator+(const Pair& a, const Pair& b)
 {
     const Pair s = exact_sum(a.hi, b.hi);
-    return ordered_sum(s.hi, s.lo + (a.lo + b.lo));
+    return Pair(s.hi, s.lo + (a.lo + b.lo));
 }
 static inline Pair operator-(const Pair& a, const Pair& b) { return a + (-b); }
 static inline Pair operator*(const Pair& a, const Pair& b)
 {
     const Pair p = exact_product(a.hi, b.hi);
-    return ordered_sum(p.hi, p.lo + (a.hi * b.lo + a.lo * b.hi));
+    return Pair(p.hi, p.lo + (a.hi * b.lo + a.lo * b.hi));
 }
+static inline Doubles rounded(const Pair& a) { return a.hi + a.lo; }
 static inline Pair operator/(const Pair& a, const Pair& b)
 {
     const Doubles first = a.hi / b.hi;
-    const Pair rest = a - Pair(first) * b;
-    return ordered_sum(first, rest.hi / b.hi);
+    return Pair(first, rounded(a - Pair(first) * b) / b.hi);
+}
+
+/* The same number, the second part as small as it can be. */
+static inline Pair tidy(const Pair& a)
+{
+    const Doubles s = a.hi + a.lo;
+    return Pair(s, a.lo - (s - a.hi));
 }
 
 inline Pair& Pair::operator+=(const Pair& y) { return *this = *this + y; }
@@ -89,54 +91,52 @@ inline Pair& Pair::operator*=(const Pair& y) { return *this = *this * y; }
 inline Pair& Pair::operator/=(const Pair& y) { return *this = *this / y; }
 
 /* Comparisons are 1 or 0, as in C. */
-static inline Pair operator<(const Pair& a, const Pair& b) { return truth((a - b).hi < 0.0); }
-static inline Pair operator<=(const Pair& a, const Pair& b) { return truth((a - b).hi <= 0.0); }
-static inline Pair operator>(const Pair& a, const Pair& b) { return truth((a - b).hi > 0.0); }
-static inline Pair operator>=(const Pair& a, const Pair& b) { return truth((a - b).hi >= 0.0); }
-static inline Pair operator==(const Pair& a, const Pair& b) { return truth((a - b).hi == 0.0); }
-static inline Pair operator!=(const Pair& a, const Pair& b) { return truth((a - b).hi != 0.0); }
+static inline Pair operator<(const Pair& a, const Pair& b) { return truth(rounded(a - b) < 0.0); }
+static inline Pair operator<=(const Pair& a, const Pair& b) { return truth(rounded(a - b) <= 0.0); }
+static inline Pair operator>(const Pair& a, const Pair& b) { return truth(rounded(a - b) > 0.0); }
+static inline Pair operator>=(const Pair& a, const Pair& b) { return truth(rounded(a - b) >= 0.0); }
+static inline Pair operator==(const Pair& a, const Pair& b) { return truth(rounded(a - b) == 0.0); }
+static inline Pair operator!=(const Pair& a, const Pair& b) { return truth(rounded(a - b) != 0.0); }
 
 static inline Pair chosen(Words mask, const Pair& yes, const Pair& no)
 {
     return Pair((Doubles) where_else(mask, (Words) yes.hi, (Words) no.hi),
         (Doubles) where_else(mask, (Words) yes.lo, (Words) no.lo));
 }
-static inline Pair fabs(const Pair& a) { return chosen(a.hi < 0.0, -a, a); }
-static inline Pair fmax(const Pair& a, const Pair& b) { return chosen((a - b).hi >= 0.0, a, b); }
+static inline Pair fabs(const Pair& a) { return chosen(rounded(a) < 0.0, -a, a); }
+static inline Pair fmax(const Pair& a, const Pair& b) { return chosen(rounded(a - b) >= 0.0, a, b); }
 static inline Pair times_power(const Pair& a, double power_of_two) { return Pair(a.hi * power_of_two, a.lo * power_of_two); }
 
 static inline Pair sqrt(const Pair& a)
 {
-    const Doubles root = sqrt(Lanes(a.hi)).v;
-    const Pair rest = a - exact_product(root, root);
-    return chosen(root == 0.0, a, ordered_sum(root, 0.5 * rest.hi / root));
+    const Doubles root = sqrt(Lanes(rounded(a))).v;
+    return chosen(root == 0.0, a, Pair(root, 0.5 * rounded(a - exact_product(root, root)) / root));
 }
 
 /* ---- sine and cosine ----
  *
- * Of an eighth of the angle within half a quarter turn by their series, the terms that matter less in doubles;
- * then the angle is doubled three times. The cosine is kept as its distance from 1. */
+ * Within half a quarter turn by their series, whose later terms matter so little that doubles will do. */
 
 static inline void sine_and_cosine(const Pair& x, Pair& sine, Pair& cosine, Words& quadrant)
 {
     const double round_off = 0x1.8p52; /* adding it leaves no place for a fraction */
-    const Doubles shifted = x.hi * 0.6366197723675814 + round_off;
+    const Doubles shifted = rounded(x) * 0.6366197723675814 + round_off;
     const Doubles n = shifted - round_off;
     quadrant = (Words) shifted;
     /* The first two products are exact, as in lanes.h. */
-    const Pair r = ((x - Pair(n * 1.5707963267341256)) - Pair(n * 6.077100506303966e-11)) - Pair(n * 2.0222662487959506e-21);
-    const Pair t = times_power(r, 0.125), z = t * t;
+    const Pair r = tidy((x - Pair(n * 1.5707963267341256)) - Pair(n * 6.077100506303966e-11)
+        - Pair(n * 2.0222662487959506e-21));
+    const Pair z = r * r;
     const Doubles y = z.hi;
-    const Doubles odd = t.hi * y * y * (1.0 / 120 + y * (-1.0 / 5040 + y * (1.0 / 362880 - y * (1.0 / 39916800))));
-    const Doubles even = y * y * y * (-1.0 / 720 + y * (1.0 / 40320 + y * (-1.0 / 3628800 + y * (1.0 / 479001600))));
-    sine = t - t * z * Pair(0.16666666666666666, 9.251858538542972e-18) + Pair(odd);
-    Pair below = z * z * Pair(0.041666666666666664, 2.312964634635743e-18) - times_power(z, 0.5) + Pair(even);
-    for (int i = 0; i < 3; i++) {
-        const Pair square = sine * sine;
-        sine = times_power(sine + sine * below, 2.0);
-        below = times_power(square, -2.0);
-    }
-    cosine = Pair(1.0) + below;
+    const Doubles odd = y * (-1.0 / 5040 + y * (1.0 / 362880 + y * (-1.0 / 39916800 + y * (1.0 / 6227020800
+        + y * (-1.0 / 1307674368000 + y * (1.0 / 355687428096000 - y * (1.0 / 121645100408832000)))))));
+    const Doubles even = y * (-1.0 / 720 + y * (1.0 / 40320 + y * (-1.0 / 3628800 + y * (1.0 / 479001600
+        + y * (-1.0 / 87178291200 + y * (1.0 / 20922789888000 - y * (1.0 / 6402373705728000)))))));
+    const Pair sixth(0.16666666666666666, 9.251858538542972e-18);
+    const Pair odds = (Pair(0.008333333333333333, 1.1564823173178713e-19) + Pair(odd)) * z - sixth;
+    const Pair evens = (Pair(0.041666666666666664, 2.312964634635743e-18) + Pair(even)) * z - Pair(0.5);
+    sine = r + r * (odds * z);
+    cosine = Pair(1.0) + evens * z;
 }
 
 /* The sine `quarters` quarter turns further on. */
@@ -148,7 +148,8 @@ static inline Pair turned(const Pair& x, int quarters)
     const Words n = quadrant + quarters;
     const Words odd = -(n & 1), sign = (n & 2) << 62;
     const Pair value = chosen(odd, cosine, sine);
-    const Words far = ~((x.hi <= FARTHEST) & (x.hi >= -FARTHEST)); /* and NaN */
+    const Doubles size = rounded(x);
+    const Words far = ~((size <= FARTHEST) & (size >= -FARTHEST)); /* and NaN */
     return Pair((Doubles) (((Words) value.hi ^ sign) | far), (Doubles) ((Words) value.lo ^ sign));
 }
 
@@ -164,9 +165,10 @@ static inline Pair tan(const Pair& x) { return sin(x) / cos(x); }
 static inline Pair exp(const Pair& x)
 {
     const double round_off = 0x1.8p52;
-    const Doubles n = (x.hi * 1.4426950408889634 + round_off) - round_off;
+    const Pair argument = tidy(x);
+    const Doubles n = (argument.hi * 1.4426950408889634 + round_off) - round_off;
     /* The product with the first part of log 2, of 33 bits, is exact. */
-    const Pair r = (x - Pair(n * 0.6931471803691238)) - exact_product(n, Doubles{} + 1.9082149292705877e-10);
+    const Pair r = tidy((argument - Pair(n * 0.6931471803691238)) - exact_product(n, Doubles{} + 1.9082149292705877e-10));
     const Pair t = times_power(r, 0.0625), z = t * t;
     const Doubles y = t.hi;
     const Doubles rest = y * y * y * y * (1.0 / 24 + y * (1.0 / 120 + y * (1.0 / 720 + y * (1.0 / 5040 + y * (1.0 / 40320
@@ -176,7 +178,7 @@ static inline Pair exp(const Pair& x)
     Pair value = Pair(1.0) + above;
     for (int i = 0; i < LANES; i++) {
         /* 2^n overflows before its product does: in two halves. */
-        const int whole = x.hi[i] > 800.0 ? 1200 : x.hi[i] > -800.0 ? (int) n[i] : -1200, half = whole / 2;
+        const int whole = argument.hi[i] > 800.0 ? 1200 : argument.hi[i] > -800.0 ? (int) n[i] : -1200, half = whole / 2;
         value.hi[i] = ldexp(ldexp(value.hi[i], half), whole - half);
         value.lo[i] = ldexp(ldexp(value.lo[i], half), whole - half);
     }
@@ -184,7 +186,7 @@ static inline Pair exp(const Pair& x)
 }
 static inline Pair log(const Pair& x)
 {
-    const Pair guess(log(Lanes(x.hi)));
+    const Pair guess(log(Lanes(rounded(x))));
     return guess + (x * exp(-guess) - Pair(1.0));
 }
 static inline Pair sinh(const Pair& x)
@@ -200,24 +202,24 @@ static inline Pair cosh(const Pair& x)
 static inline Pair tanh(const Pair& x)
 {
     const Pair e = exp(times_power(fabs(x), -2.0)), size = (Pair(1.0) - e) / (Pair(1.0) + e);
-    return chosen(x.hi < 0.0, -size, size);
+    return chosen(rounded(x) < 0.0, -size, size);
 }
 
 /* ---- inverse functions: that of doubles, corrected once ---- */
 
 static inline Pair asin(const Pair& x)
 {
-    const Pair guess(asin(Lanes(x.hi)));
+    const Pair guess(asin(Lanes(rounded(x))));
     return guess + (x - sin(guess)) / cos(guess);
 }
 static inline Pair acos(const Pair& x)
 {
-    const Pair guess(acos(Lanes(x.hi)));
+    const Pair guess(acos(Lanes(rounded(x))));
     return guess + (cos(guess) - x) / sin(guess);
 }
 static inline Pair atan(const Pair& x)
 {
-    const Pair guess(atan(Lanes(x.hi))), s = sin(guess), c = cos(guess);
+    const Pair guess(atan(Lanes(rounded(x)))), s = sin(guess), c = cos(guess);
     return guess + (x * c - s) / (c + x * s);
 }
 

@@ -55,7 +55,7 @@ void take(casadi_int n, casadi_int i, casadi_int nu, casadi_int np, const double
 void put(casadi_int n, casadi_int i, casadi_int nu, const Pair* residual, double* out)
 {
     for (casadi_int k = 0; k < nu; k++)
-        for (int lane = 0; lane < LANES && i + lane < n; lane++) out[(i + lane) * nu + k] = residual[k].hi[lane];
+        for (int lane = 0; lane < LANES && i + lane < n; lane++) out[(i + lane) * nu + k] = rounded(residual[k])[lane];
 }
 
 } /* namespace */
