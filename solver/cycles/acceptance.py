@@ -109,6 +109,13 @@ class Candidates:
         excess[self.closed & np.isnan(self.integration_error)] = 1 / options.target_integration_error
         return np.where(self.closed, excess, 0.0)
 
+    def corrected(self) -> Array:
+        """Section points and periods with what twice as many RK steps change, where they change little."""
+        change = self.correction.change
+        with np.errstate(invalid="ignore"):
+            little = size(change, Scales.of(self.kernels.model).unknowns) < NEARLY
+        return np.where(little[:, None], self.u + change, self.u)
+
     def unresolved(self) -> Mask:
         """Which of the points nearly closed, and may close at a finer resolution, shape (m,)."""
         with np.errstate(invalid="ignore"):
