@@ -26,11 +26,11 @@ Complex = NDArray[np.complex128]
 ROUNDING = 0.5 * float(np.finfo(float).eps)
 """Rounding of the residual and of the derivative, in terms of what they are computed from: measured."""
 
-DERIVATIVE_ROUNDING = 3 * ROUNDING
-"""That of an entry of the derivative, in terms of the entry: measured."""
-
 COARSE = 24
 """RK steps with which they are so much."""
+
+BALANCINGS = 4
+"""Rounds of it: what is left of the imbalance is a factor of some few."""
 
 
 @dataclass(frozen=True)
@@ -52,9 +52,7 @@ class Correction:
     spread: Array
 
     @classmethod
-    def of(
-        cls, jacobian: Array, residual: Array, u: Array, scale: Array, n_rk: int = COARSE
-    ) -> "Correction":
+    def of(cls, jacobian: Array, residual: Array, u: Array, scale: Array, n_rk: int = COARSE) -> "Correction":
         """The correction for a residual.
 
         Parameters
@@ -81,7 +79,6 @@ class Correction:
             side = np.where((spread * change / scale**2).sum(axis=1) < 0, -1.0, 1.0)
         return cls(change, rounding.max(axis=1, initial=0.0), side[:, None] * spread)
 
-
     @classmethod
     def unknown(cls, n: int, width: int) -> "Correction":
         """None for n solutions: not a number."""
@@ -99,7 +96,11 @@ class Correction:
 
     def put(self, index: NDArray[Any], other: "Correction") -> None:
         """Those of some of the solutions."""
-        self.change[index], self.rounding[index], self.spread[index] = other.change, other.rounding, other.spread
+        self.change[index], self.rounding[index], self.spread[index] = (
+            other.change,
+            other.rounding,
+            other.spread,
+        )
 
 
 def size(change: Array, scale: Array) -> Array:
@@ -145,22 +146,22 @@ def differences(values: Complex, others: Complex) -> Array:
 def _rounding(derivative: Array, scale: Array, n_rk: int) -> Array:
     """What rounding may have done to the worst conditioned eigenvalue of each matrix.
 
-    To first order an eigenvalue changes by that of the entries between its eigenvectors; entries are rounded
-    in terms of their own size. That is infinite for a defective eigenvalue, whose error is the root of the
-    rounding; of order m for m that coincide.
+    To first order the matrix' rounding times the eigenvalue's condition, both after balancing. That is infinite
+    for a defective eigenvalue, whose error is the root of the rounding; of order m for m that coincide.
     """
     n, m = derivative.shape[:2]
     out = np.full(n, np.nan)
     good = np.flatnonzero(np.isfinite(derivative).all(axis=(1, 2)))
     if not len(good) or not m:
         return out if m else np.zeros(n)
-    scaled = derivative[good] * scale[None, None, :] / scale[None, :, None]
+    scaled = _balanced(derivative[good] * scale[None, None, :] / scale[None, :, None])
     values, right = np.linalg.eig(scaled)
     norm = np.maximum(np.linalg.norm(scaled, axis=(1, 2)), 1.0)
-    level = DERIVATIVE_ROUNDING * math.sqrt(n_rk / COARSE)
+    level = ROUNDING * math.sqrt(n_rk / COARSE)
     with np.errstate(all="ignore"):
-        left = np.abs(inverted(right)) ** 2
-        first_order = level * np.sqrt((left @ scaled**2 * np.abs(right.transpose(0, 2, 1)) ** 2).sum(axis=2))
+        left = inverted(right)
+        condition = np.linalg.norm(left, axis=2) * np.linalg.norm(right, axis=1)
+        first_order = level * norm[:, None] * condition
         root = norm[:, None] * level ** (1 / np.arange(1, m + 1))
     # How many coincide: those that are nearer than the root of the rounding.
     near = np.abs(values[:, :, None] - values[:, None, :]) < norm[:, None, None] * level ** (1 / 3)
@@ -169,3 +170,19 @@ def _rounding(derivative: Array, scale: Array, n_rk: int) -> Array:
     first_order = np.where(np.isfinite(first_order), first_order, np.inf)
     out[good] = np.minimum(first_order, np.where(several > 1, bound, np.inf)).max(axis=1)
     return out
+
+
+def _balanced(matrices: Array) -> Array:
+    """Matrices in units in which each row is about as long as the column of its number.
+
+    A walker's coordinates may differ in size far more than the scales tell, and so may the matrix' entries; the
+    eigenvalues and their rounding do not depend on that.
+    """
+    outside = 1.0 - np.eye(matrices.shape[1])
+    for _ in range(BALANCINGS):
+        square = matrices**2 * outside
+        with np.errstate(all="ignore"):
+            unit = (square.sum(axis=2) / square.sum(axis=1)) ** 0.25
+        unit[~(np.isfinite(unit) & (unit > 0))] = 1.0
+        matrices = matrices * unit[:, None, :] / unit[:, :, None]
+    return matrices

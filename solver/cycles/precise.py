@@ -29,7 +29,9 @@ def finer(n_rk: int) -> int:
 def rough(correction: Correction, scale: Array) -> NDArray[np.intp]:
     """Those of which rounding may be much of the correction."""
     with np.errstate(invalid="ignore"):
-        much: NDArray[np.bool_] = correction.rounding > np.maximum(MUCH * size(correction.change, scale), TINY)
+        much: NDArray[np.bool_] = correction.rounding > np.maximum(
+            MUCH * size(correction.change, scale), TINY
+        )
     return np.flatnonzero(much)
 
 
