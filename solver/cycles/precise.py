@@ -14,7 +14,7 @@ Array = NDArray[np.float64]
 MUCH = 0.05
 """Rounding in terms of a correction from which on it is looked at: it is estimated to a factor of some few."""
 
-TINY = 3e-14
+TINY = 1.5e-14
 """Rounding that is not looked at, in terms of the scales."""
 
 POLISHES = 3
@@ -26,7 +26,7 @@ def finer(n_rk: int) -> int:
     return next((n for n in CYCLE_N_RK if n > n_rk), 3 * n_rk // 2)
 
 
-def rough(correction: Correction, scale: Array) -> NDArray[np.intp]:
+def _rough(correction: Correction, scale: Array) -> NDArray[np.intp]:
     """Those of which rounding may be much of the correction."""
     with np.errstate(invalid="ignore"):
         much: NDArray[np.bool_] = correction.rounding > np.maximum(
@@ -35,11 +35,16 @@ def rough(correction: Correction, scale: Array) -> NDArray[np.intp]:
     return np.flatnonzero(much)
 
 
-def _known(kernels: Kernels, n_rk: int, cycles: Solved, params: Array, traced: Traced) -> Correction:
-    """The correction of cycles, with what rounding does to each in the place of what it may do where it is much."""
+def _known(
+    kernels: Kernels, n_rk: int, cycles: Solved, params: Array, traced: Traced, whichever: bool = False
+) -> Correction:
+    """Corrections, with what rounding does to each cycle in the place of what it may do where that is much.
+
+    Of all of them with `whichever`.
+    """
     scale = Scales.of(kernels.model).unknowns
     out = Correction.of(cycles.jacobian, traced.residual, cycles.u, scale, 2 * n_rk)
-    at = rough(out, scale)
+    at = np.arange(len(params)) if whichever else _rough(out, scale)
     change = -solved(cycles.jacobian[at], kernels.precise_residual(finer(n_rk), cycles.u[at], params[at]))
     good = np.isfinite(change).all(axis=1)
     at, change = at[good], change[good]
@@ -47,7 +52,7 @@ def _known(kernels: Kernels, n_rk: int, cycles: Solved, params: Array, traced: T
     return out
 
 
-def polished(kernels: Kernels, n_rk: int, u: Array, params: Array, jacobian: Array) -> Array:
+def _polished(kernels: Kernels, n_rk: int, u: Array, params: Array, jacobian: Array) -> Array:
     """Solutions at a resolution without the rounding of its residuals; as they are where that is not to be had."""
     scale, out = Scales.of(kernels.model).unknowns, u.copy()
     last = np.full(len(u), np.inf)
@@ -84,10 +89,10 @@ def checked(
     far = np.flatnonzero(correction.exact & (size(correction.change, scale) > limit))
     if not len(far):
         return cycles, traced, correction
-    u = polished(kernels, n_rk, cycles.u[far], params[far], cycles.jacobian[far])
+    u = _polished(kernels, n_rk, cycles.u[far], params[far], cycles.jacobian[far])
     better = Solved(u, *kernels.jacobian(n_rk, u, params[far]))
     again = kernels.trace(2 * n_rk, u, params[far])
     for whole, part in zip((*cycles, *traced), (*better, *again), strict=True):
         whole[far] = part
-    correction.put(far, _known(kernels, n_rk, better, params[far], again))
+    correction.put(far, _known(kernels, n_rk, better, params[far], again, whichever=True))
     return cycles, traced, correction
