@@ -31,7 +31,10 @@ DIGITS = 25
 """Of the eigenvalues' arithmetic."""
 
 CORRECTIONS = 12
-"""Of a cycle at most."""
+"""Of a cycle at one resolution at most."""
+
+SAME, FINEST = 3e-16, 6144
+"""Change of a cycle that is none, and the last resolution."""
 
 
 class Exact(NamedTuple):
@@ -48,10 +51,10 @@ class Reference:
     ----------
     model : Model
     n_rk : int
-        RK steps per step of the walker.
+        RK steps per step of the walker to begin with.
     """
 
-    def __init__(self, model: Model, n_rk: int = 768) -> None:
+    def __init__(self, model: Model, n_rk: int = 384) -> None:
         if np.finfo(np.longdouble).eps > 2e-19:
             raise RuntimeError("long double has no more digits than double here")
         self.model, self.n_rk = model, n_rk
@@ -76,28 +79,34 @@ class Reference:
         return Exact(exact, _multipliers(jacobians))
 
     def _cycle(self, u: Numbers, p: Numbers) -> tuple[Numbers, Numbers]:
-        """A cycle and the derivative of its residual."""
-        last = np.inf
-        for _ in range(CORRECTIONS):
-            jacobian = self._jacobian(u, p)
-            step = np.linalg.solve(jacobian.astype(float), self._closing(u, p).astype(float))
-            if np.abs(step).max() >= 0.5 * last:
-                break
-            u, last = u - step, np.abs(step).max()
-            if last < 1e-17:
-                break
-        return u, self._jacobian(u, p)
+        """A cycle and the derivative of its residual, on so many RK steps that more change nothing."""
+        n_rk = self.n_rk
+        jacobian = self._jacobian(n_rk, u, p)
+        while True:
+            last = np.inf
+            for _ in range(CORRECTIONS):
+                step = np.linalg.solve(jacobian.astype(float), self._closing(n_rk, u, p).astype(float))
+                if np.abs(step).max() >= 0.5 * last:
+                    break
+                u, last = u - step, np.abs(step).max()
+                jacobian = self._jacobian(n_rk, u, p)
+                if last < SAME:
+                    break
+            change = np.linalg.solve(jacobian.astype(float), self._closing(2 * n_rk, u, p).astype(float))
+            if np.abs(change).max() < SAME or n_rk == FINEST:
+                return u, jacobian
+            n_rk *= 2
 
-    def _closing(self, u: Numbers, p: Numbers) -> Numbers:
-        out, sizes = np.empty_like(u), (self.n_rk, BLOCK, len(u), len(p), 2 * len(self.model.coordinates))
+    def _closing(self, n_rk: int, u: Numbers, p: Numbers) -> Numbers:
+        out, sizes = np.empty_like(u), (n_rk, BLOCK, len(u), len(p), 2 * len(self.model.coordinates))
         arrays = (np.ascontiguousarray(one) for one in (u, p, out))
         self._residual(*map(ctypes.c_longlong, sizes), *(ctypes.c_void_p(one.ctypes.data) for one in arrays))
         return out
 
-    def _jacobian(self, u: Numbers, p: Numbers) -> Numbers:
+    def _jacobian(self, n_rk: int, u: Numbers, p: Numbers) -> Numbers:
         (y,) = self._called["begin"](u, p)
-        h, swing = u[-1:] / self.n_rk, self._called["swing"]
-        for i in range(0, self.n_rk, BLOCK):
+        h, swing = u[-1:] / n_rk, self._called["swing"]
+        for i in range(0, n_rk, BLOCK):
             (y,) = swing(i * h, h, y, p)
         derivative, _ = self._called["end"](y, u, p)
         return derivative.reshape(len(u), len(u)).T

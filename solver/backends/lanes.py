@@ -103,7 +103,7 @@ def precise_pieces_source(model: Model) -> str:
 
 
 def _precise(text: str, shown: Sequence[str]) -> str:
-    """Functions in numbers of twice the digits, the coefficients of the integration to twice the digits too."""
+    """Functions in numbers of twice the digits, and so the coefficients of the integration."""
     rest = rests(tuple(kernel.n_rk for kernel in RESIDUALS))
 
     def whole(found: re.Match[str]) -> str:

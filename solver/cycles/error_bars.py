@@ -14,11 +14,10 @@ Array = NDArray[np.float64]
 def error_bars(
     kernels: Kernels, n_rk: int, u: Array, params: Array, jacobian: Array, correction: Correction
 ) -> tuple[Array, Array]:
-    """Errors of section points with periods, and of multipliers, shape (m,): from the corrected cycle,
-    corrected once more.
+    """Errors of section points with periods, and of multipliers, shape (m,) each.
 
-    The multipliers are compared with those of a cycle that is off by the error of the state, rounding
-    included.
+    They come from the corrected cycle, corrected once more. The multipliers are compared with those of a cycle
+    that is off by the error of the state, rounding included.
 
     Parameters
     ----------

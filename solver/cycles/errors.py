@@ -146,8 +146,9 @@ def differences(values: Complex, others: Complex) -> Array:
 def _rounding(derivative: Array, scale: Array, n_rk: int) -> Array:
     """What rounding may have done to the worst conditioned eigenvalue of each matrix.
 
-    To first order the matrix' rounding times the eigenvalue's condition, both after balancing. That is infinite
-    for a defective eigenvalue, whose error is the root of the rounding; of order m for m that coincide.
+    To first order the matrix' rounding times the eigenvalue's condition, both after balancing. That is
+    infinite for a defective eigenvalue, whose error is the root of the rounding; of order m for m that
+    coincide.
     """
     n, m = derivative.shape[:2]
     out = np.full(n, np.nan)
@@ -175,8 +176,8 @@ def _rounding(derivative: Array, scale: Array, n_rk: int) -> Array:
 def _balanced(matrices: Array) -> Array:
     """Matrices in units in which each row is about as long as the column of its number.
 
-    A walker's coordinates may differ in size far more than the scales tell, and so may the matrix' entries; the
-    eigenvalues and their rounding do not depend on that.
+    A walker's coordinates may differ in size far more than the scales tell, and so may the matrix' entries;
+    the eigenvalues and their rounding do not depend on that.
     """
     outside = 1.0 - np.eye(matrices.shape[1])
     for _ in range(BALANCINGS):

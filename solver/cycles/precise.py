@@ -1,4 +1,4 @@
-"""Cycles of which rounding is much of the error, because they are close to a fold, by residuals to twice the digits."""
+"""Cycles close to a fold, of whose error rounding is much: by residuals to twice the digits."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,13 +12,16 @@ from stridemap.solver.model.scales import Scales
 Array = NDArray[np.float64]
 
 MUCH = 0.05
-"""Rounding in terms of a correction from which on it is looked at: it is estimated to a factor of some few."""
+"""Rounding in terms of a correction from which on it is looked at: its estimate may be a tenth of it."""
 
 TINY = 1.5e-14
 """Rounding that is not looked at, in terms of the scales."""
 
 POLISHES = 3
 """Corrections at most of a cycle that rounding has moved."""
+
+POLISHED = 1e-11
+"""A correction that is the last: what is left is less, and is part of the error bar."""
 
 
 def finer(n_rk: int) -> int:
@@ -53,15 +56,18 @@ def _known(
 
 
 def _polished(kernels: Kernels, n_rk: int, u: Array, params: Array, jacobian: Array) -> Array:
-    """Solutions at a resolution without the rounding of its residuals; as they are where that is not to be had."""
+    """Solutions without the rounding of their residuals; as they are where that is not to be had."""
     scale, out = Scales.of(kernels.model).unknowns, u.copy()
-    last = np.full(len(u), np.inf)
+    open_, last = np.arange(len(u)), np.full(len(u), np.inf)
     for _ in range(POLISHES):
-        step = -solved(jacobian, kernels.precise_residual(n_rk, out, params))
+        step = -solved(jacobian[open_], kernels.precise_residual(n_rk, out[open_], params[open_]))
         now = size(step, scale)
-        good = now < 0.5 * last
-        out[good] += step[good]
-        last = np.where(good, now, 0.0)
+        better = now < 0.5 * last[open_]
+        out[open_[better]] += step[better]
+        last[open_] = now
+        open_ = open_[better & (now > POLISHED)]
+        if not len(open_):
+            break
     return out
 
 
