@@ -16,8 +16,8 @@ def error_bars(
 ) -> tuple[Array, Array]:
     """Errors of section points with periods, and of multipliers, shape (m,) each.
 
-    They come from the corrected cycle, corrected once more. The multipliers are compared with those of a cycle
-    that is off by the error of the state, rounding included.
+    They come from the corrected cycle, corrected once more. The multipliers are compared with those of a
+    cycle that is off by the error of the state, rounding included.
 
     Parameters
     ----------
