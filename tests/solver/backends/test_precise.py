@@ -53,7 +53,7 @@ def in_many_digits(function, u, p, n_rk):
     exact, work, out = times | written_coefficients(), {}, {}
     for i in range(function.n_instructions()):
         op, arguments = function.instruction_id(i), function.instruction_input(i)
-        (result,) = function.instruction_output(i)
+        *_, result = function.instruction_output(i)
         if op == ca.OP_CONST:
             value = function.instruction_constant(i)
             fraction = exact.get(abs(value), Fraction(abs(value)))
@@ -124,8 +124,8 @@ def test_coefficients_are_the_published_ones():
     used = {abs(one) for table in (DOP853.A, DOP853.B, DOP853.C) for one in np.ravel(table[:STAGES]).tolist()}
     used = {one for one in used if one in exact and Fraction(one) != exact[one]}
     assert len(used) > 50
-    for one in used - {abs(x) for x in np.ravel(DOP853.A[:STAGES, STAGES:]).tolist()}:
-        assert rest[one] == float(exact[one] - Fraction(one))
+    for one in used:
+        assert rest[one] == pytest.approx(float(exact[one] - Fraction(one)), rel=1e-12)
     assert rest[1 / 3] == float(Fraction(1, 3) - Fraction(1 / 3))
 
 
