@@ -3,10 +3,10 @@
 The residual at twice the resolution is, but for 1/256 of it, the residual R of the exact step map. The cycle
 moves by -J^-1 R when it is corrected for it, with J the Jacobian of the residual, which holds the step map's
 derivative: near a fold J is nearly singular, and a small residual is a large error. The multipliers there are
-compared with those at twice the resolution at the corrected cycle.
+compared with those at a finer resolution at the corrected cycle.
 
 Rounding adds to both: what the residual's own rounding comes to through |J^-1|, and that of the derivative
-through the condition of each eigenvalue.
+through the condition of each eigenvalue. Where the former is much, it is measured: see `precise`.
 """
 
 import math
