@@ -229,14 +229,14 @@ class LaneKernels(Kernels):
             return out
         sizes = [len(u), u.shape[1], p.shape[1]]
         points = [ctypes.c_void_p(one.ctypes.data) for one in (u, p, out)]
-        if kernel in self.functions:
-            shown, run, library = (c_name(self.model, kernel),), "precise_map", self._precise
-        else:
-            shown = tuple(f"{self.model.name}_{name}" for name in PLAIN_PIECES)
-            run, library = "precise_chain", self._precise_pieces
+        whole = kernel in self.functions
+        library = self._precise if whole else self._precise_pieces
+        run = library.precise_map if whole else library.precise_chain
+        if not whole:
             sizes = [n_rk // BLOCK, BLOCK, *sizes, 2 * len(self.model.coordinates)]
-        pieces = [_shown(library, "precise", name) for name in shown]
-        check(getattr(library, run)(*pieces, *map(ctypes.c_longlong, sizes), *points), kernel)
+        names = (kernel.name,) if whole else PLAIN_PIECES
+        pieces = [_shown(library, "precise", f"{self.model.name}_{name}") for name in names]
+        check(run(*pieces, *map(ctypes.c_longlong, sizes), *points), kernel)
         return out
 
     def _compiled_now(self, what: str, text: str, more: Sequence[str] = ()) -> ctypes.CDLL:
