@@ -133,6 +133,13 @@ class Kernels(ABC):
         (residual,) = self.call(kernel, u, p)
         return residual
 
+    def precise_residual(self, n_rk: int, u: Array, p: Array) -> Array:
+        """Residuals to many more digits than those of doubles, shape (n, nz + 1); NaN where there are none.
+
+        They tell what the rounding of a residual does. Not every backend has them, nor every resolution.
+        """
+        return np.full(u.shape, np.nan)
+
     def jacobian(self, n_rk: int, u: Array, p: Array) -> Linearised:
         """Residuals with their derivatives with respect to u."""
         kernel = catalogue.jacobian(n_rk)

@@ -8,6 +8,7 @@ The results do not depend on the processor, nor on which points are in a batch.
 """
 
 import ctypes
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -22,13 +23,17 @@ from stridemap.solver.backends.shared_library import check, pointers, sizes
 from stridemap.solver.kernels.catalogue import (
     BRANCH_FREE,
     NEWTON,
+    PLAIN_PIECES,
     Kernel,
     Kind,
     Newton,
     c_name,
     jacobian,
+    plain_pieces_source,
     residual,
 )
+from stridemap.solver.kernels.step_map import BLOCK
+from stridemap.solver.kernels.tableau import rests
 from stridemap.solver.model.files import kernels_file
 from stridemap.solver.model.model import Model
 from stridemap.solver.model.scales import Scales, rounded
@@ -62,6 +67,11 @@ def instruction_flags() -> tuple[str, ...]:
     return next((flags for needed, flags in INSTRUCTIONS if needed <= processor_features()), ())
 
 
+def fused_flags(flags: Sequence[str]) -> tuple[str, ...]:
+    """More flags for products whose rounding is computed: with them it takes one instruction, not sixteen."""
+    return ("-mfma",) if "-mavx2" in flags and "fma" in processor_features() else ()
+
+
 def source(model: Model) -> str:
     """The kernels, and what calls them in lockstep, as one C++ file.
 
@@ -74,17 +84,39 @@ def source(model: Model) -> str:
     InputError
         When the C is not the one that the manifest names.
     """
-    return _joined(model, ("lanes.h",), "Lanes", "lockstep.h", BRANCH_FREE)
+    return _joined(_kernels(model), ("lanes.h",), "Lanes", "lockstep.h", _names(model, BRANCH_FREE))
 
 
 def directional_source(model: Model) -> str:
     """The residuals with derivatives in two directions, as one C++ file; see `source`."""
-    kernels = [kernel for kernel in BRANCH_FREE if kernel.kind == Kind.RESIDUAL]
-    return _joined(model, ("lanes.h", "jets.h"), "Jet", "directional.h", kernels)
+    return _joined(_kernels(model), ("lanes.h", "jets.h"), "Jet", "directional.h", _names(model, RESIDUALS))
 
 
-def _joined(model: Model, numbers: Sequence[str], number: str, driver: str, shown: Sequence[Kernel]) -> str:
-    """The kernels' C with another type of number, between the number's header and what calls the kernels."""
+def precise_source(model: Model) -> str:
+    """The residuals in numbers of twice the digits, as one C++ file; see `source`."""
+    return _precise(_kernels(model), _names(model, RESIDUALS))
+
+
+def precise_pieces_source(model: Model) -> str:
+    """The pieces of which a residual is chained, in numbers of twice the digits, as one C++ file."""
+    return _precise(plain_pieces_source(model), [f"{model.name}_{name}" for name in PLAIN_PIECES])
+
+
+def _precise(text: str, shown: Sequence[str]) -> str:
+    """Functions in numbers of twice the digits, and so the coefficients of the integration."""
+    rest = rests(tuple(kernel.n_rk for kernel in RESIDUALS))
+
+    def whole(found: re.Match[str]) -> str:
+        """A constant with what its double leaves out, where that is known."""
+        left_out = rest.get(float(found[0]), 0.0)
+        return f"Pair({found[0]}, {left_out!r})" if left_out else found[0]
+
+    text = re.sub(r"\b\d\.\d{16}e[-+]\d\d\b", whole, text)  # as CasADi writes constants
+    return _joined(text, ("lanes.h", "pairs.h"), "Pair", "precise.h", shown)
+
+
+def _joined(text: str, numbers: Sequence[str], number: str, driver: str, shown: Sequence[str]) -> str:
+    """CasADi's C with another type of number, between the number's header and what calls the functions."""
     here = Path(__file__).parent
     *headers, caller = ((here / name).read_text(encoding="utf-8") for name in (*numbers, driver))
     # What is not shown is not compiled.
@@ -93,12 +125,23 @@ def _joined(model: Model, numbers: Sequence[str], number: str, driver: str, show
             *headers,
             f"#define casadi_real {number}",
             "#define CASADI_SYMBOL_EXPORT",
-            f"namespace {{\n{model.text(kernels_file(model.name))}\n}}",
+            f"namespace {{\n{text}\n}}",
             caller,
-            *(f"KERNEL({c_name(model, kernel)})" for kernel in shown),
+            *(f"KERNEL({name})" for name in shown),
             "",
         ]
     )
+
+
+def _kernels(model: Model) -> str:
+    return model.text(kernels_file(model.name))
+
+
+def _names(model: Model, kernels: Sequence[Kernel]) -> list[str]:
+    return [c_name(model, kernel) for kernel in kernels]
+
+
+RESIDUALS = tuple(kernel for kernel in BRANCH_FREE if kernel.kind == Kind.RESIDUAL)
 
 
 @dataclass(frozen=True)
@@ -151,9 +194,7 @@ class LaneKernels(Kernels):
     @cached_property
     def _directional(self) -> ctypes.CDLL:
         """The residuals with derivatives in two directions; compiled when they are first asked for."""
-        text = directional_source(self.model)
-        compiler = Compiler.named(self._command)  # what is found now: much may have changed since
-        return compiler.library(f"{self.model.name}_directional.cpp", text, self._flags)
+        return self._compiled_now("directional", directional_source(self.model))
 
     def directional(self, n_rk: int, u: Array, p: Array, a: Array, b: Array) -> Directional:
         """Residuals with exact derivatives in two directions of (u, p): see `Kernels.directional`."""
@@ -168,6 +209,39 @@ class LaneKernels(Kernels):
             )  # fmt: skip
             check(status, kernel)
         return Directional(*outputs)
+
+    @cached_property
+    def _precise(self) -> ctypes.CDLL:
+        """The residuals in numbers of twice the digits; compiled when they are first asked for."""
+        return self._compiled_now("precise", precise_source(self.model), fused_flags(self._flags))
+
+    @cached_property
+    def _precise_pieces(self) -> ctypes.CDLL:
+        """The pieces of those on more RK steps than a kernel has."""
+        text = precise_pieces_source(self.model)
+        return self._compiled_now("precise_pieces", text, fused_flags(self._flags))
+
+    def precise_residual(self, n_rk: int, u: Array, p: Array) -> Array:
+        """Residuals in numbers of twice the digits: see `Kernels.precise_residual`."""
+        u, p = (np.ascontiguousarray(one, dtype=np.float64) for one in (u, p))
+        out, kernel = np.full(u.shape, np.nan), residual(n_rk)
+        if not len(u):
+            return out
+        sizes = [len(u), u.shape[1], p.shape[1]]
+        points = [ctypes.c_void_p(one.ctypes.data) for one in (u, p, out)]
+        whole = kernel in self.functions
+        library = self._precise if whole else self._precise_pieces
+        run = library.precise_map if whole else library.precise_chain
+        if not whole:
+            sizes = [n_rk // BLOCK, BLOCK, *sizes, 2 * len(self.model.coordinates)]
+        names = (kernel.name,) if whole else PLAIN_PIECES
+        pieces = [_shown(library, "precise", f"{self.model.name}_{name}") for name in names]
+        check(run(*pieces, *map(ctypes.c_longlong, sizes), *points), kernel)
+        return out
+
+    def _compiled_now(self, what: str, text: str, more: Sequence[str] = ()) -> ctypes.CDLL:
+        compiler = Compiler.named(self._command)  # what is found now: much may have changed since
+        return compiler.library(f"{self.model.name}_{what}.cpp", text, [*self._flags, *more])
 
     @property
     def compiler(self) -> str:

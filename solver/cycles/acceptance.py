@@ -5,10 +5,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from stridemap.solver.backends.base import Kernels
+from stridemap.solver.backends.base import Kernels, Solved
 from stridemap.solver.cycles import floquet
-from stridemap.solver.cycles.errors import Correction, multiplier_error, size
+from stridemap.solver.cycles.error_bars import error_bars
+from stridemap.solver.cycles.errors import Correction, size
 from stridemap.solver.cycles.orbits import Orbits, column
+from stridemap.solver.cycles.precise import checked
 from stridemap.solver.cycles.status import CODES, FOUND, Status
 from stridemap.solver.model.scales import Scales
 from stridemap.solver.observables.events import Trace
@@ -28,8 +30,8 @@ RESOLVED = 0.1
 """Change of a residual at twice the resolution, in terms of the residual itself, below which a solution that
 does not close is not a matter of the resolution."""
 
-WORTHWHILE = 16 * np.finfo(float).eps
-"""Integration error that is rounding: a finer resolution does not lower it."""
+WORTHWHILE = 4.0
+"""Error of the state, in terms of what rounding makes, from which on a finer resolution lowers it."""
 
 
 @dataclass(frozen=True)
@@ -49,10 +51,8 @@ class Candidates:
     jacobian : ndarray, shape (m, nz + 1, nz + 1)
         Derivative of the residual.
     residual, integration_error : ndarray, shape (m,)
-    change : ndarray, shape (m, nz + 1)
+    correction : Correction
         What twice as many RK steps change in `u`.
-    spread : ndarray, shape (m, nz + 1)
-        What rounding may change in it.
     closed : ndarray of bool, shape (m,)
     trace : Trace
         Of the points that closed, in their order.
@@ -65,8 +65,7 @@ class Candidates:
     jacobian: Array
     residual: Array
     integration_error: Array
-    change: Array
-    spread: Array
+    correction: Correction
     closed: Mask
     trace: Trace
 
@@ -75,43 +74,47 @@ class Candidates:
         cls, kernels: Kernels, options: AcceptanceOptions, n_rk: int, guesses: Array, params: Array
     ) -> "Candidates":
         """Newton's method at `n_rk` RK steps from good guesses, checked at twice as many."""
-        scales = Scales.of(kernels.model)
         u, jacobian, closing = kernels.limit_cycle(n_rk, guesses, params)
-        unit = scales.residual
+        unit = Scales.of(kernels.model).residual
         residual = np.abs(closing / unit).max(axis=1)
         with np.errstate(invalid="ignore"):
             closed = np.isfinite(u).all(axis=1) & (u[:, -1] > 0) & (residual < options.max_residual)
         at = np.flatnonzero(closed)
-        traced = kernels.trace(2 * n_rk, u[at], params[at])
-        error, change, spread = np.full(len(u), np.nan), np.full(u.shape, np.nan), np.full(u.shape, np.nan)
+        solved = Solved(u[at], jacobian[at], closing[at])
+        solved, traced, correction = checked(kernels, n_rk, solved, params[at], 0.5 * options.max_state_error)
+        u[at], jacobian[at], closing[at] = solved
+        residual[at] = np.abs(closing[at] / unit).max(axis=1)
+        error, corrections = np.full(len(u), np.nan), Correction.unknown(*u.shape)
         error[at] = np.abs((traced.residual - closing[at]) / unit).max(axis=1)
-        correction = Correction.of(jacobian[at], traced.residual, u[at], scales.unknowns)
-        change[at], spread[at] = correction.change, correction.spread
+        corrections.put(at, correction)
         trace = Trace.of(kernels, u[at], params[at], traced)
-        return cls(options, n_rk, params, u, jacobian, residual, error, change, spread, closed, trace)
+        return cls(options, n_rk, params, u, jacobian, residual, error, corrections, closed, trace)
 
     @property
     def kernels(self) -> Kernels:
         """What solved them."""
         return self.trace.kernels
 
-    @property
-    def scale(self) -> Array:
-        """Scales of the unknowns, shape (nz + 1,)."""
-        return Scales.of(self.kernels.model).unknowns
-
     def excess(self) -> Array:
         """By how much the errors are above their targets, shape (m,); above 1, it is worth to refine."""
         options = self.options
-        state = size(self.change, self.scale)
-        # Rounding alone, amplified near a fold: there is nothing to gain.
-        state[self.integration_error < WORTHWHILE] = 0.0
+        state = size(self.correction.change, Scales.of(self.kernels.model).unknowns)
+        # Rounding, amplified near a fold: there is nothing to gain.
+        with np.errstate(invalid="ignore"):
+            state[state < WORTHWHILE * self.correction.rounding] = 0.0
         # Half of the limit: rounding and what the estimate leaves out are to have room.
         state /= 0.5 * options.max_state_error
         excess = np.fmax(self.integration_error / options.target_integration_error, state)
         # What is not a number at twice the resolution: as far from it as can be.
         excess[self.closed & np.isnan(self.integration_error)] = 1 / options.target_integration_error
         return np.where(self.closed, excess, 0.0)
+
+    def corrected(self) -> Array:
+        """Section points and periods with what twice as many RK steps change, where they change little."""
+        change = self.correction.change
+        with np.errstate(invalid="ignore"):
+            little = size(change, Scales.of(self.kernels.model).unknowns) < NEARLY
+        return np.where(little[:, None], self.u + change, self.u)
 
     def unresolved(self) -> Mask:
         """Which of the points nearly closed, and may close at a finer resolution, shape (m,)."""
@@ -136,8 +139,7 @@ class Candidates:
             self.jacobian[index],
             self.residual[index],
             self.integration_error[index],
-            self.change[index],
-            self.spread[index],
+            self.correction.take(index),
             self.closed[index],
             self.trace.take(chosen),
         )
@@ -175,7 +177,9 @@ class Candidates:
 
     def _cycles(self) -> Cycles:
         """Points that are all limit cycles, to be measured."""
-        state_error, multiplier_error = self._errors()
+        state_error, multiplier_error = error_bars(
+            self.kernels, self.n_rk, self.u, self.params, self.jacobian, self.correction
+        )
         return Cycles(
             self.kernels.model,
             self.params,
@@ -187,24 +191,6 @@ class Candidates:
             multiplier_error,
             self.trace,
         )
-
-    def _errors(self) -> tuple[Array, Array]:
-        """Errors of state and multipliers, shape (m,) each: from the corrected cycle, corrected once more.
-
-        The multipliers are compared with those of a cycle that is off by the error of the state, rounding
-        included.
-        """
-        u, scale = self.u + self.change + self.spread, self.scale
-        jacobian, residual = self.kernels.jacobian(2 * self.n_rk, u, self.params)
-        again = Correction.of(jacobian, residual, u, scale)
-        second = again.change + self.spread
-        # In a fold itself every correction is half of the one before: what is left is their sum.
-        with np.errstate(divide="ignore", invalid="ignore"):
-            ratio = np.minimum(size(second, scale) / size(self.change, scale), 0.6)
-        ratio[~(size(self.change, scale) > 100 * again.rounding)] = 0.0  # or it is rounding
-        rest = 1 / (1 - ratio)
-        state = np.hypot(size(self.change + rest[:, None] * second, scale), again.rounding)
-        return state, rest * multiplier_error(self.jacobian, jacobian, scale)
 
 
 def verdicts(

@@ -158,7 +158,7 @@ class Solver:
                     factor = np.where(unresolved, 2.0, np.maximum(1.1 * excess ** (1 / ORDER), 1.01))
                     n_rk[at[refine]] = coarsest(n * factor[refine], LEVELS)
                     closed = refine & candidates.closed
-                    u[at[closed]] = candidates.u[closed]
+                    u[at[closed]] = candidates.corrected()[closed]
                 else:
                     refine[:] = False
                 done = np.flatnonzero(~refine)

@@ -220,6 +220,23 @@ def c_source(model: Model) -> str:
     return text
 
 
+PLAIN_PIECES = ("plain_begin", "plain_swing", "plain_end")
+"""What the functions of `plain_pieces_source` are called, after the model's name."""
+
+
+def plain_pieces_source(model: Model) -> str:
+    """Pieces of a step without tangents, as C that is printed when it is needed.
+
+    Parameters
+    ----------
+    model : Model
+    """
+    generator = ca.CodeGenerator("pieces.c", {"with_header": False})
+    for piece in StepMap(model).plain_pieces():
+        generator.add(piece)
+    return str(generator.dump())
+
+
 DRIVER = """
 /* Map a kernel over an array of points: point i reads in[j] + i*in_size[j] (a size of 0 repeats one input
  * for all points) and writes out[j] + i*out_size[j]. failed[i] is the kernel's return value.

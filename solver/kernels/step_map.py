@@ -188,6 +188,21 @@ class StepMap:
         outputs = self.landing_with_derivative(y, u[: self.nz], u[self.nz], p)
         return ca.Function(f"{self.model.name}_end", [y, u, p], list(outputs), ["y", "u", "p"], ["J", "R"])
 
+    def plain_pieces(self) -> list[ca.Function]:
+        """The same three pieces without tangents: (u, p) -> y, (t, h, y, p) -> y, and (y, u, p) -> R."""
+        u, p = ca.MX.sym("u", self.nz + 1), ca.MX.sym("p", self.n_params)
+        t, h, y = ca.MX.sym("t"), ca.MX.sym("h"), ca.MX.sym("y", 2 * self.n)
+        end = self._plain_block(y, t, self.phase_increments(h, p), h, p)
+        pieces = {
+            "begin": ([u, p], self.start(u[: self.nz], p)[0]),
+            "swing": ([t, h, y, p], end),
+            "end": ([y, u, p], self.landing(y, u[: self.nz], p)),
+        }
+        return [
+            ca.Function(f"{self.model.name}_plain_{name}", inputs, [ca.densify(output)])
+            for name, (inputs, output) in pieces.items()
+        ]
+
     # -- whole steps -------------------------------------------------------------------------------------
 
     def _block(self, rk_step: ca.Function) -> ca.Function:

@@ -80,22 +80,25 @@ def orbits_at(index):
 GUESSES = {
     # Status: (k, alpha, omega), guess of section point and period; found by search, digits cut
     Status.CONVERGED: ((6, 0.25, 3), (0.0942, -0.1455, -0.0026, 0.0029, 0.152, 1.1837)),
-    Status.INACCURATE: (
-        (5.9593496422, 0.25, 3),  # 4e-11 beside a fold: rounding alone moves it by 1e-8
-        (0.0957657707, -0.1363583647, -0.0024934711, 0.0036866904, 0.2085739841, 1.1710630482),
-    ),
     Status.NOT_CONVERGED: ((6, 0.25, 3), (0.05, -0.62, 0.6, 0.05, -0.76, 1.69)),
     Status.NOT_A_STEP: ((6, 0.25, 3), (-0.077183, 0.325498, 0.00387, 0.000193, 0.007035, 0.484398)),
     Status.LATER_TOUCHDOWN: ((1, 0.75, 3.9), (0.08265, -0.22725, -0.0031, 0.00041, -0.19312, 2.62522)),
     Status.OUT_OF_RANGE: ((40, 0.25, 3), (0.095144, -0.106336, -0.001919, -4.6e-05, -0.003157, 3.276972)),
 }
-"""Each leads to its status; to `Status.UNRESOLVED` lead motions that take seconds."""
+"""Each leads to its status; to `Status.UNRESOLVED` lead motions that take seconds, and to `Status.INACCURATE`
+those, and folds where there are no residuals of twice the digits."""
+
+NEXT_TO_A_FOLD = (
+    (5.9593496422, 0.25, 3),  # 4e-11 beside it: rounding alone moves the cycle by 1e-9
+    (0.0957657707, -0.1363583647, -0.0024934711, 0.0036866904, 0.2085739841, 1.1710630482),
+)
+"""As `GUESSES`."""
 
 
-def continue_one(point, guess, acceptance=None):
+def continue_one(point, guess, acceptance=None, backend=None):
     """Model, parameter vector and the orbit that Newton's method gives from a guess."""
     model = load("wobbling")
     params = model.point(dict(zip(("k", "alpha", "omega"), point, strict=True)))
-    solver = Solver.for_model(model, acceptance=acceptance)
+    solver = Solver.for_model(model, backend, acceptance)
     (orbit,) = continued(solver, params[None], np.array([guess]))
     return model, params, orbit

@@ -3,6 +3,8 @@
 import numpy as np
 import pytest
 
+from stridemap.solver.backends.interpreter import Interpreter
+from stridemap.solver.backends.lanes import Lanes
 from stridemap.solver.cycles import floquet
 from stridemap.solver.cycles.errors import Correction, differences, multiplier_error, size
 from stridemap.solver.cycles.orbits import Orbits
@@ -12,9 +14,19 @@ from stridemap.solver.cycles.status import Status
 from stridemap.solver.model.loading import load
 from stridemap.solver.model.scales import Scales
 from stridemap.solver.observables.measures import decided
-from tests.oracles.reference import GUESSES, continue_one
+from tests.oracles.kernels import needs_compiler
+from tests.oracles.reference import GUESSES, NEXT_TO_A_FOLD, continue_one
 
-FOLD = GUESSES[Status.INACCURATE]
+EXACT_NEXT_TO_A_FOLD = (
+    0.095765694950120647, -0.13635884229979062, -0.0024934759055502834, 0.0036866524364508979,
+    0.20857107352601087, 1.171063693928899,
+)  # fmt: skip
+"""Section point and period of the cycle `NEXT_TO_A_FOLD`, from `benchmarks.references`."""
+
+EXACT_MULTIPLIERS = (
+    0.9999992212208824, 0.7454105871957067 + 0.45202319000162714j, 0.7454105871957067 - 0.45202319000162714j,
+    -0.4926585711626694, 0.0,
+)  # fmt: skip
 
 
 @pytest.fixture(scope="module")
@@ -45,14 +57,37 @@ def test_errors_are_true_within_a_factor_of_three(some):
         assert ((estimate / true)[large] > 1 / 3).all()
 
 
+def error_next_to_a_fold(orbit):
+    """Of its state, in terms of the scales, and of its multipliers."""
+    off = np.array([*orbit.state.values(), orbit.period]) - EXACT_NEXT_TO_A_FOLD
+    multipliers = differences(np.array([orbit.multipliers]), np.array([EXACT_MULTIPLIERS]))
+    return size(off[None], Scales.of(orbit.model).unknowns)[0], multipliers[0]
+
+
+@needs_compiler
 @pytest.mark.quick
-def test_next_to_a_fold_a_small_integration_error_is_a_large_one_of_the_cycle():
-    """The residual grows with the square of the distance: so near to the fold 1e-15 moves it by 1e-9."""
-    _, _, orbit = continue_one(*FOLD)
+def test_next_to_a_fold_the_errors_are_those_of_this_very_cycle():
+    """The condition is 7e7: with residuals of twice the digits rounding neither hides nor makes an error."""
+    _, _, orbit = continue_one(*NEXT_TO_A_FOLD, backend=Lanes())
     assert orbit.integration_error < 1e-11
+    assert orbit.status is Status.CONVERGED
+    state, multiplier = error_next_to_a_fold(orbit)
+    assert 1e-13 < state < 1e-10
     assert orbit.state_error > 100 * orbit.integration_error
-    assert orbit.state_error > 1e-10
+    assert orbit.state_error == pytest.approx(state, rel=0.5)
+    assert orbit.multiplier_error == pytest.approx(multiplier, rel=0.5)
+    assert orbit.stable is True
+
+
+@pytest.mark.quick
+def test_without_more_digits_the_errors_are_what_rounding_may_do():
+    """The residual grows with the square of the distance: so near to the fold 1e-15 moves it by 1e-9."""
+    _, _, orbit = continue_one(*NEXT_TO_A_FOLD, backend=Interpreter())
+    assert orbit.integration_error < 1e-11
     assert orbit.status is Status.INACCURATE
+    state, multiplier = error_next_to_a_fold(orbit)
+    assert 1e-10 < state < 10 * orbit.state_error
+    assert multiplier < 10 * orbit.multiplier_error
 
 
 @pytest.mark.quick
