@@ -45,6 +45,8 @@ class DoublePoint:
     multipliers : tuple of complex
     residual : float
         Largest entry of the equations that define it.
+    gait : bool
+        Whether it lies on a gait, or at the end of gaits.
     """
 
     boundary: int
@@ -57,6 +59,7 @@ class DoublePoint:
     arclength: float
     multipliers: tuple[complex, ...]
     residual: float
+    gait: bool
 
     def to_dict(self) -> dict[str, Any]:
         """Plain values for JSON; complex numbers are pairs."""
@@ -113,16 +116,22 @@ class Boundaries(Sequence[Boundary]):
 
     def _points_of(self, number: int, one: Boundary) -> Iterator[DoublePoint]:
         lengths = one.arclength
-        placed: list[tuple[float, str, str | None, Array, Any, float]] = []
+        gait = one.is_gait
+        placed: list[tuple[float, str, str | None, Array, Any, float, bool]] = []
         for before, point in one.codim2:
             along = float(lengths[before]) + one.distance(before, point.cycle)
-            placed.append((along, str(point.type), None, point.cycle, point.multipliers, point.residual))
+            on_gait = bool(gait[before : before + 2].all())
+            placed.append(
+                (along, str(point.type), None, point.cycle, point.multipliers, point.residual, on_gait)
+            )
         for before, end in one.corners:
             cycle = one.curve.cycle(end.point.x)
             along = float(lengths[before]) + one.distance(before, cycle)
-            placed.append((along, "corner", str(end.type), cycle, end.point.multipliers, end.residual))
+            placed.append((along, "corner", str(end.type), cycle, end.point.multipliers, end.residual, True))
         names = self.model.section
-        for along, kind, meets, cycle, multipliers, residual in sorted(placed, key=lambda item: item[0]):
+        for along, kind, meets, cycle, multipliers, residual, on_gait in sorted(
+            placed, key=lambda item: item[0]
+        ):
             equations = one.curve.equations
             steps, params = equations.steps(cycle), equations.point(cycle[-2:])
             yield DoublePoint(
@@ -136,6 +145,7 @@ class Boundaries(Sequence[Boundary]):
                 along,
                 tuple(multipliers.tolist()),
                 residual,
+                on_gait,
             )
 
     # -- tables ------------------------------------------------------------------------------------------

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stridemap.solver.backends.base import Kernels
-from stridemap.solver.observables.events import Trace, brackets, locate
+from stridemap.solver.observables.events import Brackets, Trace, brackets, locate
 from stridemap.solver.observables.reductions import extreme
 
 Array = NDArray[np.float64]
@@ -131,22 +131,50 @@ class GaitConditions:
 def _inner_touchdown_margin(trace: Trace) -> Array:
     """How far every step is from a touchdown before its end, shape (n,): negative where there is one.
 
-    At a turning point within the step the foot is above the ground, or where a touchdown is not admissible;
-    the larger of both margins counts, so that the least over all turning points is continuous where one
-    becomes admissible. It is infinite where there is no turning point.
+    The foot comes near the ground at turning points within the step. Where it stays above, its height counts,
+    or by how much a touchdown is not admissible there; where it does not, what counts is where it passed the
+    ground on its way down. The least over all turning points is continuous where one reaches the ground, and
+    where one becomes admissible. It is infinite where there is no turning point.
     """
     found = brackets(trace, "touchdown", derivative=True)
     found = found.take(found.f_lower > found.f_upper)  # maxima only
     margin = np.full(len(trace.period), np.inf)
     if not len(found.orbit):
         return margin
+    time, g, side = _located(trace, found)
+    each = np.maximum(-g, side)
+    below = np.flatnonzero(g > 0)
+    if len(below):
+        passed = brackets(trace, "touchdown")
+        passed = passed.take(passed.f_lower < passed.f_upper)  # on the way down
+        passing, _, beside = _located(trace, passed)
+        # The last passage before the turning point, of the same step; without one, the foot was there before.
+        order = np.argsort(_moment(trace, passed.orbit, passing))
+        moments = _moment(trace, passed.orbit, passing)[order]
+        before = np.searchsorted(moments, _moment(trace, found.orbit[below], time[below])) - 1
+        known = before >= 0
+        known[known] = passed.orbit[order][before[known]] == found.orbit[below][known]
+        # Two passages just beside the turning point show at no node: it is as admissible as they are.
+        just = trace.g[found.orbit[below], found.node[below], found.row] < 0
+        each[below[~just]] = np.inf
+        there = below[known & ~just]
+        each[there] = np.maximum(-g[there], beside[order][before[known & ~just]])
+    # At the ends of the step the condition is zero: a turning point there is the beginning or the end itself.
+    h = trace.h[found.orbit]
+    inner = (time > 1e-3 * h) & (time < trace.period[found.orbit] - 1e-3 * h)
+    np.minimum.at(margin, found.orbit[inner], each[inner])
+    return margin
+
+
+def _located(trace: Trace, found: Brackets) -> tuple[Array, Array, Array]:
+    """Times, touchdown conditions, and what is negative where a touchdown is admissible, shape (m,) each."""
     time, w, g = locate(trace, found)
     model, n = trace.kernels.model, len(trace.kernels.model.coordinates)
     p = trace.params[found.orbit]
     side = model.evaluate("touchdown_condition", q=w[:, :n], v=w[:, n : 2 * n], p=p)["side"]
-    # At the ends of the step the condition is zero: a turning point there is the beginning or the end itself.
-    h = trace.h[found.orbit]
-    inner = (time > 1e-3 * h) & (time < trace.period[found.orbit] - 1e-3 * h)
-    each = np.maximum(-g[:, found.row], side)
-    np.minimum.at(margin, found.orbit[inner], each[inner])
-    return margin
+    return time, g[:, found.row], side
+
+
+def _moment(trace: Trace, orbit: NDArray[np.int64], time: Array) -> Array:
+    """Moments of all steps in one order: by step, then by time."""
+    return orbit + 0.5 * time / trace.period[orbit]

@@ -85,12 +85,13 @@ def boundary(
         print(json.dumps(found.to_dict(), indent=1, allow_nan=False))
     elif len(found):
         print(found)
-        rows = [["type", *found.vary, "period", "meets", "boundary"]]
+        rows = [["type", *found.vary, "period", "gait", "meets", "boundary"]]
         rows += [
             [
                 one.type,
                 *(f"{one.params[name]:.12g}" for name in found.vary),
                 f"{one.period:.10g}",
+                "yes" if one.gait else "no",
                 one.meets or "-",
                 str(one.boundary),
             ]

@@ -12,7 +12,7 @@ from stridemap.views.optional import require_pictures
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-SIZE = (5.2, 4.2)
+SIZE = (6.2, 4.2)
 """Width and height in inches."""
 
 LINES = {"fold": "-", "pd": (0, (6, 2)), "ns": (0, (6, 2, 1, 2)), "period_limit": (0, (1, 1.5))}
@@ -42,7 +42,7 @@ def boundary_map(boundaries: Boundaries, *, gaits_only: bool = True, stable_only
     ----------
     boundaries : Boundaries
     gaits_only : bool
-        Whether parts on which cycles are not gaits are left out.
+        Whether parts and points at which cycles are not gaits are left out.
     stable_only : bool
         Whether parts that do not limit stable gaits are left out.
 
@@ -92,7 +92,7 @@ def boundary_map(boundaries: Boundaries, *, gaits_only: bool = True, stable_only
                 labelled.add(label)
         for point in boundaries.points:
             marker, name = POINTS[point.type]
-            if point.type != "corner":
+            if point.type != "corner" and (point.gait or not gaits_only):
                 first, second = boundaries.vary
                 axes.plot(
                     [point.params[first]],
@@ -108,7 +108,7 @@ def boundary_map(boundaries: Boundaries, *, gaits_only: bool = True, stable_only
         axes.set(xlim=boundaries.ranges[0], ylim=boundaries.ranges[1])
         axes.set_title(boundaries.model.title)
         if labelled:
-            axes.legend(loc="best")
+            axes.legend(loc="center left", bbox_to_anchor=(1.01, 0.5))
     return figure
 
 
