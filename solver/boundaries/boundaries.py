@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from stridemap.services import service
 from stridemap.solver.boundaries.survey import Boundary
-from stridemap.solver.branches.branches import by_continuity, save_tables
+from stridemap.solver.branches.branches import by_continuity, pair, save_tables
 from stridemap.solver.model.model import Model
 from stridemap.words import multiplier_columns
 
@@ -63,7 +63,7 @@ class DoublePoint:
 
     def to_dict(self) -> dict[str, Any]:
         """Plain values for JSON; complex numbers are pairs."""
-        return {**vars(self), "multipliers": [[one.real, one.imag] for one in self.multipliers]}
+        return {**vars(self), "multipliers": [pair(one) for one in self.multipliers]}
 
 
 @dataclass(frozen=True)

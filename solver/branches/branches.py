@@ -81,10 +81,10 @@ class SpecialPoint:
 
     def to_dict(self) -> dict[str, Any]:
         """Plain values for JSON; complex numbers are pairs."""
-        plain = {**vars(self), "multipliers": [_pair(value) for value in self.multipliers]}
+        plain = {**vars(self), "multipliers": [pair(value) for value in self.multipliers]}
         plain["steps"] = [list(step) for step in self.steps]
-        plain["multiplier"] = None if self.multiplier is None else _pair(self.multiplier)
-        plain["null"] = self.null and {name: _pair(value) for name, value in self.null.items()}
+        plain["multiplier"] = None if self.multiplier is None else pair(self.multiplier)
+        plain["null"] = self.null and {name: pair(value) for name, value in self.null.items()}
         return plain
 
 
@@ -351,19 +351,23 @@ def by_continuity(multipliers: NDArray[np.complex128]) -> NDArray[np.complex128]
     Parameters
     ----------
     multipliers : ndarray of complex, shape (m, nz)
-        In any order at each of m neighbouring points.
+        In any order at each of m neighbouring points. Where they are not finite, as at a grazing touchdown,
+        they stay as they are.
 
     Returns
     -------
     ndarray of complex, shape (m, nz)
     """
     out = multipliers.copy()
-    for i in range(1, len(out)):
-        expected = out[i - 1] if i == 1 else 2 * out[i - 1] - out[i - 2]
-        near = np.abs(expected[:, None] - out[i][None, :]) + np.abs(out[i - 1][:, None] - out[i][None, :])
+    finite = np.flatnonzero(np.isfinite(out).all(axis=1)).tolist()
+    for number, i in enumerate(finite[1:], 1):
+        last = out[finite[number - 1]]
+        expected = last if number == 1 else 2 * last - out[finite[number - 2]]
+        near = np.abs(expected[:, None] - out[i][None, :]) + np.abs(last[:, None] - out[i][None, :])
         out[i] = out[i][linear_sum_assignment(near)[1]]
     return out
 
 
-def _pair(value: complex) -> list[float]:
-    return [value.real, value.imag]
+def pair(value: complex) -> list[float | None]:
+    """Real and imaginary part for JSON, which has no infinity."""
+    return [part if np.isfinite(part) else None for part in (value.real, value.imag)]
