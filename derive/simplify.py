@@ -19,6 +19,9 @@ READABLE = 64
 TRIED = 300
 """Terms when multiplied out, times different symbols and functions, up to which it is given that form."""
 
+AT_ONCE = 200
+"""Terms times different symbols and functions up to which SymPy shortens sines and cosines in a whole sum."""
+
 GENERATORS = 14
 """Different symbols and functions up to which it is given that form."""
 
@@ -65,8 +68,7 @@ def _simplified(expr: sp.Expr) -> sp.Expr:
         return _readable(expr) if sp.count_ops(expr) <= QUOTIENT else expr
     if expanded_size(expr) <= READABLE:
         expanded = sp.expand(expr)
-        generators = len(expanded.free_symbols) + len(expanded.atoms(sp.Function))
-        if generators <= GENERATORS and len(sp.Add.make_args(expanded)) * generators <= TRIED:
+        if _generators(expanded) <= GENERATORS and _effort(expanded) <= TRIED:
             return _readable(expr)
     found = normal_form(expr, PRODUCTS)
     if found is None:
@@ -77,14 +79,39 @@ def _simplified(expr: sp.Expr) -> sp.Expr:
     return min(candidates, key=sp.count_ops)
 
 
+def _generators(expanded: sp.Expr) -> int:
+    """Number of different symbols and functions."""
+    return len(expanded.free_symbols) + len(expanded.atoms(sp.Function))
+
+
+def _effort(expanded: sp.Expr) -> int:
+    """Number of terms times that of different symbols and functions."""
+    return len(sp.Add.make_args(expanded)) * _generators(expanded)
+
+
 def _readable(expr: sp.Expr) -> sp.Expr:
     expanded = sp.expand(expr)
-    reduced = sp.trigsimp(expanded)
+    reduced = sp.trigsimp(expanded) if _effort(expanded) <= AT_ONCE else _trigsimp(expanded)
     candidates = [expr, expanded, reduced, sp.factor(reduced)]
     for symbol in sorted(reduced.free_symbols, key=lambda s: s.name):
         candidates += [sp.collect(expanded, symbol), sp.collect(reduced, symbol)]
     candidates = list(dict.fromkeys(candidates))
     return _shortest([*candidates, *map(sp.factor_terms, candidates)])
+
+
+def _trigsimp(expanded: sp.Expr) -> sp.Expr:
+    """SymPy's `trigsimp` for the coefficient of each product of symbols and rates by itself.
+
+    Identities of sines and cosines hold within each of them. On the whole sum at once SymPy tries so many
+    combinations that it takes minutes instead of a second, whenever its sets come in an unlucky order.
+    """
+    coefficients: dict[sp.Expr, list[sp.Expr]] = {}
+    for term in sp.Add.make_args(expanded):
+        factors = sp.Mul.make_args(term)
+        product = sp.Mul(*(f for f in factors if not f.is_number and not f.has(sp.sin, sp.cos)))
+        rest = sp.Mul(*(f for f in factors if f.is_number or f.has(sp.sin, sp.cos)))
+        coefficients.setdefault(product, []).append(rest)
+    return sp.Add(*(product * sp.trigsimp(sp.Add(*parts)) for product, parts in coefficients.items()))
 
 
 def _shortest(candidates: list[sp.Expr]) -> sp.Expr:

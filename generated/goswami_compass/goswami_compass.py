@@ -389,7 +389,7 @@ def impact_map(xp, q, v, p):
     """State just after touchdown from the state just before.
 
     Source: plastic impact: Me (v+ - v-) = J^T Lambda, J v+ = 0, projected on the velocities with J v = 0.
-    57 operations.
+    58 operations.
     """
     theta1 = q[0]
     theta2 = q[1]
@@ -406,7 +406,8 @@ def impact_map(xp, q, v, p):
     A_22 = beta*beta*t1
     A_D2 = A_22 - A_11*A_L21*A_L21
     t3 = 2*c_theta2*dtheta1
-    momentum_1 = t1*(beta*dtheta2 - 2*beta*dtheta1 + beta*t3 + c_theta2*dtheta1*mu*(beta*beta + 2*beta + 1) + t3)
+    t4 = c_theta2*dtheta1*mu
+    momentum_1 = t1*(beta*beta*t4 - 2*beta*dtheta1 + beta*dtheta2 + beta*mu*t3 + beta*t3 + t3 + t4)
     momentum_2 = beta*dtheta1*t1
     after_f2 = momentum_2 - A_L21*momentum_1
     after_2 = after_f2/A_D2
@@ -422,7 +423,7 @@ def impact_map_dq(xp, q, v, p):
 
     Source: plastic impact: Me (v+ - v-) = J^T Lambda, J v+ = 0, projected on the velocities with J v = 0,
     differentiated.
-    77 operations.
+    78 operations.
     """
     theta2 = q[1]
     dtheta1 = v[0]
@@ -441,7 +442,8 @@ def impact_map_dq(xp, q, v, p):
     s_theta2 = xp.sin(theta2)
     t4 = s_theta2/(beta + 1)
     t5 = 2*c_theta2*dtheta1
-    momentum_1 = t1*(beta*dtheta2 - 2*beta*dtheta1 + beta*t5 + c_theta2*dtheta1*mu*(beta*beta + 2*beta + 1) + t5)
+    t6 = c_theta2*dtheta1*mu
+    momentum_1 = t1*(beta*beta*t6 - 2*beta*dtheta1 + beta*dtheta2 + beta*mu*t5 + beta*t5 + t5 + t6)
     momentum_2 = beta*dtheta1*t1
     after_f2 = momentum_2 - A_L21*momentum_1
     after_2 = after_f2*t3
@@ -475,8 +477,7 @@ def impact_map_dv(xp, q, p):
     A_L21 = A_12*t2
     A_D2 = A_22 - A_11*A_L21*A_L21
     t3 = 1/A_D2
-    t4 = c_theta2*mu*(beta*beta + 2*beta + 1)
-    r1_1 = t1*(2*beta*c_theta2 - 2*beta + 2*c_theta2 + t4)
+    r1_1 = t1*(2*beta*c_theta2 - 2*beta + c_theta2*mu*(beta*beta + 2*beta + 1) + 2*c_theta2)
     r1_2 = beta*t1
     d1_f2 = r1_2 - A_L21*r1_1
     d1_2 = d1_f2*t3
@@ -494,7 +495,7 @@ def impact_impulse(xp, q, v, p):
     """Impulse of the ground at touchdown.
 
     Source: plastic impact: Me (v+ - v-) = J^T Lambda, J v+ = 0, projected on the velocities with J v = 0.
-    102 operations.
+    103 operations.
     """
     theta1 = q[0]
     theta2 = q[1]
@@ -512,19 +513,20 @@ def impact_impulse(xp, q, v, p):
     A_L21 = A_12*t3
     A_D2 = A_22 - A_11*A_L21*A_L21
     t4 = 2*c_theta2*dtheta1
-    momentum_1 = t2*(beta*dtheta2 - 2*beta*dtheta1 + beta*t4 + c_theta2*dtheta1*mu*(beta*beta + 2*beta + 1) + t4)
+    t5 = c_theta2*dtheta1*mu
+    momentum_1 = t2*(beta*beta*t5 - 2*beta*dtheta1 + beta*dtheta2 + beta*mu*t4 + beta*t4 + t4 + t5)
     momentum_2 = beta*dtheta1*t2
     after_f2 = momentum_2 - A_L21*momentum_1
     after_2 = after_f2/A_D2
-    t5 = beta*t1*(after_2 + dtheta2)
+    t6 = beta*t1*(after_2 + dtheta2)
     after_1 = momentum_1*t3 - A_L21*after_2
-    t6 = after_1 - after_2 - dtheta1
+    t7 = after_1 - after_2 - dtheta1
     c_theta1 = xp.cos(theta1)
     c_theta1_minus_theta2 = xp.cos(theta1 - theta2)
     s_theta1 = xp.sin(theta1)
     s_theta1_minus_theta2 = xp.sin(theta1 - theta2)
     return {
-        "Lambda": [c_theta1_minus_theta2*t5 + t6*(beta*t1*(c_theta1 + c_theta1_minus_theta2) - c_theta1*mu - 2*c_theta1) + (mu + 2)*(after_1*(c_theta1 - c_theta1_minus_theta2) - after_2*c_theta1), s_theta1_minus_theta2*t5 + t6*(beta*t1*(s_theta1 + s_theta1_minus_theta2) - mu*s_theta1 - 2*s_theta1) + (mu + 2)*(after_1*(s_theta1 - s_theta1_minus_theta2) - after_2*s_theta1)],
+        "Lambda": [c_theta1_minus_theta2*t6 + t7*(beta*t1*(c_theta1 + c_theta1_minus_theta2) - c_theta1*mu - 2*c_theta1) + (mu + 2)*(after_1*(c_theta1 - c_theta1_minus_theta2) - after_2*c_theta1), s_theta1_minus_theta2*t6 + t7*(beta*t1*(s_theta1 + s_theta1_minus_theta2) - mu*s_theta1 - 2*s_theta1) + (mu + 2)*(after_1*(s_theta1 - s_theta1_minus_theta2) - after_2*s_theta1)],
     }
 
 
