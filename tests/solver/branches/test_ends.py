@@ -95,3 +95,21 @@ def test_a_gait_ends_where_the_foot_touches_down_early():
             assert walk.steps[0].period == pytest.approx(row.period, abs=1e-9)
         else:
             assert walk.steps[0].period < row.period - 1e-3
+
+
+@pytest.mark.parametrize(("k", "alpha"), [(2.8, 0.2), (12.4, 0.2), (3.6, 0.31), (30.0, 0.4)])
+def test_early_touchdowns_are_those_that_the_acceptance_sees(k, alpha):
+    """The foot may pass the ground where that is no touchdown, and be lowest where it would be one."""
+    solver = Solver.for_model(load("wobbling"))
+    point = solver.model.point({"k": k, "alpha": alpha, "omega": 3.0})
+    _, gaits = find_all(solver, point[None, :], SearchOptions(starts=256))
+    assert len(gaits)
+    late = gaits.search.discarded
+    late = late.take(late.status == "later_touchdown")
+    margins = [
+        GaitConditions(solver.kernels).of_steps(192, one.u, one.params, [GaitEnd.EARLY_TOUCHDOWN])
+        for one in (gaits, late)
+        if len(one)
+    ]
+    assert (margins[0][GaitEnd.EARLY_TOUCHDOWN] > 0).all()
+    assert all((margin[GaitEnd.EARLY_TOUCHDOWN] < 0).all() for margin in margins[1:])
