@@ -430,9 +430,9 @@ BOUNDARIES = (
     ),
     Mutation(
         "solver/branches/conditions.py",
-        "each[there] = np.maximum(-g[there], beside[order][before[known & ~just]])",
-        "each[there] = np.maximum(-g[there], side[there])",
-        "an early touchdown is judged where the foot is lowest",
+        "each[below[~just]] = np.inf",
+        "each[below[~just]] *= 1.0",
+        "a foot that is below the ground from the beginning counts as one that touches down early",
         (f"{ENDS}::test_early_touchdowns_are_those_that_the_acceptance_sees",),
     ),
     Mutation(
