@@ -71,7 +71,7 @@ def find_orbits(
 
     >>> three = find_orbits("simplest_walker", period_n=3, slope=0.0124)
     >>> [(round(orbit.period, 4), orbit.stable) for orbit in three]
-    [(11.4129, True), (11.5243, False)]
+    [(11.4219, True), (11.5105, False)]
     """
     loaded = load(model)
     point = loaded.point(joined(params, keywords))

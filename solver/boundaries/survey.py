@@ -229,7 +229,7 @@ class BoundarySurvey:
         values = conditions_along(curve, points, conditions, names)
         corners = list(gait_ends(curve, points, values, conditions, self.options))
         codim2 = list(codim2_points(curve, points))
-        self.found.append(Boundary(curve, kind, points, reasons, values, codim2, corners))
+        self.found.append(Boundary(curve, str(kind), points, reasons, values, codim2, corners))
 
 
 def _onto(curve: BoundaryCurve, x: Array, n_rk: int) -> CurvePoint | None:

@@ -15,8 +15,8 @@ SECONDS = 1.2
 TITLE_WIDTH = 40
 """Letters that a panel is wide."""
 
-STEPS_MAX = 128
-"""Most steps of a film."""
+STEPS_MAX = 100
+"""Most steps of a film, unless a cycle of more steps needs them."""
 
 FPS, SIZE, WALKERS = (2, 50), (80, 1600), 6
 """Frames per second and pixels that are allowed, and how many walkers."""
@@ -71,9 +71,10 @@ def animate(
     _check_range("size", size, SIZE, "pixels")
     least = math.lcm(2, *(orbit.period_n for orbit in shown))
     steps = least if steps is None else steps
-    if steps < 2 or steps % least or steps > STEPS_MAX:
+    most = max(STEPS_MAX, least)
+    if steps < 2 or steps % least or steps > most:
         what = "an even number" if least == 2 else f"a multiple of {least}"
-        raise InputError(f"steps = {steps} is not allowed: {what} from {least} to {STEPS_MAX} is needed")
+        raise InputError(f"steps = {steps} is not allowed: {what} from {least} to {most} is needed")
     if not (math.isfinite(magnify) and 0 < magnify <= 100):
         raise InputError(f"magnify = {magnify:g} is not allowed: a number above 0 and up to 100 is needed")
     if titles is not None and len(titles) != len(shown):

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stridemap.solver.boundaries.boundaries import Boundaries
-from stridemap.views.branch_diagram import MARKERS
+from stridemap.views.markers import MARKERS, POINTS
 from stridemap.views.optional import require_pictures
 
 if TYPE_CHECKING:
@@ -17,20 +17,6 @@ SIZE = (6.2, 4.2)
 
 LINES = {"fold": "-", "pd": (0, (6, 2)), "ns": (0, (6, 2, 1, 2)), "period_limit": (0, (1, 1.5))}
 """Dashes of each type; ends of gaits are solid, with colours of their own."""
-
-POINTS = {
-    "cusp": ("o", "CP"),
-    "gpd": ("D", "GPD"),
-    "fold_flip": ("s", "LPPD"),
-    "r1": ("^", "R1"),
-    "r2": ("v", "R2"),
-    "r3": ("<", "R3"),
-    "r4": (">", "R4"),
-    "fold_ns": ("P", "LPNS"),
-    "pd_ns": ("X", "PDNS"),
-    "corner": (".", "corner"),
-}
-"""Marker and label of each type of double point; CP to PDNS are the field's letters."""
 
 
 def boundary_map(boundaries: Boundaries, *, gaits_only: bool = True, stable_only: bool = False) -> "Figure":

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from stridemap.errors import InputError
 from stridemap.solver.branches.branches import Branches, SpecialPoint
 from stridemap.solver.model.model import Model
+from stridemap.views.markers import MARKERS
 from stridemap.views.optional import require_pictures
 from stridemap.words import multiplier_columns
 
@@ -21,20 +22,6 @@ Array = NDArray[np.float64]
 
 SIZE = (5.2, 3.6)
 """Width and height in inches."""
-
-MARKERS = {
-    "fold": ("o", "LP"),
-    "pd": ("D", "PD"),
-    "ns": ("s", "NS"),
-    "bp": ("*", "BP"),
-    "grazing": ("|", "grazing"),
-    "early_touchdown": ("v", "early touchdown"),
-    "backward": ("<", "backward"),
-    "fall": ("x", "fall"),
-    "contact": ("^", "contact lost"),
-    "friction": ("P", "friction"),
-}
-"""Marker and label of each type of special point; LP, PD, NS and BP are the field's letters."""
 
 NO_GAIT, UNSTABLE, STABLE = range(3)
 """Looks of a piece of a branch, from the least to the most."""

@@ -225,7 +225,7 @@ def test_tables_of_options_have_every_word():
 
 def test_every_measure_is_defined():
     words, text = words_of("measures")
-    measured = {f.name for f in fields(stridemap.Orbit)} - {"model", "params", "measures"}
+    measured = {f.name for f in fields(stridemap.Orbit)} - {"model", "params", "measures", "steps"}
     tables = re.findall(r"^```\{stridemap-quantities\}\n(.*?)^```$", text, re.MULTILINE | re.DOTALL)
     assert measured - words <= set(QUANTITIES)
     assert set(" ".join(tables).split()) - {":rest:"} <= set(QUANTITIES)

@@ -79,6 +79,7 @@ def assert_row_is_orbit(row, orbit):
     for name, value in orbit.to_dict().items():
         if name in (
             "state",
+            "period_n",
             "multipliers",
             "residual",
             "integration_error",
