@@ -12,6 +12,7 @@ from stridemap.solver.backends.selection import named_backend
 from stridemap.solver.boundaries.boundaries import Boundaries
 from stridemap.solver.boundaries.survey import BoundarySurvey
 from stridemap.solver.branches.conditions import GaitConditions
+from stridemap.solver.branches.survey import Survey
 from stridemap.solver.branches.target_range import span
 from stridemap.solver.cycles.solver import Solver
 from stridemap.solver.model.loading import load
@@ -108,20 +109,21 @@ def boundaries(
     whole("lines", lines, 1, MAX_LINES)
     whole("seeds", seeds, 1, MAX_SEEDS)
     solver = Solver.for_model(loaded, named_backend(backend))
-    survey = BoundarySurvey(
+    along = Survey(
         solver,
         point,
-        (names[0], names[1]),
-        (ends[0][0], ends[1][0]),
-        (ends[0][1], ends[1][1]),
+        names[0],
+        *ends[0],
         period_n,
-        lines,
+        0,
         seeds,
         SearchOptions.from_mapping({"starts": 256} if search is None else search),
         ArclengthOptions.from_mapping(options or {}),
         GaitConditions(solver.kernels, limit_of_friction(friction_limit)),
-        progress or quiet,
+        quiet,
     )
+    low, high = (ends[0][0], ends[1][0]), (ends[0][1], ends[1][1])
+    survey = BoundarySurvey(along, (names[0], names[1]), low, high, lines, progress or quiet)
     values = zip(loaded.spec.names, point.tolist(), strict=True)
     fixed = {name: value for name, value in values if name not in names}
     return Boundaries(loaded, (names[0], names[1]), (ends[0], ends[1]), fixed, survey.boundaries())

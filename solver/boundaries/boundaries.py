@@ -11,9 +11,8 @@ from numpy.typing import NDArray
 
 from stridemap.services import service
 from stridemap.solver.boundaries.survey import Boundary
-from stridemap.solver.branches.branches import by_continuity, pair, save_tables
+from stridemap.solver.branches.tables import cycle_columns, pair, point_row, save_tables
 from stridemap.solver.model.model import Model
-from stridemap.words import multiplier_columns
 
 Array = NDArray[np.float64]
 
@@ -167,37 +166,20 @@ class Boundaries(Sequence[Boundary]):
         """All points at which two things happen at once as a `pandas.DataFrame`, one row each."""
         import pandas as pd
 
-        rows = []
-        for one in self.points:
-            row = {name: value for name, value in vars(one).items() if not isinstance(value, dict | tuple)}
-            row |= one.params | one.state
-            for i, value in enumerate(one.multipliers):
-                real, imaginary = multiplier_columns(i)
-                row |= {real: value.real, imaginary: value.imag}
-            rows.append(row)
-        return pd.DataFrame(rows)
+        return pd.DataFrame([point_row(one) for one in self.points])
 
     def _columns(self, number: int, one: Boundary) -> dict[str, Any]:
-        cycles, m = one.cycles, len(one.points)
-        equations = one.curve.equations
-        params = np.array([equations.point(values) for values in cycles[:, -2:]])
-        steps = np.array([equations.steps(cycle) for cycle in cycles])
-        out: dict[str, Any] = {
+        m = len(one.points)
+        multipliers = np.array([point.multipliers for point in one.points])
+        return {
             "boundary": np.full(m, number),
             "type": np.full(m, one.type),
             "period_n": np.full(m, one.period_n),
             "gait": one.is_gait,
             "borders_stable": one.borders_stable,
             "arclength": one.arclength,
+            **cycle_columns(one.curve.equations, one.cycles, multipliers),
         }
-        out |= dict(zip(self.model.spec.names, params.T, strict=True))
-        out |= dict(zip(self.model.section, steps[:, 0, :-1].T, strict=True))
-        out["period"] = steps[:, :, -1].sum(axis=1)
-        multipliers = np.array([point.multipliers for point in one.points])
-        for i, followed in enumerate(by_continuity(multipliers).T):
-            real, imaginary = multiplier_columns(i)
-            out[real], out[imaginary] = followed.real, followed.imag
-        return out
 
     def save(self, path: str | Path) -> list[Path]:
         """Write the table of points, and beside it that of the double points, as Parquet or CSV.

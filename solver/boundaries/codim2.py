@@ -126,7 +126,7 @@ def _end(curve: TorusBoundary, beyond: CurvePoint, inner: CurvePoint) -> CurvePo
 
 def _at_ends(curve: TorusBoundary, points: list[CurvePoint]) -> Iterator[tuple[int, Codim2Point]]:
     """The resonances at the ends of a curve of tori, as `with_ends` makes it."""
-    for number, end in {0: points[0], max(len(points) - 2, 0): points[-1]}.items():
+    for number, end in ((0, points[0]), (max(len(points) - 2, 0), points[-1])):
         if curve.beyond(end.x):
             cycle = curve.cycle(end.x)
             residual = float(np.abs(curve.equations.linearised(cycle, end.n_rk)[1]).max())

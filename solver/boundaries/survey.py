@@ -1,7 +1,7 @@
 """All boundaries in the plane of two parameters: seeds on lines across it, each boundary followed once."""
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,13 +15,11 @@ from stridemap.solver.boundaries.systems import (
     TorusBoundary,
 )
 from stridemap.solver.branches.arclength import CurvePoint, EndReason, Window, both_ways
-from stridemap.solver.branches.conditions import GaitConditions, GaitEnd
+from stridemap.solver.branches.conditions import GaitEnd
 from stridemap.solver.branches.ends import End, conditions_along, gait_ends
 from stridemap.solver.branches.equations import CycleEquations
 from stridemap.solver.branches.special import SpecialType
 from stridemap.solver.branches.survey import Branch, Survey
-from stridemap.solver.cycles.solver import Solver
-from stridemap.solver.options import ArclengthOptions, SearchOptions
 
 Array = NDArray[np.float64]
 
@@ -98,55 +96,45 @@ class BoundarySurvey:
 
     Parameters
     ----------
-    solver : Solver
-    params : ndarray, shape (n_params,)
+    along : Survey
+        How branches over one of the parameters are found; which one, its range and the value of the other
+        are put in for each line.
     names : (str, str)
         The two parameters.
     low, high : (float, float)
         Ends of their ranges.
-    period_n : int
-        Number of walking steps after which the cycles close.
     lines : int
         Number of values of each parameter at which branches over the other one are followed.
-    seeds : int
-        Number of values, on each of these lines, at which cycles are searched for.
-    search : SearchOptions
-    options : ArclengthOptions
-    conditions : GaitConditions
     progress : callable
         Takes a line that says what is being done.
     """
 
-    solver: Solver
-    params: Array
+    along: Survey
     names: tuple[str, str]
     low: tuple[float, float]
     high: tuple[float, float]
-    period_n: int
     lines: int
-    seeds: int
-    search: SearchOptions
-    options: ArclengthOptions
-    conditions: GaitConditions
     progress: Callable[[str], None]
-    found: list[Boundary] = field(default_factory=list)
 
     @property
     def window(self) -> Window:
         """Where boundaries are followed."""
-        shortest, longest = self.search.resolved_for(self.solver.model).period_range
+        shortest, longest = self.along.window.shortest, self.along.window.longest
         slack = SLACK * (longest - shortest)  # a boundary may lie on the period's limit itself
         return Window(self.low, self.high, shortest - slack, longest + slack)
 
     def boundaries(self) -> list[Boundary]:
         """All boundaries, in the order of discovery."""
+        found: list[Boundary] = []
         for across in (1, 0):
             for value in self._values(across):
                 self.progress(f"following branches at {self.names[across]} = {value:.6g}")
                 for branch in self._survey(across, value).branches():
                     for kind, curve, start in self._seeds(branch, across, value):
-                        self._follow(kind, curve, start)
-        return self.found
+                        new = self._followed(found, kind, curve, start)
+                        if new is not None:
+                            found.append(new)
+        return found
 
     def _values(self, which: int) -> Array:
         """Values of a parameter at which branches are followed: the middles of equal parts."""
@@ -155,29 +143,17 @@ class BoundarySurvey:
 
     def _survey(self, across: int, value: float) -> Survey:
         """All branches over one parameter at a value of the other."""
-        params, over = self.params.copy(), 1 - across
-        params[self.solver.model.spec.names.index(self.names[across])] = value
-        return Survey(
-            self.solver,
-            params,
-            self.names[over],
-            self.low[over],
-            self.high[over],
-            self.period_n,
-            0,
-            self.seeds,
-            self.search,
-            self.options,
-            self.conditions,
-            _quiet,
-        )
+        params, over = self.along.params.copy(), 1 - across
+        params[self.along.solver.model.spec.names.index(self.names[across])] = value
+        name, low, high = self.names[over], self.low[over], self.high[over]
+        return replace(self.along, params=params, parameter=name, low=low, high=high)
 
     def _seeds(
         self, branch: Branch, across: int, value: float
     ) -> Iterator[tuple[str, BoundaryCurve, tuple[Array, int]]]:
         """Boundaries that a branch crosses: their type, their curve, and a point with its resolution."""
         widths = tuple(high - low for low, high in zip(self.low, self.high, strict=True))
-        equations = CycleEquations(branch.curve.chain, self.params, self.names, widths)
+        equations = CycleEquations(branch.curve.chain, self.along.params, self.names, widths)
 
         def cycle(x: Array) -> Array:
             """The point of a branch as one with both parameters."""
@@ -198,10 +174,10 @@ class BoundarySurvey:
         for _, end in branch.ends:
             yield (
                 end.type,
-                EndBoundary(equations, self.conditions, end.type),
+                EndBoundary(equations, self.along.conditions, end.type),
                 (cycle(end.point.x), end.point.n_rk),
             )
-        shortest, longest = self.search.resolved_for(self.solver.model).period_range
+        shortest, longest = self.along.window.shortest, self.along.window.longest
         for reason, point in zip(branch.reasons, (branch.points[0], branch.points[-1]), strict=True):
             if reason == EndReason.PERIOD:
                 periods = equations.steps(cycle(point.x))[:, -1]
@@ -209,27 +185,29 @@ class BoundarySurvey:
                 step = int(np.abs(periods - limit).argmin())
                 yield PERIOD_LIMIT, PeriodBoundary(equations, step, limit), (cycle(point.x), point.n_rk)
 
-    def _follow(self, kind: str, curve: BoundaryCurve, start: tuple[Array, int]) -> None:
-        """Follow a boundary from a point near it, unless it is known."""
+    def _followed(
+        self, known: list[Boundary], kind: str, curve: BoundaryCurve, start: tuple[Array, int]
+    ) -> Boundary | None:
+        """The boundary through a point near it; None where it is known, or not found."""
         corrected = _onto(curve, *start)
         if corrected is None:
             self.progress(f"a boundary ({kind}) was not found again from its branch")
-            return
-        if any(kind == one.type and on_boundary(one, corrected) for one in self.found):
-            return
+            return None
+        if any(kind == one.type and on_boundary(one, corrected) for one in known):
+            return None
         where = ", ".join(
             f"{name} = {value:.6g}" for name, value in zip(self.names, curve.values(corrected.x), strict=True)
         )
-        self.progress(f"following boundary {len(self.found)} ({kind}) from {where}")
-        points, reasons = both_ways(curve, corrected, self.window, self.options)
+        self.progress(f"following boundary {len(known)} ({kind}) from {where}")
+        options, conditions = self.along.options, self.along.conditions
+        points, reasons = both_ways(curve, corrected, self.window, options)
         if isinstance(curve, TorusBoundary):
             points = with_ends(curve, points)
-        conditions = self.conditions
         names = [name for name in conditions.names if name != kind]
         values = conditions_along(curve, points, conditions, names)
-        corners = list(gait_ends(curve, points, values, conditions, self.options))
+        corners = list(gait_ends(curve, points, values, conditions, options))
         codim2 = list(codim2_points(curve, points))
-        self.found.append(Boundary(curve, str(kind), points, reasons, values, codim2, corners))
+        return Boundary(curve, str(kind), points, reasons, values, codim2, corners)
 
 
 def _onto(curve: BoundaryCurve, x: Array, n_rk: int) -> CurvePoint | None:
@@ -271,10 +249,6 @@ def on_boundary(known: Boundary, point: CurvePoint) -> bool:
         if found.converged and curve.norm(found.x - turned) < SAME:
             return True
     return False
-
-
-def _quiet(line: str) -> None:
-    """Report nothing."""
 
 
 ONTO = 12

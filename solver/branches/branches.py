@@ -1,6 +1,6 @@
 """All branches over one parameter as a value: tables of points and of special points, JSON, a picture."""
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -8,17 +8,15 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize import linear_sum_assignment
 
-from stridemap.errors import InputError, StorageError
 from stridemap.services import service
 from stridemap.solver.branches.ends import End
 from stridemap.solver.branches.special import Special, SpecialType
 from stridemap.solver.branches.survey import Branch
+from stridemap.solver.branches.tables import cycle_columns, pair, point_row, save_tables
 from stridemap.solver.cycles.chain_measures import chain_measures
 from stridemap.solver.cycles.orbits import column
 from stridemap.solver.model.model import Model
-from stridemap.words import multiplier_columns
 
 Array = NDArray[np.float64]
 
@@ -216,34 +214,24 @@ class Branches(Sequence[Branch]):
         """All special points as a `pandas.DataFrame`, one row each."""
         import pandas as pd
 
-        rows = []
-        for one in self.special:
-            row = {name: value for name, value in vars(one).items() if not isinstance(value, dict | tuple)}
-            row |= one.params | one.state
-            for i, value in enumerate(one.multipliers):
-                real, imaginary = multiplier_columns(i)
-                row |= {real: value.real, imaginary: value.imag}
-            row["multiplier"] = None if one.multiplier is None else str(one.multiplier)
-            rows.append(row)
+        rows = [
+            point_row(one) | {"multiplier": None if one.multiplier is None else str(one.multiplier)}
+            for one in self.special
+        ]
         return pd.DataFrame(rows)
 
     def _columns(self, number: int, branch: Branch) -> dict[str, Any]:
-        x, nz, m = branch.x, len(self.model.section), len(branch.points)
-        steps = x[:, :-1].reshape(m, branch.period_n, nz + 1)
-        params = np.array([branch.curve.equations.point(value) for value in x[:, -1]])
+        x, m = branch.x, len(branch.points)
+        equations = branch.curve.equations
+        multipliers = np.array([point.multipliers for point in branch.points])
         out: dict[str, Any] = {
             "branch": np.full(m, number),
             "period_n": np.full(m, branch.period_n),
             "gait": branch.is_gait,
             "arclength": branch.arclength,
+            **cycle_columns(equations, x, multipliers),
         }
-        out |= dict(zip(self.model.spec.names, params.T, strict=True))
-        out |= dict(zip(self.model.section, steps[:, 0, :-1].T, strict=True))
-        out["period"] = steps[:, :, -1].sum(axis=1)
-        multipliers = np.array([point.multipliers for point in branch.points])
-        for i, followed in enumerate(by_continuity(multipliers).T):
-            real, imaginary = multiplier_columns(i)
-            out[real], out[imaginary] = followed.real, followed.imag
+        params = np.array([equations.point(value) for value in x[:, -1]])
         n_rk = [point.n_rk for point in branch.points]
         measures = chain_measures(branch.curve.chain, n_rk, x[:, :-1], params, multipliers)
         out |= {name: column(self.model.measured[name], values, m) for name, values in measures.items()}
@@ -298,76 +286,3 @@ class Branches(Sequence[Branch]):
     def plot(self, y: str = "period", **options: Any) -> Any:
         """Draw a bifurcation diagram with matplotlib: see `stridemap.views.branch_diagram`."""
         return service("branch_diagram")(self, y, **options)
-
-
-def save_tables(path: str | Path, tables: Mapping[str, Callable[[], Any]]) -> list[Path]:
-    """Write tables beside each other, each under the path's name with an addition.
-
-    Parameters
-    ----------
-    path : str or path
-        Ends in ``.parquet`` or ``.csv``.
-    tables : mapping of str to callable
-        By addition, what makes a `pandas.DataFrame`.
-
-    Raises
-    ------
-    InputError
-        For another ending.
-    StorageError
-        When a file cannot be written.
-    """
-    path, writer, paths = Path(path), table_writer(path), []
-    for addition, make in tables.items():
-        target = path.with_stem(f"{path.stem}{addition}")
-        try:
-            getattr(make(), writer)(target, index=False)
-        except OSError as error:
-            raise StorageError(
-                f"cannot write {target} ({error.strerror or error}); give a path that can be written"
-            ) from None
-        paths.append(target)
-    return paths
-
-
-def table_writer(path: str | Path) -> str:
-    """The method of a data frame that writes the kind of file that a path's ending names.
-
-    Raises
-    ------
-    InputError
-        For an ending that names none.
-    """
-    writers = {".parquet": "to_parquet", ".csv": "to_csv"}
-    suffix = Path(path).suffix
-    if suffix not in writers:
-        raise InputError(f"{path} must end in {' or '.join(writers)}")
-    return writers[suffix]
-
-
-def by_continuity(multipliers: NDArray[np.complex128]) -> NDArray[np.complex128]:
-    """Multipliers in such an order at each point that every column is a continuous curve.
-
-    Parameters
-    ----------
-    multipliers : ndarray of complex, shape (m, nz)
-        In any order at each of m neighbouring points. Where they are not finite, as at a grazing touchdown,
-        they stay as they are.
-
-    Returns
-    -------
-    ndarray of complex, shape (m, nz)
-    """
-    out = multipliers.copy()
-    finite = np.flatnonzero(np.isfinite(out).all(axis=1)).tolist()
-    for number, i in enumerate(finite[1:], 1):
-        last = out[finite[number - 1]]
-        expected = last if number == 1 else 2 * last - out[finite[number - 2]]
-        near = np.abs(expected[:, None] - out[i][None, :]) + np.abs(last[:, None] - out[i][None, :])
-        out[i] = out[i][linear_sum_assignment(near)[1]]
-    return out
-
-
-def pair(value: complex) -> list[float | None]:
-    """Real and imaginary part for JSON, which has no infinity."""
-    return [part if np.isfinite(part) else None for part in (value.real, value.imag)]

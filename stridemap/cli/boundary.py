@@ -56,7 +56,7 @@ def boundary(
     """Follow all bifurcations and ends of gaits in the plane of two parameters."""
     from stridemap.cli.output import print_table
     from stridemap.solver.api.boundaries import boundaries
-    from stridemap.solver.branches.branches import table_writer
+    from stridemap.solver.branches.tables import table_writer
     from stridemap.solver.options import ArclengthOptions, SearchOptions
     from stridemap.views.branch_diagram import check_picture
 

@@ -54,7 +54,7 @@ def branch(
     """Follow all branches of limit cycles over one parameter and locate their special points."""
     from stridemap.cli.output import print_table
     from stridemap.solver.api.branches import branches
-    from stridemap.solver.branches.branches import table_writer
+    from stridemap.solver.branches.tables import table_writer
     from stridemap.solver.model.loading import load
     from stridemap.solver.options import ArclengthOptions, SearchOptions
     from stridemap.views.branch_diagram import check_column, check_picture

@@ -54,7 +54,7 @@ def test_what_a_boundary_says_is_what_the_search_finds(resonance):
 
 def test_multipliers_that_are_infinite_are_left_alone():
     """At a grazing touchdown the time of the touchdown has no derivative."""
-    from stridemap.solver.branches.branches import by_continuity, pair
+    from stridemap.solver.branches.tables import by_continuity, pair
 
     curves = np.array([[0.5, -0.5], [-0.4, 0.6], [np.inf, np.nan], [0.7, -0.3]], dtype=complex)
     followed = by_continuity(curves)
