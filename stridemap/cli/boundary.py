@@ -11,9 +11,14 @@ from stridemap.cli.branch import say, write_figure
 from stridemap.cli.options import (
     FOUND,
     NOTHING,
+    ContinuationOption,
+    FrictionOption,
     JsonOption,
     ModelOption,
+    PeriodNOption,
+    SearchOption,
     SetOption,
+    TableOption,
     number_pairs,
     option_values,
     parameters,
@@ -30,24 +35,14 @@ def boundary(
     ],
     model: ModelOption = "wobbling",
     set_: SetOption = None,
-    period_n: Annotated[int, whole("Number of walking steps after which the cycles close.")] = 1,
+    period_n: PeriodNOption = 1,
     lines: Annotated[int, whole("Values of each parameter at which branches are followed.")] = 4,
     seeds: Annotated[int, whole("Values on each of these lines at which cycles are searched for.")] = 6,
-    friction_limit: Annotated[
-        float | None, typer.Option(help="Largest ratio of horizontal to vertical ground force of a gait.")
-    ] = None,
+    friction_limit: FrictionOption = None,
     starts: Annotated[int, whole("Number of quasi-random starts at each of these values.")] = 256,
-    search: Annotated[
-        list[str] | None,
-        typer.Option(metavar="NAME=VALUE", help="An option of the search: seed, period_min, period_max."),
-    ] = None,
-    continuation: Annotated[
-        list[str] | None,
-        typer.Option(metavar="NAME=VALUE", help="An option of the step control, such as ds_max."),
-    ] = None,
-    out: Annotated[
-        Path | None, typer.Option(metavar="FILE.parquet", help="Write all points as a table.")
-    ] = None,
+    search: SearchOption = None,
+    continuation: ContinuationOption = None,
+    out: TableOption = None,
     plot: Annotated[
         Path | None, typer.Option(metavar="FILE", help="Draw the boundaries (.svg, .png, .pdf).")
     ] = None,

@@ -10,9 +10,14 @@ import typer
 from stridemap.cli.options import (
     FOUND,
     NOTHING,
+    ContinuationOption,
+    FrictionOption,
     JsonOption,
     ModelOption,
+    PeriodNOption,
+    SearchOption,
     SetOption,
+    TableOption,
     option_values,
     parameters,
     whole,
@@ -27,24 +32,14 @@ def branch(
     ],
     model: ModelOption = "wobbling",
     set_: SetOption = None,
-    period_n: Annotated[int, whole("Number of walking steps after which the cycles close.")] = 1,
+    period_n: PeriodNOption = 1,
     cascade: Annotated[int, whole("Doublings in a row that are followed onto the doubled branches.")] = 0,
     seeds: Annotated[int, whole("Values of the parameter at which cycles are searched for.")] = 12,
-    friction_limit: Annotated[
-        float | None, typer.Option(help="Largest ratio of horizontal to vertical ground force of a gait.")
-    ] = None,
+    friction_limit: FrictionOption = None,
     starts: Annotated[int, whole("Number of quasi-random starts at each of these values.")] = 256,
-    search: Annotated[
-        list[str] | None,
-        typer.Option(metavar="NAME=VALUE", help="An option of the search: seed, period_min, period_max."),
-    ] = None,
-    continuation: Annotated[
-        list[str] | None,
-        typer.Option(metavar="NAME=VALUE", help="An option of the step control, such as ds_max."),
-    ] = None,
-    out: Annotated[
-        Path | None, typer.Option(metavar="FILE.parquet", help="Write all points as a table.")
-    ] = None,
+    search: SearchOption = None,
+    continuation: ContinuationOption = None,
+    out: TableOption = None,
     plot: Annotated[
         Path | None, typer.Option(metavar="FILE", help="Draw the bifurcation diagram (.svg, .png, .pdf).")
     ] = None,

@@ -4,6 +4,7 @@ import contextlib
 import itertools
 import os
 import signal
+from pathlib import Path
 from typing import Annotated, Any, NoReturn
 
 import typer
@@ -113,6 +114,26 @@ DeriveTimeoutOption = Annotated[
         callback=_set_derive_timeout,
         help="End the derivation of a model file after so long; by default after an hour.",
     ),
+]
+PeriodNOption = Annotated[int, whole("Number of walking steps after which the cycles close.")]
+FrictionOption = Annotated[
+    float | None,
+    typer.Option("--friction-limit", help="Largest ratio of horizontal to vertical ground force of a gait."),
+]
+SearchOption = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--search", metavar="NAME=VALUE", help="An option of the search: seed, period_min, period_max."
+    ),
+]
+ContinuationOption = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--continuation", metavar="NAME=VALUE", help="An option of the step control, such as ds_max."
+    ),
+]
+TableOption = Annotated[
+    Path | None, typer.Option("--out", metavar="FILE.parquet", help="Write all points as a table.")
 ]
 JsonOption = Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")]
 

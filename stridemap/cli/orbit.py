@@ -12,6 +12,7 @@ from stridemap.cli.options import (
     DeriveTimeoutOption,
     JsonOption,
     ModelOption,
+    PeriodNOption,
     SetOption,
     box,
     option_values,
@@ -24,7 +25,7 @@ def orbit(
     context: typer.Context,
     model: ModelOption = "wobbling",
     set_: SetOption = None,
-    period_n: Annotated[int, whole("Number of walking steps after which the cycles close.")] = 1,
+    period_n: PeriodNOption = 1,
     starts: Annotated[int, whole("Number of quasi-random starts.")] = 512,
     search: Annotated[
         list[str] | None,
