@@ -97,11 +97,11 @@ def _moved(walker: Declaration) -> dict[sp.Symbol, float]:
 def _feet(walker: Declaration, values: Values) -> list[tuple[float, float]]:
     """Where the swing foot is from the stance foot, at some touchdowns."""
     places = dict(zip(STANCE_FOOT, walker.stance, strict=True))
-    foot = sp.Matrix(walker.swing_foot).subs(places) - walker.stance
+    foot = (sp.Matrix(walker.swing_foot).subs(places) - walker.stance).subs(values)
     feet = []
     for before in islice(touchdowns(walker, values), TOUCHDOWNS if walker.rise == 0 else None):
         try:
-            x, y = (float(e.subs({**values, **before}).evalf()) for e in foot)
+            x, y = (float(e.subs(before).evalf()) for e in foot)
         except TypeError:
             continue
         feet.append((x, y))

@@ -83,12 +83,13 @@ def _inertia(walker: Declaration, values: Mapping[sp.Symbol, float]) -> None:
             )
     if massless is not None:
         values = {**values, massless.mass: 0.1}
+    known = [(sp.sympify(mass).subs(values).evalf(), jacobian.subs(values)) for mass, jacobian in parts]
     phase = walker.coordinates.index(walker.phase) if walker.phase else None
     for position in trial_points(walker, values):
         matrix = mpmath.zeros(len(q))
-        for mass, jacobian in parts:
-            rows = mpmath.matrix(jacobian.subs({**values, **position}).evalf().tolist())
-            matrix += mpmath.mpf(sp.sympify(mass).subs(values).evalf()) * (rows.T * rows)
+        for mass, jacobian in known:
+            rows = mpmath.matrix(jacobian.subs(position).evalf().tolist())
+            matrix += mpmath.mpf(mass) * (rows.T * rows)
         if phase is not None:
             matrix[phase, phase] += 1
         scale = mpmath.mpf(1)
@@ -180,18 +181,20 @@ def _before(walker: Declaration) -> list[sp.Expr]:
 def _after_touchdown(walker: Declaration, values: Mapping[sp.Symbol, float]) -> None:
     """The condition, and what the section fixes of the coordinates, hold just after touchdown."""
     found = False
+    # Parameters are put in once and coordinates at every position, which takes a fraction of the time.
+    guard, (centre, foot) = walker.guard.subs(values), (m.subs(values) for m in _centre_and_foot(walker))
     for before in touchdowns(walker, values):
         found = True
         everything = {**values, **before}
         after = {s: float(sp.sympify(e).subs(everything).evalf()) for s, e in walker.relabel.items()}
-        rest = float(walker.guard.subs({**values, **after}).evalf())
+        rest = float(guard.subs(after).evalf())
         if abs(rest) > TOLERANCE:
             refuse(
                 walker,
                 f"the touchdown's condition is {rest:.6g} just after touchdown and must be zero, because the "
                 f"old stance foot is still on the ground; {_condition_remedy(walker, everything, after)}",
             )
-        _same_position(walker, {**values, **before}, {**values, **after})
+        _same_position(walker, centre, foot, before, after)
         for symbol, value in walker.section.items():
             if symbol in after:
                 wanted = float(sp.sympify(value).subs({**values, **after}).evalf())
@@ -230,17 +233,26 @@ def _condition_remedy(
     return "write a condition that is zero with both feet on the ground, whichever is in front"
 
 
-def _same_position(
-    walker: Declaration, before: Mapping[sp.Symbol, float], after: Mapping[sp.Symbol, float]
-) -> None:
-    """The centre of mass stays where it is when the legs swap names and the other foot is the stance foot."""
+def _centre_and_foot(walker: Declaration) -> tuple[sp.Matrix, sp.Matrix]:
+    """Centre of mass and swing foot, from the stance foot."""
     mass = sum(body.mass for body in walker.bodies)
     centre = sum((body.mass * body.position for body in walker.bodies), sp.zeros(2, 1)) / mass
     if walker.massless is not None:
         centre = centre.subs(walker.massless.mass, 0.1)
     origin = dict.fromkeys(STANCE_FOOT, 0)
-    was, landed = (m.subs(origin).subs(before) for m in (centre, walker.swing_foot))
-    now = landed + centre.subs(origin).subs(after)
+    return centre.subs(origin), sp.Matrix(walker.swing_foot).subs(origin)
+
+
+def _same_position(
+    walker: Declaration,
+    centre: sp.Matrix,
+    foot: sp.Matrix,
+    before: Mapping[sp.Symbol, float],
+    after: Mapping[sp.Symbol, float],
+) -> None:
+    """The centre of mass stays where it is when the legs swap names and the other foot is the stance foot."""
+    was, landed = (m.subs(before) for m in (centre, foot))
+    now = landed + centre.subs(after)
     moved = float((now - was).evalf().norm())
     if moved > TOLERANCE * (1 + float(was.evalf().norm())):
         refuse(
