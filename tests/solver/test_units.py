@@ -1,6 +1,6 @@
 """No tolerance has a unit: a model in other units gives the same table in those units."""
 
-import importlib
+from functools import cache
 
 import numpy as np
 import pytest
@@ -8,6 +8,7 @@ import sympy as sp
 
 from stridemap.codegen import derive_model
 from stridemap.derive import UnitNames
+from stridemap.derive.models import WALKERS
 from stridemap.derive.models.rimless_wheel import WALKER as WHEEL
 from stridemap.solver.api.points import find_orbits, simulate
 from stridemap.solver.kernels.step_map import StepMap
@@ -21,23 +22,41 @@ THOUSAND, THOUSANDTH = sp.Integer(1000), sp.Rational(1, 1000)
 LARGE, SMALL = Scale(THOUSAND, THOUSAND, THOUSAND), Scale(THOUSANDTH, THOUSANDTH, THOUSANDTH)
 MIXED = Scale(THOUSAND, THOUSANDTH, THOUSAND)
 
+STARTS = 128
+"""Enough for all cycles of these models at their presets."""
+
 ROUNDING = ("residual", "integration_error", "state_error", "multiplier_error")
 """Errors, many of which are rounding: they are compared as such."""
 
 
-def in_other_units(name, scale):
+def in_other_units(name, scale, derived=derive_model):
     """A built-in model and the same in other units."""
-    walker = importlib.import_module(f"stridemap.derive.models.{name}").WALKER
-    return walker, load(name), derive_model(rescaled(walker, f"{name}_rescaled", scale))
+    walker = WALKERS[name]
+    return walker, load(name), derived(rescaled(walker, f"{name}_rescaled", scale))
+
+
+@cache
+def found(model, backend):
+    """Its limit cycles in the units that it has."""
+    return find_orbits(model, backend=backend, options={"starts": STARTS})
 
 
 @pytest.mark.parametrize("scale", [LARGE, SMALL, MIXED], ids=["large", "small", "mixed"])
 @pytest.mark.parametrize(
-    "name", ["rimless_wheel", "simplest_walker", "goswami_compass", "compass", "wobbling"]
+    ("name", "backend"),
+    [
+        ("rimless_wheel", None),
+        ("simplest_walker", None),
+        ("goswami_compass", "interpreter"),
+        ("compass", "interpreter"),
+        ("wobbling", "interpreter"),
+    ],
+    ids=lambda one: one or "compiled",
 )
-def test_tables_scale(name, scale):
-    walker, model, other = in_other_units(name, scale)
-    orbits, scaled = find_orbits(model), find_orbits(other)
+def test_tables_scale(name, backend, scale):
+    """Compiled for the small models; what is large would take longer to shorten and to compile than to run."""
+    walker, model, other = in_other_units(name, scale, light_model if backend else derive_model)
+    orbits, scaled = found(model, backend), find_orbits(other, backend=backend, options={"starts": STARTS})
     assert len(scaled) == len(orbits) > 0
     of = {str(symbol): float(factor) for symbol, factor in factors(walker, scale).items()}
     unit = np.array([*(of[entry] for entry in model.section), float(scale.time)])
