@@ -54,7 +54,7 @@ def found(model, backend):
     ids=lambda one: one or "compiled",
 )
 def test_tables_scale(name, backend, scale):
-    """Compiled for the small models; what is large would take longer to shorten and to compile than to run."""
+    """The small models compiled; to shorten and to compile the large ones takes longer than to run them."""
     walker, model, other = in_other_units(name, scale, light_model if backend else derive_model)
     orbits, scaled = found(model, backend), find_orbits(other, backend=backend, options={"starts": STARTS})
     assert len(scaled) == len(orbits) > 0
