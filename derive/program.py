@@ -99,13 +99,13 @@ class Program:
     outputs: tuple[Output, ...]
     signature: tuple[Argument, ...] = ()
 
-    @property
+    @cached_property
     def operations(self) -> int:
         """Number of arithmetic operations and function calls."""
         terms = [e for _, e in self.statements] + [e for o in self.outputs for e in o.entries]
         return int(sum(sp.count_ops(e) for e in terms))
 
-    @property
+    @cached_property
     def used(self) -> set[sp.Symbol]:
         """Argument entries that some term reads."""
         terms = [e for _, e in self.statements] + [e for o in self.outputs for e in o.entries]

@@ -3,20 +3,23 @@
 import numpy as np
 import pytest
 
-from stridemap.codegen import write_model
-from stridemap.solver.model.loading import load
+from stridemap.codegen import derive_model
 from tests.oracles.everything import NAMES, WALKER, ByHand
-from tests.oracles.states import MP, call, differences, exact
+from tests.oracles.states import MP, call, differences, exact, fifty_digits
 
 COUNT = 300
 
 
+@pytest.fixture(autouse=True)
+def _digits():
+    with fifty_digits():
+        yield
+
+
 @pytest.fixture(scope="module")
-def model(tmp_path_factory):
-    """Derived with all its files: the kernels are built too."""
-    folder = tmp_path_factory.mktemp("everything")
-    write_model(WALKER, folder)
-    return load(folder)
+def model():
+    """Derived with all its files, where it is not in the cache: the kernels are built too."""
+    return derive_model(WALKER)
 
 
 @pytest.fixture(scope="module")

@@ -2,9 +2,9 @@
 
 import os
 import shutil
-from functools import cache
+from decimal import Decimal, localcontext
+from functools import cache, lru_cache
 
-import mpmath
 import numpy as np
 import pytest
 
@@ -13,19 +13,66 @@ from stridemap.solver.model.loading import load
 MODELS = ("wobbling", "compass", "simplest_walker", "goswami_compass", "rimless_wheel")
 COUNT = 1000
 
-FIFTY = mpmath.mp.clone()  # a context of its own: other tests keep their precision
-FIFTY.dps = 50
+DIGITS = 50
+"""Of what is called exact here."""
+
+PI = Decimal("3.14159265358979323846264338327950288419716939937510582097494459230781640628620899862803")
+
+
+def fifty_digits():
+    """A context in which decimal numbers are rounded to 50 digits: ``with fifty_digits():``."""
+    return localcontext(prec=DIGITS)
+
+
+@lru_cache(200_000)  # most entries stay where they are while one is moved
+def _turned(x, quarters):
+    """The sine of a decimal number and so many quarter turns: the series about the nearest of these."""
+    with localcontext(prec=DIGITS + 20):
+        turns = (2 * x / PI).to_integral_value()
+        x -= turns * PI / 2
+        quarters = (quarters + int(turns)) % 4
+        first = quarters % 2  # 0 begins the sine's series, 1 the cosine's
+        term = total = Decimal(1) if first else x
+        for i in range(3 - first, 200, 2):
+            term *= -x * x / (i * (i - 1))
+            total += term
+            if abs(term) < Decimal("1e-70"):
+                break
+    return -total if quarters > 1 else +total
 
 
 class MP:
-    """A namespace like NumPy, for arrays of 50-digit numbers."""
+    """A namespace like NumPy, for arrays of decimal numbers."""
 
-    sin, cos, sqrt = (np.frompyfunc(f, 1, 1) for f in (FIFTY.sin, FIFTY.cos, FIFTY.sqrt))
-    pi = FIFTY.mpf(FIFTY.pi)
+    sin = np.frompyfunc(lambda x: _turned(x, 0), 1, 1)
+    cos = np.frompyfunc(lambda x: _turned(x, 1), 1, 1)
+    sqrt = np.frompyfunc(Decimal.sqrt, 1, 1)
+    pi = PI
 
 
-exact = np.frompyfunc(FIFTY.mpf, 1, 1)
-"""Floats as 50-digit numbers of the same value."""
+class Exact(np.ndarray):
+    """An array of decimal numbers, which takes floats for what they are: 1/2 in generated code is one."""
+
+    def __array_ufunc__(self, ufunc, method, *inputs, **more):
+        plain = [_decimal(x) for x in inputs]
+        result = getattr(ufunc, method)(*plain, **more)
+        return result.view(Exact) if isinstance(result, np.ndarray) and result.dtype == object else result
+
+
+_converted = np.frompyfunc(Decimal, 1, 1)
+
+
+def _decimal(x):
+    if isinstance(x, Exact):
+        return x.view(np.ndarray)
+    return _converted(x) if np.asarray(x).dtype == float else x
+
+
+def exact(values):
+    """Floats as decimal numbers of the same value."""
+    found = _converted(values)
+    return found.view(Exact) if isinstance(found, np.ndarray) else found
+
 
 RANGES = {
     "k": (0, 60), "alpha": (0.02, 0.98), "omega": (0.5, 6), "beta": (0.02, 2), "Kp": (0, 30), "Kd": (0, 3),
@@ -95,9 +142,9 @@ def differences(function, values, output, which):
     for j in range(values[which].shape[1]):
         step = np.zeros(values[which].shape[1])
         step[j] = 1e-16
-        moved = [{**values, which: values[which] + sign * step} for sign in (1, -1)]
+        moved = [{**values, which: values[which] + exact(sign * step)} for sign in (1, -1)]
         ahead, behind = (call(function, MP, m)[output] for m in moved)
-        columns.append((ahead - behind) / FIFTY.mpf(2e-16))
+        columns.append((ahead - behind) / Decimal(2e-16))
     return np.stack(columns, axis=-1)
 
 
