@@ -144,7 +144,7 @@ def differences(function, values, output, which):
         step[j] = 1e-16
         moved = [{**values, which: values[which] + exact(sign * step)} for sign in (1, -1)]
         ahead, behind = (call(function, MP, m)[output] for m in moved)
-        columns.append((ahead - behind) / Decimal(2e-16))
+        columns.append((ahead - behind) / exact(2e-16))
     return np.stack(columns, axis=-1)
 
 
