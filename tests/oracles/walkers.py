@@ -10,9 +10,12 @@ from stridemap.derive import STANCE_FOOT, Body, Clock, Motor, Parameter, Walker,
 from stridemap.derive.models import compass, goswami_compass, simplest_walker, wobbling
 from stridemap.derive.models.controller import OMEGA, hip_torque
 from stridemap.solver.backends.compiler import cache_folder
+from stridemap.solver.backends.interpreter import Interpreter
 from stridemap.solver.cycles.search import continued, find_all
 from stridemap.solver.cycles.solver import Solver
+from stridemap.solver.model.loading import available
 from stridemap.solver.model.model import Model
+from stridemap.solver.options import SearchOptions
 from tests.oracles.shared import alone
 
 # -- the walkers -----------------------------------------------------------------------------------------
@@ -117,14 +120,21 @@ def derived(name: str) -> Model:
         return derive_model(walker(name))
 
 
+def solver(model: Model) -> Solver:
+    """Walkers of this file are in use for seconds, in CasADi's virtual machine: to compile one takes ten."""
+    return Solver.for_model(model, None if model.name in available() else Interpreter())
+
+
 def cycles(model: Model, **params: float):
     """All limit cycles at one point, ordered by period."""
-    return list(find_all(Solver.for_model(model), model.point(params)[None, :])[1])
+    built_in = model.name in available()
+    options = SearchOptions() if built_in else SearchOptions(starts=128)
+    return list(find_all(solver(model), model.point(params)[None, :], options)[1])
 
 
 def cycle_near(model: Model, state: dict, period: float, **params: float):
     """The limit cycle that Newton's method finds from a state; entries that are not named begin at zero."""
     guess = np.array([[*(state.get(name, 0.0) for name in model.section), period]])
-    (orbit,) = continued(Solver.for_model(model), model.point(params)[None, :], guess)
+    (orbit,) = continued(solver(model), model.point(params)[None, :], guess)
     assert orbit.status.found, orbit.status
     return orbit
