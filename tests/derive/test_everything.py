@@ -5,6 +5,7 @@ import pytest
 
 from stridemap.codegen import derive_model
 from tests.oracles.everything import NAMES, WALKER, ByHand
+from tests.oracles.remembered import remembered
 from tests.oracles.states import MP, call, differences, exact, fifty_digits
 
 COUNT = 300
@@ -19,7 +20,8 @@ def _digits():
 @pytest.fixture(scope="module")
 def model():
     """Derived with all its files, where it is not in the cache: the kernels are built too."""
-    return derive_model(WALKER)
+    with remembered():
+        return derive_model(WALKER)
 
 
 @pytest.fixture(scope="module")

@@ -4,8 +4,6 @@ Each column is compared but for those of the state, which are carried back to th
 not agree depends on how a machine is written down, and is no property of it.
 """
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 
@@ -15,7 +13,6 @@ from stridemap.derive.models import WALKERS
 from tests.oracles import walkers
 from tests.oracles.rewritten import Change, carried_over, light_model, rewritten, states
 
-EXAMPLES = Path(__file__).resolve().parents[2] / "examples" / "models"
 TOLERANCE = 1e-10
 
 ABSOLUTE = Change(("stance", "swing"), ((1, 0), (1, -1)), (0.0, 0.0))
@@ -71,7 +68,7 @@ def test_built_in_walkers(name, change):
     [("swinging_torso", MIXED), ("rolling_feet", ABSOLUTE), ("vertical_wobbling", MIXED)],
 )
 def test_example_files(name, change):
-    path = EXAMPLES / f"{name}.py"
+    path = walkers.example(name)
     same(stridemap.find_orbits(path), declared(path), change)
 
 

@@ -1,11 +1,12 @@
 """Walkers that are declared for the tests alone, derived and compiled once for all runs."""
 
 from functools import cache
+from pathlib import Path
 
 import numpy as np
 import sympy as sp
 
-from stridemap.codegen import derive_model
+from stridemap.codegen import declared, derive_model
 from stridemap.derive import STANCE_FOOT, Body, Clock, Motor, Parameter, Walker, rolling_arc
 from stridemap.derive.models import compass, goswami_compass, simplest_walker, wobbling
 from stridemap.derive.models.controller import OMEGA, hip_torque
@@ -16,7 +17,10 @@ from stridemap.solver.cycles.solver import Solver
 from stridemap.solver.model.loading import available
 from stridemap.solver.model.model import Model
 from stridemap.solver.options import SearchOptions
+from tests.oracles.remembered import remembered
 from tests.oracles.shared import alone
+
+EXAMPLES = Path(__file__).resolve().parents[2] / "examples" / "models"
 
 # -- the walkers -----------------------------------------------------------------------------------------
 
@@ -116,8 +120,17 @@ def walker(name: str) -> Walker:
 @cache
 def derived(name: str) -> Model:
     """The model of a walker of this file; where it is in the cache it is not derived again."""
-    with alone(cache_folder() / f"{name}.lock"):
+    with alone(cache_folder() / f"{name}.lock"), remembered():
         return derive_model(walker(name))
+
+
+@cache
+def example(name: str) -> Path:
+    """A model file of the examples, derived into the cache by one process of the run."""
+    path = EXAMPLES / f"{name}.py"
+    with alone(cache_folder() / f"{name}.lock"), remembered():
+        derive_model(declared(path))
+    return path
 
 
 def solver(model: Model) -> Solver:

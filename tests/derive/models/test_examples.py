@@ -2,7 +2,6 @@
 
 import importlib.util
 import math
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -11,15 +10,17 @@ import stridemap
 from stridemap.derive import Body
 from stridemap.derive.models.compass import WALKER as COMPASS
 from stridemap.derive.models.compass import theta1, theta2
+from stridemap.solver.model.loading import available
+from stridemap.solver.model.model import Model
+from tests.oracles.remembered import remembered
+from tests.oracles.walkers import EXAMPLES, example
 
-MODELS = Path(__file__).resolve().parents[3] / "examples" / "models"
-TORSO, ROLLING, VERTICAL = (
-    MODELS / f"{name}.py" for name in ("swinging_torso", "rolling_feet", "vertical_wobbling")
-)
+TORSO, ROLLING, VERTICAL = "swinging_torso", "rolling_feet", "vertical_wobbling"
 
 
 def stable(model, **params):
-    """The one stable limit cycle of a point."""
+    """The one stable limit cycle of a point, of a walker that is given or of an example."""
+    model = model if isinstance(model, Model) or model in available() else example(model)
     (orbit,) = [orbit for orbit in stridemap.find_orbits(model, **params) if orbit.stable]
     return orbit
 
@@ -38,10 +39,11 @@ def halvings(differences):
     return np.log2(np.divide(differences[:-1], differences[1:]))
 
 
-@pytest.mark.parametrize("path", sorted(MODELS.glob("*.py")), ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", sorted(EXAMPLES.glob("*.py")), ids=lambda path: path.stem)
 def test_short_and_with_a_stable_gait(path):
     assert len(path.read_text().splitlines()) < 60
-    orbit = stable(path)
+    assert path == example(path.stem)
+    orbit = stable(path.stem)
     assert orbit.status == "converged"
     assert orbit.min_vertical_force > 0
     walk = stridemap.simulate(path, steps=3)
@@ -57,7 +59,7 @@ def test_a_torso_without_mass_leaves_the_compass_walker():
 
 
 def test_a_stiff_damped_torso_is_one_body_with_the_line_between_the_legs():
-    spec = importlib.util.spec_from_file_location("swinging_torso", TORSO)
+    spec = importlib.util.spec_from_file_location("swinging_torso", example(TORSO))
     torso = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(torso)
     rigid = COMPASS.with_(
@@ -69,7 +71,8 @@ def test_a_stiff_damped_torso_is_one_body_with_the_line_between_the_legs():
             *torso.feet,
         ),
     )
-    limit = stable(stridemap.derive_model(rigid))
+    with remembered():
+        limit = stable(stridemap.derive_model(rigid))
     found = []
     for k in (100, 400, 1600):
         orbit = stable(TORSO, k=k, c=math.sqrt(k * 0.25 * 0.75 * 0.5**2))  # half of critical, hip free

@@ -96,13 +96,22 @@ def test_flags_that_change_arithmetic_are_refused(monkeypatch, own_cache, flag):
         ScalarC(f"cc {flag}").kernels(load("compass"))
 
 
+def somewhere():
+    """A section point of the rimless wheel with a period, and its parameters."""
+    return np.array([[-0.52, 0.46, 2.3]]), load("rimless_wheel").point({})[None]
+
+
+@pytest.fixture(scope="module")
+def usual():
+    """What kernels that are compiled as usual compute there."""
+    return BARE(load("rimless_wheel"), None).trace(48, *somewhere())
+
+
 @needs_compiler
 @pytest.mark.parametrize("flags", ["-O3", "-O2 -g -march=native", "-ffp-contract=off -mfpmath=sse", "-m64"])
-def test_flags_that_keep_it_give_the_same_bits(monkeypatch, own_cache, flags):
-    u, p = np.array([[0.09, -0.17, -0.003, 1.2]]), load("compass").point({})[None]
-    usual = BARE(load("compass"), None).trace(48, u, p)
+def test_flags_that_keep_it_give_the_same_bits(monkeypatch, usual, own_cache, flags):
     monkeypatch.setenv("CC", f"{shutil.which(find_compiler())} {flags}")
-    assert_same_bits(usual, BARE(load("compass"), None).trace(48, u, p))
+    assert_same_bits(usual, BARE(load("rimless_wheel"), None).trace(48, *somewhere()))
 
 
 LOADED = """
@@ -111,7 +120,7 @@ from stridemap.errors import CompilerError
 from stridemap.solver.backends.selection import load_kernels, named_backend
 from stridemap.solver.model.loading import load
 try:
-    load_kernels(load("compass"), named_backend(sys.argv[1] or None))
+    load_kernels(load("rimless_wheel"), named_backend(sys.argv[1] or None))
 except CompilerError as error:
     print(error)
 """
@@ -137,9 +146,9 @@ def test_kernels_find_out_themselves(tmp_path, own_cache, backend, flag):
 
 @needs_compiler
 def test_they_are_looked_at_once(monkeypatch, own_cache):
-    BARE(load("compass"), None)
+    BARE(load("rimless_wheel"), None)
     monkeypatch.setattr(self_check, "check_arithmetic", lambda _: pytest.fail("looked at again"))
-    BARE(load("compass"), None)
+    BARE(load("rimless_wheel"), None)
 
 
 @needs_compiler
@@ -217,18 +226,17 @@ def test_second_load_does_not_compile_again(tmp_path, monkeypatch, own_cache):
     log = tmp_path / "log"
     compiler = shutil.which(os.environ.get("CC", "").split(" ")[0] or find_compiler())
     monkeypatch.setenv("CC", script(tmp_path / "counting", f'echo "$@" >> {log}\nexec {compiler} "$@"'))
-    first = BARE(load("compass"), None)
+    first = BARE(load("rimless_wheel"), None)
     assert isinstance(first.backend, Lanes)
-    assert log.read_text().count("compass_lockstep.cpp") == 1
+    assert log.read_text().count("rimless_wheel_lockstep.cpp") == 1
     assert sorted(path.suffix for path in own_cache.iterdir()) == [".checked", ".so"]
-    second = BARE(load("compass"), None)
-    assert log.read_text().count("compass_lockstep.cpp") == 1
-    ScalarC().kernels(load("compass"))
-    compiled = [line for line in log.read_text().splitlines() if "compass_kernels.c" in line]
+    second = BARE(load("rimless_wheel"), None)
+    assert log.read_text().count("rimless_wheel_lockstep.cpp") == 1
+    ScalarC().kernels(load("rimless_wheel"))
+    compiled = [line for line in log.read_text().splitlines() if "rimless_wheel_kernels.c" in line]
     assert len(compiled) == 1
     assert all(flag in compiled[0].split() for flag in FLAGS)
-    u, p = np.array([[0.09, -0.17, -0.003, 1.2]]), load("compass").point({})[None]
-    assert_same_bits(first.trace(48, u, p), second.trace(48, u, p))
+    assert_same_bits(first.trace(48, *somewhere()), second.trace(48, *somewhere()))
 
 
 @pytest.mark.quick

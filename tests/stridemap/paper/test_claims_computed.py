@@ -1,8 +1,6 @@
 """The verdicts on computed limit cycles, which corrupted cycles change; edges, profiles and the command."""
 
-import fcntl
 import json
-import os
 from dataclasses import replace
 
 import numpy as np
@@ -18,26 +16,28 @@ from stridemap.paper.sweeps import paper_sweeps
 from stridemap.solver.branches.edges import BISECTIONS
 from stridemap.solver.model.loading import load
 from tests.oracles.claim_tables import changed, swapped
+from tests.oracles.shared import once
 
 IDS = [f"C{i}" for i in range(1, 21)]
 THIN = 8
 
 
 @pytest.fixture(scope="session")
-def folder(tmp_path_factory):
-    """Coarse sweeps of what the statements are about; computed once, also by several workers."""
-    base = tmp_path_factory.getbasetemp()
-    if os.environ.get("PYTEST_XDIST_WORKER"):
-        base = base.parent
-    with (base / "claims.lock").open("w") as lock:
-        fcntl.flock(lock, fcntl.LOCK_EX)
-        cycle_tables(paper_sweeps(base / "claims", thin=THIN, workers=2))
-    return base / "claims"
+def computed(common):
+    """Coarse sweeps of what the statements are about, and their tables; computed once for all workers."""
+    return once(
+        common / "claims", lambda folder: (folder, cycle_tables(paper_sweeps(folder, thin=THIN, workers=2)))
+    )
 
 
 @pytest.fixture(scope="session")
-def data(folder):
-    return cycle_tables(paper_sweeps(folder, thin=THIN))
+def folder(computed):
+    return computed[0]
+
+
+@pytest.fixture(scope="session")
+def data(computed):
+    return computed[1]
 
 
 CORRUPTED = {
