@@ -2,6 +2,8 @@
 
 import importlib.util
 import math
+from functools import cache
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -12,16 +14,21 @@ from stridemap.derive.models.compass import WALKER as COMPASS
 from stridemap.derive.models.compass import theta1, theta2
 from stridemap.solver.model.loading import available
 from stridemap.solver.model.model import Model
-from tests.oracles.remembered import remembered
+from tests.oracles.rewritten import light_model
 from tests.oracles.walkers import EXAMPLES, example
 
 TORSO, ROLLING, VERTICAL = "swinging_torso", "rolling_feet", "vertical_wobbling"
 
 
-def stable(model, **params):
-    """The one stable limit cycle of a point, of a walker that is given or of an example."""
-    model = model if isinstance(model, Model) or model in available() else example(model)
-    (orbit,) = [orbit for orbit in stridemap.find_orbits(model, **params) if orbit.stable]
+@cache
+def loaded(name):
+    return stridemap.load(name if name in available() else example(name))
+
+
+def stable(model, backend=None, **params):
+    """The one stable limit cycle of a point, of a walker that is given or of one by name."""
+    model = model if isinstance(model, Model | Path) else loaded(model)
+    (orbit,) = [o for o in stridemap.find_orbits(model, backend=backend, **params) if o.stable]
     return orbit
 
 
@@ -43,7 +50,7 @@ def halvings(differences):
 def test_short_and_with_a_stable_gait(path):
     assert len(path.read_text().splitlines()) < 60
     assert path == example(path.stem)
-    orbit = stable(path.stem)
+    orbit = stable(path)
     assert orbit.status == "converged"
     assert orbit.min_vertical_force > 0
     walk = stridemap.simulate(path, steps=3)
@@ -71,8 +78,7 @@ def test_a_stiff_damped_torso_is_one_body_with_the_line_between_the_legs():
             *torso.feet,
         ),
     )
-    with remembered():
-        limit = stable(stridemap.derive_model(rigid))
+    limit = stable(light_model(rigid), "interpreter")
     found = []
     for k in (100, 400, 1600):
         orbit = stable(TORSO, k=k, c=math.sqrt(k * 0.25 * 0.75 * 0.5**2))  # half of critical, hip free
