@@ -54,10 +54,10 @@ report: $(RUN) ## write the paper's map and verdicts as one HTML page to explore
 	$(BIN)/stridemap report --out "$(REPORT)" $(if $(WORKERS),--workers $(WORKERS)) $(ARGS)
 
 quick: $(DEV) ## run the tests that catch most faults, in under a minute (JOBS=2 at a time)
-	$(BIN)/python -m pytest -n $(JOBS) -m quick $(ARGS)
+	$(BIN)/python -m pytest -n $(JOBS) --dist worksteal -m quick $(ARGS)
 
 test: $(DEV) ## run all tests (JOBS=2 at a time; ARGS="-k word" for some)
-	$(BIN)/python -m pytest -n $(JOBS) $(ARGS)
+	$(BIN)/python -m pytest -n $(JOBS) --dist worksteal $(ARGS)
 
 lint: $(DEV) ## check style, types, imports between the layers, and that every file is packaged
 	@$(BIN)/python .ci/lint.py

@@ -25,7 +25,6 @@ from stridemap.derive.walker import Walker
 from stridemap.errors import InputError
 from stridemap.services import offered, service
 from stridemap.solver.backends.compiler import cache_folder
-from stridemap.solver.kernels.catalogue import c_source
 from stridemap.solver.model import derivation
 from stridemap.solver.model.files import MANIFEST, Folder, contents, kernels_file
 from stridemap.solver.model.loading import load
@@ -59,6 +58,9 @@ def write_model(walker: Walker, folder: Path) -> list[Path]:
     InputError
         When the folder cannot be written.
     """
+    # Only here: SciPy takes half of the start of a process, in which most models are found in the cache.
+    from stridemap.solver.kernels.catalogue import c_source
+
     with service("show_deriving")(walker.name) if offered("show_deriving") else nullcontext() as progress:
         texts, spec = emit(walker, f"stridemap {version('stridemap')}", progress)
         # The kernels are printed from the equations as written; a half-written folder is never seen.

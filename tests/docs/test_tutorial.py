@@ -42,8 +42,7 @@ def folder(tmp_path_factory):
     return folder
 
 
-def test_the_commands_and_then_the_python_blocks_run_as_they_stand(folder, tmp_path, monkeypatch):
-    monkeypatch.setenv("STRIDEMAP_CACHE", str(tmp_path))
+def test_the_commands_and_then_the_python_blocks_run_as_they_stand(folder):
     for block in blocks("sh"):
         for line in block.splitlines():
             words = line.split()
