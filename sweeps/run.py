@@ -1,9 +1,10 @@
 """Sweeps: every limit cycle of every cell of a grid of parameters.
 
-Many starts on a subgrid give the first cycles. From every cycle found in a cell its branch is followed to
-the neighbours in all grid directions, around folds, until nothing new appears. The grid is cut into tiles.
-In one round, each tile with incoming guesses is worked on by itself; what reaches another tile waits for the
-next round. Tiles and rounds do not depend on the number of workers, so neither do the tables.
+Many starts on a subgrid give the first cycles. The branch of each is followed along its line of the grid,
+around folds, and from some of its cycles Newton's method is started in the cells beside them, until nothing
+new appears. The grid is cut into tiles. In one round, each tile with incoming guesses is worked on by itself;
+what reaches another tile waits for the next round. Tiles and rounds do not depend on the number of workers,
+so neither do the tables.
 """
 
 import contextlib
@@ -125,9 +126,9 @@ def sweep(
         Continue from the tiles that an earlier run finished.
     backend : str or Backend, optional
         What runs the kernels: "lanes", "scalar" or "interpreter"; by default the fastest that works here.
-    tile_cells : int
-        Largest number of cells in a piece of work. Which cycles are found may depend on it, never on the
-        number of workers.
+    tile_cells : int, optional
+        Largest number of cells in a piece of work; by default a quarter of the grid, within bounds. Which
+        cycles are found may depend on it, never on the number of workers.
     progress : callable, optional
         Called with a `Progress` after each tile.
 

@@ -34,8 +34,8 @@ Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
 SAME_BRANCH = 0.05
-"""Largest distance of a solution from where its branch passes the cell, in terms of the scales; what is farther
-away is another solution."""
+"""Largest distance of a solution from where its branch passes the cell, in terms of the scales; what is
+farther away is another solution."""
 
 ACROSS = 6
 """Of so many solutions in a row along a branch, one is tried in the cells beside its own."""
@@ -234,15 +234,16 @@ class _Search:
 
     def _follow(self, begun: Solutions) -> Solutions:
         """What following solutions along their lines in both directions gives, as far as it is not known."""
-        lines, scale = self.lines, self.scale
+        lines = self.lines
         if len(lines) == 1:
             return begun.take(np.arange(0))
-        ends = (lines.cell_at(begun.cell, np.full(len(begun), place)) for place in (0, len(lines) - 1))
+        first, last = (lines.cell_at(begun.cell, np.full(len(begun), i)) for i in (0, len(lines) - 1))
         followed = follow(
             self.solver,
             begun.u,
             lines.positions[lines.place_of(begun.cell)],
-            *(self._points(cells) for cells in ends),
+            self._points(first),
+            self._points(last),
             self.task.search.wider_period_range,
             self.task.continuation,
             may_be_gaits=lambda u, params: self._clear_cases(u, params) == DOUBTFUL,

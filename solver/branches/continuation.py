@@ -41,6 +41,13 @@ DIFFERENCE = 1e-6
 MODES = 16
 """Intervals of a line, in each of which the resolution is chosen for the faster of its ends."""
 
+SHARP = 0.999
+"""Cosine of the angle by which the tangent turns in an arclength step, below which the derivative at its end is
+needed."""
+
+SHORT = 0.02
+"""Of an arclength step: a correction that is so small is the last, if it is below the tolerance."""
+
 LOOK = 8
 """Arclength steps after which a look is taken whether cycles may be gaits."""
 
@@ -99,8 +106,10 @@ class Followed:
         begin = np.flatnonzero(same)
         curve = cubics.cubics(x[begin], x[begin + 1], tangent[begin], tangent[begin + 1], self.scale)
         piece, low, high = cubics.monotonic(curve[:, :, -1])
-        ends = (cubics.value(curve[piece, :, -1], tau) for tau in (low, high))
-        which, position = _passed(positions, *ends)
+        # Ends that are points of the branch are taken as they are: they may be the end of the line.
+        s_low = np.where(low == 0, x[begin[piece], -1], cubics.value(curve[piece, :, -1], low))
+        s_high = np.where(high == 1, x[begin[piece] + 1, -1], cubics.value(curve[piece, :, -1], high))
+        which, position = _passed(positions, s_low, s_high)
         at = piece[which]
         tau = cubics.root(curve[at, :, -1], positions[position], low[which], high[which])
         u = cubics.value(curve[at, :, :-1], tau[:, None])
@@ -271,7 +280,9 @@ class _Lines:
             cosine = (new * tangent / self.scale**2).sum(axis=1)
             near = (size < options.max_correction_ratio * length) & (cosine > options.min_tangent_cosine)
         smooth = cosine > options.easy_tangent_cosine
-        good, easy = near & (size < options.tolerance), near & smooth & (size < options.tolerance)
+        # Where steps are short, points must be as exact as these are short.
+        small = np.minimum(options.tolerance, SHORT * length)
+        good, easy = near & (size < small), near & smooth & (size < small)
         open_ = np.flatnonzero(near & ~good)
         for attempt in range(options.max_corrections):
             if not len(open_):
@@ -280,14 +291,27 @@ class _Lines:
             change = solved(matrix[open_], np.column_stack([-residual, np.zeros(len(open_))]))
             y[open_] += change
             now = self._norm(change)
-            done = now < options.tolerance
+            done = now < small[open_]
             good[open_[done]] = True
             easy[open_[done]] = smooth[open_[done]] & (attempt < options.max_corrections - 1)
             with np.errstate(invalid="ignore"):
                 shrinking = now < options.max_contraction * size[open_]
             size[open_] = now
             open_ = open_[~done & shrinking]
+        sharp = np.flatnonzero(good & (cosine < SHARP))
+        if len(sharp):
+            new[sharp] = self._refined(at[sharp], y, across, tangent, n_rk, sharp)
         return y, new, good, easy
+
+    def _refined(
+        self, at: Index, y: Array, across: Array, tangent: Array, n_rk: Index, rows: Index
+    ) -> Array:
+        """Tangents of rows where they turn sharply, from derivatives there; corrects their points."""
+        matrix, residual = self._system(at, y[rows], n_rk[rows])
+        new = self._tangent(matrix, tangent[rows])
+        matrix[:, -1, :] = across[rows]
+        y[rows] += solved(matrix, np.column_stack([-residual, np.zeros(len(rows))]))
+        return new
 
     def _predicted(self, x: Array, tangent: Array, ds: Array) -> tuple[Array, Array, Array]:
         """Points along the tangents, normals of the planes that corrections keep, and the arclength steps.

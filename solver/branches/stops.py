@@ -46,6 +46,10 @@ class Stops:
         row, stop : ndarray of int, shape (m,)
             Number of the branch among the k, and of the known point.
         """
+        with np.errstate(over="ignore", invalid="ignore"):
+            return self._between(line, x, y, tangent, new)
+
+    def _between(self, line: Index, x: Array, y: Array, tangent: Array, new: Array) -> tuple[Index, Index]:
         length = np.sqrt((((y - x) / self.scale) ** 2).sum(axis=1))
         reach = SIDEWAYS * length * self.scale[-1]
         low, high = np.minimum(x[:, -1], y[:, -1]) - reach, np.maximum(x[:, -1], y[:, -1]) + reach

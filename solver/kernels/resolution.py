@@ -13,8 +13,8 @@ Index = NDArray[np.int64]
 
 SEARCH_PHASE, BRANCH_PHASE, CYCLE_PHASE = 1.5, 0.75, 0.45
 """Phase of the fastest mode in one RK step at most. A search needs only to come near; but at twice its phase,
-sweeps were seen to lose cycles with a stiff spring. A branch that is nearly vertical is moved much by an error
-of the residual: at the phase of the search, by two cells of the default sweep."""
+sweeps were seen to lose cycles with a stiff spring. A branch that is nearly vertical is moved much by an
+error of the residual: at the phase of the search, by two cells of the default sweep."""
 
 BRANCH_N_RK = tuple(sorted({*SEARCH_N_RK, *CYCLE_N_RK}))
 """Resolutions with which branches are followed."""
