@@ -42,8 +42,8 @@ MODES = 16
 """Intervals of a line, in each of which the resolution is chosen for the faster of its ends."""
 
 SHARP = 0.999
-"""Cosine of the angle by which the tangent turns in an arclength step, below which the derivative at its end is
-needed."""
+"""Cosine of the angle by which the tangent turns in an arclength step, below which the derivative at its end
+is needed."""
 
 SHORT = 0.02
 """Of an arclength step: a correction that is so small is the last, if it is below the tolerance."""
@@ -303,9 +303,7 @@ class _Lines:
             new[sharp] = self._refined(at[sharp], y, across, tangent, n_rk, sharp)
         return y, new, good, easy
 
-    def _refined(
-        self, at: Index, y: Array, across: Array, tangent: Array, n_rk: Index, rows: Index
-    ) -> Array:
+    def _refined(self, at: Index, y: Array, across: Array, tangent: Array, n_rk: Index, rows: Index) -> Array:
         """Tangents of rows where they turn sharply, from derivatives there; corrects their points."""
         matrix, residual = self._system(at, y[rows], n_rk[rows])
         new = self._tangent(matrix, tangent[rows])
