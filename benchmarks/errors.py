@@ -64,11 +64,14 @@ def near_folds(solver: Solver, orbits: Orbits, options: SearchOptions) -> Orbits
         points[:, column] = 0.5 * (inside + outside)
         start = points.copy()
         start[:, column] = inside
-        ends = follow(solver, guesses, start, points, options.wider_period_range)
-        reached = ends.branch[ends.reached]
+        begin = np.zeros(len(points))
+        followed = follow(solver, guesses, begin, start, points, options.wider_period_range)
+        ends = followed.crossings(np.array([0.0, 1.0]))
+        arrived = ends.position == 1
+        reached = ends.branch[arrived]
         there = np.zeros(len(points), dtype=bool)
         there[reached] = True
-        guesses[reached] = ends.u[ends.reached]
+        guesses[reached] = ends.u[arrived]
         middle = points[:, column]
         inside, outside = np.where(there, middle, inside), np.where(there, outside, middle)
     points[:, column] = inside

@@ -247,13 +247,13 @@ class AcceptanceOptions(Options):
 class ContinuationOptions(Options):
     """Step control of pseudo-arclength continuation.
 
-    Lengths are measured in a space where 1 is the distance between the two parameter points, the half-width
-    of the search box, or the model's scale of time.
+    Lengths are measured in a space where 1 is the length of a line of the grid, the half-width of the search
+    box, or the model's scale of time.
 
     Parameters
     ----------
-    ds_min, ds_max : float
-        Shortest and longest arclength step.
+    ds, ds_min, ds_max : float
+        First, shortest and longest arclength step.
     step_growth, step_shrink : float
         Factors of the arclength step after one that was easily corrected, and after one that failed.
     max_steps : int
@@ -266,8 +266,11 @@ class ContinuationOptions(Options):
         Largest ratio of one correction to the one before.
     max_correction_ratio : float
         Largest ratio of the first correction to the arclength step.
-    min_tangent_cosine : float
-        Smallest cosine of the angle by which the tangent turns in one arclength step.
+    min_tangent_cosine, easy_tangent_cosine : float
+        Smallest cosine of the angle by which the tangent turns in one arclength step, and that above which
+        the next one may be longer.
+    patience : float
+        Length along which a branch is followed without a gait on it.
 
     Raises
     ------
@@ -275,27 +278,37 @@ class ContinuationOptions(Options):
         For values out of range.
     """
 
-    ds_min: float = 1e-3
-    ds_max: float = 1.5
+    ds: float = 0.02
+    ds_min: float = 1e-5
+    ds_max: float = 0.1
     step_growth: float = 2.0
-    step_shrink: float = 0.35
-    max_steps: int = 24
+    step_shrink: float = 0.4
+    max_steps: int = 600
     max_corrections: int = 4
-    tolerance: float = 1e-4
+    tolerance: float = 1e-3
     max_contraction: float = 0.5
     max_correction_ratio: float = 0.5
-    min_tangent_cosine: float = 0.7
+    min_tangent_cosine: float = 0.94
+    easy_tangent_cosine: float = 0.98
+    patience: float = 2.0
 
     def __post_init__(self) -> None:
         for name in ("max_steps", "max_corrections"):
             value = getattr(self, name)
             whole = isinstance(value, int) and not isinstance(value, bool)
             self._check(name, whole and 1 <= value <= 10**6, "a whole number from 1 to 1,000,000 is needed")
-        for name in ("ds_min", "ds_max", "tolerance"):
+        for name in ("ds", "ds_min", "ds_max", "tolerance", "patience"):
             self._check_number(name, 0.0, np.inf)
-        self._check("ds_min", self.ds_min <= self.ds_max, f"it must not be above ds_max = {self.ds_max:g}")
+        self._check("ds_min", self.ds_min <= self.ds, f"it must not be above ds = {self.ds:g}")
+        self._check("ds", self.ds <= self.ds_max, f"it must not be above ds_max = {self.ds_max:g}")
         self._check_number("step_growth", float(np.nextafter(1, 0)), np.inf)  # 1 itself is allowed
-        for name in ("step_shrink", "max_contraction", "max_correction_ratio", "min_tangent_cosine"):
+        for name in (
+            "step_shrink",
+            "max_contraction",
+            "max_correction_ratio",
+            "min_tangent_cosine",
+            "easy_tangent_cosine",
+        ):
             self._check_number(name, 0.0, 1.0)
 
 

@@ -175,7 +175,7 @@ class SweepConfig(BaseModel):
     acceptance : AcceptanceOptions
         What a solution must satisfy to be accepted as a limit cycle.
     continuation : ContinuationOptions
-        Step control with which branches are followed from cell to cell.
+        Step control with which branches are followed through the grid.
     """
 
     model_config = _STRICT

@@ -65,6 +65,11 @@ class Grid:
         """Number of cells."""
         return math.prod(self.shape)
 
+    @property
+    def longest_axis(self) -> int:
+        """Number of the axis with the most values, along which branches are followed."""
+        return self.shape.index(max(self.shape))
+
     def indices(self, cells: ArrayLike) -> Ints:
         """Return the index along each axis, shape(n, n_axes), of `cells`, shape(n,).
 
@@ -116,24 +121,24 @@ class Grid:
                 points[:, column] = self.axes[axis][indices[:, axis]]
         return points
 
-    def neighbour_pairs(self, cells: ArrayLike) -> Ints:
-        """Return pairs (cell, neighbour), shape(m, 2), one step along one axis apart.
+    def beside(self, cells: ArrayLike) -> tuple[Ints, Ints]:
+        """The neighbours of cells, one step away along one axis that is not the longest.
 
-        Ordered as `cells`, and for one cell by axis with the smaller neighbour first.
+        Returns
+        -------
+        row : ndarray of int, shape (m,)
+            Number of the cell among those given, ascending; for one cell by axis, the smaller one first.
+        neighbour : ndarray of int, shape (m,)
         """
         cells = np.asarray(cells, dtype=np.int64)
         indices = self.indices(cells)
-        shape = np.array(self.shape)
+        across = np.array(self.shape)
+        across[self.longest_axis] = 1
         strides = np.array([math.prod(self.shape[axis + 1 :]) for axis in range(len(self.shape))])
         # The last two dimensions are the axes and the two directions along each.
         neighbours = cells[:, None, None] + strides[:, None] * np.array([-1, 1])
-        inside = np.stack([indices > 0, indices < shape - 1], axis=-1)
-        sources = np.broadcast_to(cells[:, None, None], inside.shape)
-        return np.column_stack([sources[inside], neighbours[inside]])
-
-    def neighbours(self, cell: int) -> Ints:
-        """Return the neighbours of one cell, one step along one axis away, shape(m,)."""
-        return self.neighbour_pairs([cell])[:, 1]
+        inside = np.stack([indices > 0, indices < across - 1], axis=-1) & (across > 1)[:, None]
+        return np.nonzero(inside)[0], neighbours[inside]
 
     def subgrid(self, strides: Mapping[str, int]) -> Ints:
         """Return the cells, ascending, of every `strides`-th value along each axis and of its last.
@@ -206,9 +211,10 @@ class Tiles:
 
 
 def tiles(grid: Grid, target_cells: int = 256) -> Tiles:
-    """Cut `grid` into contiguous blocks of at most `target_cells` cells, as nearly cubic as halving gives.
+    """Cut `grid` into contiguous blocks of at most `target_cells` cells.
 
-    The longest side is halved until a block is small enough, so that few neighbours lie in other tiles.
+    Blocks have whole lines along the longest axis as long as one line is small enough, so that a branch is
+    followed in one piece. The longest of the other sides is halved first.
 
     Raises
     ------
@@ -222,8 +228,9 @@ def tiles(grid: Grid, target_cells: int = 256) -> Tiles:
         sides = [-(-size // count) for size, count in zip(grid.shape, counts, strict=True)]
         if math.prod(sides) <= target_cells:
             return Tiles(grid, tuple(counts))
-        longest = sides.index(max(sides))
-        counts[longest] = min(2 * counts[longest], grid.shape[longest])
+        others = [0 if axis == grid.longest_axis else side for axis, side in enumerate(sides)]
+        axis = others.index(max(others)) if max(others) > 1 else grid.longest_axis
+        counts[axis] = min(2 * counts[axis], grid.shape[axis])
 
 
 def _block(ranges: list[Ints], grid: Grid) -> Ints:

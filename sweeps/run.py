@@ -1,9 +1,10 @@
 """Sweeps: every limit cycle of every cell of a grid of parameters.
 
-Many starts on a subgrid give the first cycles. From every cycle found in a cell its branch is followed to
-the neighbours in all grid directions, around folds, until nothing new appears. The grid is cut into tiles.
-In one round, each tile with incoming guesses is worked on by itself; what reaches another tile waits for the
-next round. Tiles and rounds do not depend on the number of workers, so neither do the tables.
+Many starts on a subgrid give the first cycles. The branch of each is followed along its line of the grid,
+around folds, and from some of its cycles Newton's method is started in the cells beside them, until nothing
+new appears. The grid is cut into tiles. In one round, each tile with incoming guesses is worked on by itself;
+what reaches another tile waits for the next round. Tiles and rounds do not depend on the number of workers,
+so neither do the tables.
 """
 
 import contextlib
@@ -29,24 +30,32 @@ from stridemap.solver.backends.selection import load_kernels, named_backend
 from stridemap.solver.cycles.status import Status
 from stridemap.sweeps.config import MAX_COUNT, SweepConfig, load_config
 from stridemap.sweeps.executors import interrupts_held, processes
+from stridemap.sweeps.families import families
 from stridemap.sweeps.grid import Grid, tiles
 from stridemap.sweeps.lock import held, refuse_if_held
 from stridemap.sweeps.provenance import provenance
+from stridemap.sweeps.solutions import Solutions
 from stridemap.sweeps.store import Store, read_cells
 from stridemap.sweeps.tables import cell_table, orbit_schema
-from stridemap.sweeps.tiles import Guess, Result, Task, work
+from stridemap.sweeps.tiles import Result, Task, work
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
-TILE_CELLS = 160
+TILES, SMALLEST_TILE, LARGEST_TILE = 4, 64, 2160
+"""Into how many tiles a grid is cut, and the cells of the smallest and the largest one. Branches are followed
+fastest where many are followed at a time; each worker needs a tile."""
+
 MOST_WORKERS = 1024
 """Processes of one sweep: each takes some 200 MB, and no machine has as many cores."""
-KIND, REASON, SOURCE = "_kind", "_reason", "_source"
-"""Columns of a part that orbits lack: what a row is, why a cell failed, where a guess comes from. A row of
-solutions that were thrown away has their status as its reason, and their number as its source."""
+KIND, REASON, NUMBER = "_kind", "_reason", "_number"
+"""Columns of a part that orbits lack: what a row is, why a cell failed, and a number. A row of solutions that
+were thrown away has their status as its reason, and how many they are as its number; one that joins two
+branches has the other branch as its number."""
 
-KINDS = ORBIT, FAILURE, SEEN, GUESS, DISCARDED = "orbit", "failure", "seen", "guess", "discarded"
+KINDS = ORBIT, FAILURE, SEEN, GUESS, DISCARDED, JOIN = (
+    "orbit", "failure", "seen", "guess", "discarded", "join",
+)  # fmt: skip
 """Kinds of rows of a part."""
 
 
@@ -98,7 +107,7 @@ def sweep(
     executor: Executor | None = None,
     resume: bool = False,
     backend: str | Backend | None = None,
-    tile_cells: int = TILE_CELLS,
+    tile_cells: int | None = None,
     progress: Callable[[Progress], None] | None = None,
 ) -> Summary:
     """Find all limit cycles of a grid and write ``orbits.parquet`` and ``cells.parquet``.
@@ -117,9 +126,9 @@ def sweep(
         Continue from the tiles that an earlier run finished.
     backend : str or Backend, optional
         What runs the kernels: "lanes", "scalar" or "interpreter"; by default the fastest that works here.
-    tile_cells : int
-        Largest number of cells in a piece of work. Which cycles are found may depend on it, never on the
-        number of workers.
+    tile_cells : int, optional
+        Largest number of cells in a piece of work; by default a quarter of the grid, within bounds. Which
+        cycles are found may depend on it, never on the number of workers.
     progress : callable, optional
         Called with a `Progress` after each tile.
 
@@ -139,6 +148,8 @@ def sweep(
     config = config if isinstance(config, SweepConfig) else load_config(config)
     if workers is not None:
         _check_count("workers", workers, MOST_WORKERS)
+    if tile_cells is None:
+        tile_cells = min(max(config.n_cells // TILES, SMALLEST_TILE), LARGEST_TILE)
     _check_count("tile_cells", tile_cells, MAX_COUNT)
     refuse_if_held(out)
     kernels = load_kernels(config.loaded, named_backend(backend))
@@ -195,14 +206,17 @@ class _Run:
         self.discarded: dict[int, Counter[Status]] = defaultdict(Counter)
         self.orbits_found = 0
         # For each tile what its cells have: cycles, and what the search gave before it converged.
-        self.known: dict[int, list[tuple[int, Floats]]] = defaultdict(list)
-        self.seen: dict[int, list[tuple[int, Floats]]] = defaultdict(list)
+        self.known: dict[int, list[Solutions]] = defaultdict(list)
+        self.seen: dict[int, list[Solutions]] = defaultdict(list)
+        self.joins: list[Ints] = []
 
     def all_rounds(self, pool: Executor) -> Summary:
         """Work until nothing new appears, then write the tables."""
         seeds = self.grid.subgrid(self.config.strides)
         owner = self.tiles.tile_of(seeds)
-        tasks = [self._task(1, tile, seeds[owner == tile], []) for tile in np.unique(owner).tolist()]
+        tasks = [
+            self._task(1, tile, seeds[owner == tile], self._all([])) for tile in np.unique(owner).tolist()
+        ]
         for round_ in count(1):
             incoming = self._run_round(pool, round_, tasks)
             tasks = [self._task(round_ + 1, tile, seeds[:0], incoming[tile]) for tile in sorted(incoming)]
@@ -210,7 +224,7 @@ class _Run:
                 return self._finish()
         raise AssertionError("count has no end")
 
-    def _task(self, round_: int, tile: int, seeds: Ints, incoming: list[Guess]) -> Task:
+    def _task(self, round_: int, tile: int, seeds: Ints, incoming: Solutions) -> Task:
         return Task(
             model=self.model,
             grid=self.grid,
@@ -224,11 +238,11 @@ class _Run:
             cells=self.tiles[tile],
             seeds=seeds,
             incoming=incoming,
-            known=self.known[tile],
-            seen=self.seen[tile],
+            known=self._all(self.known[tile]),
+            seen=self._all(self.seen[tile]),
         )
 
-    def _run_round(self, pool: Executor, round_: int, tasks: list[Task]) -> dict[int, list[Guess]]:
+    def _run_round(self, pool: Executor, round_: int, tasks: list[Task]) -> dict[int, Solutions]:
         """Compute the tiles of a round that no earlier run finished; returns the guesses for each tile."""
         done = [task for task in tasks if self.store.has_part(round_, task.tile)]
         finished = len(done)
@@ -281,69 +295,74 @@ class _Run:
                 {
                     "cell": [cell for cell, _ in result.discarded],
                     REASON: [status for _, status in result.discarded],
-                    SOURCE: list(result.discarded.values()),
+                    NUMBER: list(result.discarded.values()),
                 },
             ),
-            self._rows(SEEN, self._unknowns(result.seen)),
-            self._rows(
-                GUESS,
-                {
-                    **self._unknowns([(guess.cell, guess.u) for guess in result.outgoing]),
-                    SOURCE: [guess.source for guess in result.outgoing],
-                },
-            ),
+            self._rows(SEEN, self._columns(result.seen)),
+            self._rows(GUESS, self._columns(result.outgoing)),
+            self._rows(JOIN, {"branch": result.joins[:, 0], NUMBER: result.joins[:, 1]}),
         ]
         return pa.concat_tables(tables)
 
     def _rows(self, kind: str, columns: Mapping[str, Any]) -> pa.Table:
         """Rows of a part of one kind; null in the columns that are not given."""
         schema = self._part_schema
-        n = len(columns["cell"])
+        n = len(next(iter(columns.values())))
         nulls = {field.name: pa.nulls(n, field.type) for field in schema}
         return pa.Table.from_pydict({**nulls, **columns, KIND: [kind] * n}, schema=schema)
 
     @cached_property
     def _part_schema(self) -> pa.Schema:
         fields = [field.with_nullable(True) for field in orbit_schema(self.model)]
-        fields += [pa.field(KIND, pa.string()), pa.field(REASON, pa.string()), pa.field(SOURCE, pa.int64())]
+        fields += [pa.field(KIND, pa.string()), pa.field(REASON, pa.string()), pa.field(NUMBER, pa.int64())]
         return pa.schema(fields)
 
-    def _unknowns(self, points: list[tuple[int, Floats]]) -> dict[str, Any]:
-        """Cells and section points with periods as columns."""
+    def _columns(self, solutions: Solutions) -> dict[str, Any]:
+        """Solutions as columns."""
         names = (*self.model.section, "period")
-        u = np.array([u for _, u in points]).reshape(len(points), len(names))
-        return {"cell": [cell for cell, _ in points], **dict(zip(names, u.T, strict=True))}
+        u = dict(zip(names, solutions.u.T, strict=True))
+        return {"cell": solutions.cell, "branch": solutions.branch, **u}
 
-    def _absorb(self, parts: list[tuple[int, pa.Table]]) -> dict[int, list[Guess]]:
+    def _absorb(self, parts: list[tuple[int, pa.Table]]) -> dict[int, Solutions]:
         """Take up the finished parts of a round, in the order of tiles; returns the guesses for each tile."""
-        incoming: dict[int, list[Guess]] = defaultdict(list)
+        guesses: list[Solutions] = []
         for tile, part in parts:
             of_kind = {kind: part.filter(pa.compute.equal(part[KIND], kind)) for kind in KINDS}
             failed = of_kind[FAILURE]
             self.failures |= dict(zip(failed["cell"].to_pylist(), failed[REASON].to_pylist(), strict=True))
             for cell, status, n in zip(
-                *(of_kind[DISCARDED][name].to_pylist() for name in ("cell", REASON, SOURCE)), strict=True
+                *(of_kind[DISCARDED][name].to_pylist() for name in ("cell", REASON, NUMBER)), strict=True
             ):
                 self.discarded[cell][Status(status)] += n
-            orbits = of_kind[ORBIT].drop_columns([KIND, REASON, SOURCE])
+            orbits = of_kind[ORBIT].drop_columns([KIND, REASON, NUMBER])
             self.parts.append(orbits)
             self.orbits_found += int(np.count_nonzero(self._counts(orbits["period"].to_numpy())))
-            self.known[tile] += self._points(of_kind[ORBIT])
-            self.seen[tile] += self._points(of_kind[SEEN])
-            made = of_kind[GUESS]
-            for (cell, u), source in zip(self._points(made), made[SOURCE].to_pylist(), strict=True):
-                incoming[int(self.tiles.tile_of([cell])[0])].append(Guess(cell, source, u))
-        return incoming
+            self.known[tile].append(self._solutions(of_kind[ORBIT]))
+            self.seen[tile].append(self._solutions(of_kind[SEEN]))
+            guesses.append(self._solutions(of_kind[GUESS]))
+            self.joins.append(
+                np.column_stack([of_kind[JOIN][name].to_numpy() for name in ("branch", NUMBER)])
+            )
+        made = self._all(guesses)
+        owner = self.tiles.tile_of(made.cell)
+        return {tile: made.take(owner == tile) for tile in np.unique(owner).tolist()}
 
-    def _points(self, rows: pa.Table) -> list[tuple[int, Floats]]:
-        """Cells and section points with periods of rows of a part."""
+    def _solutions(self, rows: pa.Table) -> Solutions:
+        """Solutions of rows of a part."""
         u = np.column_stack([rows[name].to_numpy() for name in (*self.model.section, "period")])
-        return list(zip(rows["cell"].to_pylist(), u, strict=True))
+        return Solutions(rows["cell"].to_numpy(), u, rows["branch"].to_numpy())
+
+    def _all(self, parts: list[Solutions]) -> Solutions:
+        return Solutions.concatenate(parts, len(self.model.section) + 1)
 
     def _finish(self) -> Summary:
         schema = orbit_schema(self.model)
         orbits = pa.concat_tables(self.parts).cast(schema) if self.parts else schema.empty_table()
         orbits = orbits.filter(self._counts(orbits["period"].to_numpy()))
+        orbits = orbits.sort_by([("cell", "ascending"), ("period", "ascending")])
+        numbers = families(orbits["branch"].to_numpy(), np.concatenate(self.joins))
+        column = schema.get_field_index("branch")
+        orbits = orbits.set_column(column, schema.field("branch"), pa.array(numbers))
         points = self.grid.points(self.model, self.config.params)
         found = np.bincount(orbits["cell"].to_numpy(), minlength=self.grid.n_cells)
         status, reason = zip(*(self._cell(cell, n) for cell, n in enumerate(found.tolist())), strict=True)

@@ -16,7 +16,7 @@ from stridemap.solver.cycles.orbits import Orbits
 from stridemap.solver.model.model import Model
 from stridemap.words import multiplier_columns
 
-FORMAT = 3
+FORMAT = 4
 """Of the tables: it rises when columns change, other than those of measured quantities."""
 
 _TYPES = {"float": pa.float64(), "int": pa.int64(), "bool": pa.bool_(), "str": pa.string()}
@@ -26,6 +26,7 @@ def orbit_schema(model: Model) -> pa.Schema:
     """Columns of ``orbits.parquet``; all but those of quantities that a model can lack are full."""
     columns = [
         *_cell_columns(model),
+        ("branch", pa.int64()),
         ("status", pa.string()),
         *((name, pa.float64()) for name in model.section),
         ("period", pa.float64()),
@@ -42,13 +43,13 @@ def cell_schema(model: Model) -> pa.Schema:
     return _schema(columns, {"reason"})
 
 
-def orbit_table(cell: NDArray[np.int64], orbits: Orbits) -> pa.Table:
+def orbit_table(cell: NDArray[np.int64], branch: NDArray[np.int64], orbits: Orbits) -> pa.Table:
     """Limit cycles as a table of `orbit_schema`.
 
     Parameters
     ----------
-    cell : ndarray of int, shape (n,)
-        The grid cell of each.
+    cell, branch : ndarray of int, shape (n,)
+        The grid cell and the branch of each.
     orbits : Orbits
 
     Raises
@@ -57,7 +58,7 @@ def orbit_table(cell: NDArray[np.int64], orbits: Orbits) -> pa.Table:
         If a value is missing in a column that must be full.
     """
     schema = orbit_schema(orbits.model)
-    columns = {"cell": cell, **orbits.columns()}
+    columns = {"cell": cell, "branch": branch, **orbits.columns()}
     for name in (field.name for field in schema if field.nullable):  # what a model lacks is null, not NaN
         columns[name] = pa.array(columns[name], schema.field(name).type, from_pandas=True)
     table = pa.Table.from_pydict(columns, schema=schema)

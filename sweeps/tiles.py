@@ -4,52 +4,44 @@ A pure function of its input, so that the result does not depend on who computes
 """
 
 from collections import Counter
-from collections.abc import Iterable
-from dataclasses import dataclass, field
-from itertools import chain
-from typing import Any, NamedTuple
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import TypeVar
 
 import numpy as np
 import pyarrow as pa
 from numpy.typing import NDArray
 
 from stridemap.solver.backends.base import Backend
-from stridemap.solver.branches.continuation import follow
-from stridemap.solver.cycles.duplicates import DUPLICATE, SEARCH_TOLERANCE, distinct
+from stridemap.solver.branches.continuation import Known, follow
+from stridemap.solver.cycles.acceptance import CLEARLY, DOUBTFUL, clearly_no_gaits
+from stridemap.solver.cycles.duplicates import DUPLICATE, SEARCH_TOLERANCE, backwards, first_of_each, grouped
 from stridemap.solver.cycles.orbits import Orbits
-from stridemap.solver.cycles.search import merged, starts
+from stridemap.solver.cycles.search import starts
 from stridemap.solver.cycles.solver import Solver
-from stridemap.solver.cycles.status import FOUND, STATUSES, Status
+from stridemap.solver.cycles.status import FOUND, STATUSES
+from stridemap.solver.kernels.catalogue import CYCLE_N_RK
 from stridemap.solver.model.model import Model
 from stridemap.solver.model.scales import Scales
 from stridemap.solver.options import AcceptanceOptions, ContinuationOptions, SearchOptions
 from stridemap.sweeps.grid import Grid
+from stridemap.sweeps.lines import Lines
+from stridemap.sweeps.solutions import NONE, Solutions
 from stridemap.sweeps.tables import orbit_table
 
+_T = TypeVar("_T")
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
-SAME_BRANCH = 1e-3
-"""Largest difference between a cycle and the end of a branch that reached its cell, if it is that branch's
-and need not be followed back to where the branch came from. Too small a value costs time only."""
+SAME_BRANCH = 0.05
+"""Largest distance of a solution from where its branch passes the cell, in terms of the scales; what is
+farther away is another solution."""
 
-MAX_ADHESION = 1.0
-"""Largest pull of the foot at the ground, in terms of the weight. A cycle that needs more is far from every
-physical one: it is a row like any other, but its branch is not followed."""
+ACROSS = 6
+"""Of so many solutions in a row along a branch, one is tried in the cells beside its own."""
 
-NO_GAIT = (Status.NOT_A_STEP.code, Status.LATER_TOUCHDOWN.code)
-"""Solutions that are not gaits, but whose branch may become one again in another cell, and is followed."""
-
-NO_SOURCE = -1
-"""Source of a guess that did not come along a branch."""
-
-
-class Guess(NamedTuple):
-    """A guess for a cell, with the cell that the branch came from."""
-
-    cell: int
-    source: int
-    u: Floats
+BRANCHES = 2**32
+"""Numbers of branches that a tile has for its own."""
 
 
 @dataclass(frozen=True)
@@ -71,11 +63,11 @@ class Task:
         The tile's cells, ascending.
     seeds : ndarray of int
         Those of them that get many starts.
-    incoming : list of Guess
-        Guesses from branches that began in other tiles.
-    known : list of (int, ndarray)
-        Cycles that the tile's cells have already, with their cells: section point and period.
-    seen : list of (int, ndarray)
+    incoming : Solutions
+        Guesses from branches of other tiles.
+    known : Solutions
+        Cycles that the tile's cells have already.
+    seen : Solutions
         What the search gave there, before it converged: the cycles, and what turned out not to be one.
     """
 
@@ -90,9 +82,9 @@ class Task:
     tile: int
     cells: Ints
     seeds: Ints
-    incoming: list[Guess]
-    known: list[tuple[int, Floats]]
-    seen: list[tuple[int, Floats]]
+    incoming: Solutions
+    known: Solutions
+    seen: Solutions
 
 
 @dataclass(frozen=True)
@@ -103,13 +95,15 @@ class Result:
     ----------
     round, tile : int
     orbits : Table
-        Rows of the table of orbits.
+        Rows of the table of orbits, with the numbers of branches that the search gave them.
     failures : dict of int to str
         Cells that failed with the reason.
-    seen : list of (int, ndarray)
+    seen : Solutions
         What is to be added to the task's.
-    outgoing : list of Guess
-        For cells of other tiles.
+    outgoing : Solutions
+        Guesses for cells of other tiles.
+    joins : ndarray of int, shape (n, 2)
+        Pairs of branches that are one.
     discarded : dict of (int, str) to int
         How many solutions in which cell were no limit cycle, by `Status`.
     """
@@ -117,10 +111,11 @@ class Result:
     round: int
     tile: int
     orbits: pa.Table
-    failures: dict[int, str] = field(default_factory=dict)
-    seen: list[tuple[int, Floats]] = field(default_factory=list)
-    outgoing: list[Guess] = field(default_factory=list)
-    discarded: dict[tuple[int, str], int] = field(default_factory=dict)
+    failures: dict[int, str]
+    seen: Solutions
+    outgoing: Solutions
+    joins: Ints
+    discarded: dict[tuple[int, str], int]
 
 
 def work(task: Task) -> Result:
@@ -141,145 +136,235 @@ def work(task: Task) -> Result:
         When the task's backend cannot be had here.
     """
     search = _Search(task)
-    model, options = task.model, task.search
-    guesses = (
-        Guess(cell, NO_SOURCE, u) for cell in task.seeds.tolist() for u in starts(model, options, cell)
-    )
-    search.relax([*task.incoming, *guesses])
-    table = orbit_table(*search.all_new())
+    search.relax()
+    cells, branch, orbits = search.gaits()
     return Result(
         task.round,
         task.tile,
-        table,
+        orbit_table(cells, branch, orbits),
         search.failures,
-        search.new_seen,
+        search.new,
         search.outgoing,
+        search.joins,
         dict(search.discarded),
     )
 
 
 class _Search:
-    """The search in one tile; grows the cycles of each cell."""
+    """The search in one tile; grows the solutions of its cells."""
 
     def __init__(self, task: Task) -> None:
         self.task = task
         self.solver = Solver.for_model(task.model, task.backend, task.acceptance)
         self.scale = Scales.of(task.model).unknowns
-        self.new: list[tuple[Ints, Orbits]] = []
-        self.new_seen: list[tuple[int, Floats]] = []
-        self.outgoing: list[Guess] = []
+        self.width = len(self.scale)
+        self.lines = Lines.of(task.grid, task.cells)
         self.failures: dict[int, str] = {}
         self.discarded: Counter[tuple[int, str]] = Counter()
-        self._neighbours: dict[int, list[int]] = {int(cell): [] for cell in task.cells}
-        for cell, neighbour in task.grid.neighbour_pairs(task.cells).tolist():
-            self._neighbours[cell].append(neighbour)
-        self._cycles: dict[int, list[Floats]] = {int(cell): [] for cell in task.cells}
-        self._seen: dict[int, list[Floats]] = {int(cell): [] for cell in task.cells}
-        # Ends of branches by the cell in which they ended and the one that they came from.
-        self._ends: dict[tuple[int, int], list[Floats]] = {}
-        for cell, u in task.known:
-            self._cycles[cell].append(u)
-        for cell, u in task.seen:
-            self._seen[cell].append(u)
+        self._known = [task.seen]
+        self._landmarks = [_some_of_each_branch(task.seen)]
+        self._outgoing: list[Solutions] = []
+        self._joins: list[tuple[Ints, Ints]] = []
+        self._next = task.tile * BRANCHES + len(np.unique(task.seen.branch))
 
-    def relax(self, guesses: list[Guess]) -> None:
-        """Solve from guesses, follow what is new to the neighbours, and so on."""
-        while guesses:
-            for cell, source, u in guesses:
-                if source != NO_SOURCE:
-                    self._ends.setdefault((cell, source), []).append(u)
-            found = self._one_by_one(self._solve, guesses)
-            branches = [
-                Guess(target, cell, u)
-                for cell, u in sorted(found, key=lambda one: one[0])
-                for target in self._neighbours[cell]
-                if _unlike(u, self._ends.get((cell, target), []), SAME_BRANCH, self.scale)
-            ]
-            ends = self._one_by_one(self._follow, branches)
-            self.outgoing += [end for end in ends if end.cell not in self._cycles]
-            guesses = [end for end in ends if end.cell in self._cycles]
+    @property
+    def known(self) -> Solutions:
+        """All solutions so far, those of earlier rounds first."""
+        if len(self._known) > 1:
+            self._known = [self._all(self._known)]
+        return self._known[0]
 
-    def all_new(self) -> tuple[Ints, Orbits]:
-        """The new limit cycles with their cells, ascending."""
-        cells = np.concatenate([np.empty(0, dtype=np.int64), *(cell for cell, _ in self.new)])
-        orbits = Orbits.concatenate(self.solver.model, [found for _, found in self.new])
-        order = np.argsort(cells, kind="stable")
-        return cells[order], orbits.take(order)
+    @property
+    def new(self) -> Solutions:
+        """The solutions that this round has found."""
+        return self.known.take(np.arange(len(self.task.seen), len(self.known)))
 
-    def _one_by_one(self, method: Any, guesses: list[Guess]) -> list[Any]:
-        """Apply a method to all guesses; where that raises, to those of each cell by themselves."""
+    @property
+    def outgoing(self) -> Solutions:
+        """Guesses for other tiles."""
+        return self._all(self._outgoing)
+
+    @property
+    def joins(self) -> Ints:
+        """Pairs of branches that are one, shape (n, 2)."""
+        pairs = np.concatenate([np.empty((0, 2), dtype=np.int64), *map(np.column_stack, self._joins)])
+        return np.unique(pairs[pairs[:, 0] != pairs[:, 1]], axis=0)
+
+    def relax(self) -> None:
+        """Solve from guesses, follow what is new along its line, try what that gives beside it, and so on."""
+        model, task = self.task.model, self.task
+        made = [(cell, starts(model, task.search, cell)) for cell in task.seeds.tolist()]
+        seeds = [Solutions(np.full(len(u), cell), u, np.full(len(u), NONE)) for cell, u in made]
+        guesses = self._all([task.incoming, *seeds])
+        while len(guesses):
+            arrived = self._all(self._one_by_one(self._solve, guesses, guesses.cell))
+            found = self._along_lines(arrived)
+            self._join(arrived)
+            guesses = self._across(found)
+
+    def gaits(self) -> tuple[Ints, Ints, Orbits]:
+        """New limit cycles: their cells, ascending, and branches."""
+        shortest, longest = self.task.search.period_range
+        margin = CLEARLY * self.scale[-1]
+        new = self.new
+        new = new.take((new.u[:, -1] > shortest - margin) & (new.u[:, -1] <= longest + margin))
+        parts = self._one_by_one(self._converge, new, new.cell)
+        found = self._all([cycles for cycles, _ in parts])
+        order = np.argsort(found.cell, kind="stable")
+        orbits = Orbits.concatenate(self.task.model, [orbits for _, orbits in parts])
+        return found.cell[order], found.branch[order], orbits.take(order)
+
+    def _solve(self, guesses: Solutions) -> Solutions:
+        """Solutions from guesses, with the guesses' branches."""
+        points = self._points(guesses.cell)
+        u, closed = self.solver.search(guesses.u, points)
+        at = np.flatnonzero(closed)
+        kept, group = grouped(guesses.cell[at], u[at], SEARCH_TOLERANCE, backwards(u), self.scale)
+        polished, moved = self.solver.polished(u[at[kept]], points[at[kept]])
+        u[at], closed[at] = polished[group], (moved < np.inf)[group]
+        shortest, longest = self.task.search.wider_period_range
+        closed &= (u[:, -1] > shortest) & (u[:, -1] <= longest)
+        return Solutions(guesses.cell, u, guesses.branch).take(closed)
+
+    def _along_lines(self, open_: Solutions) -> list[Solutions]:
+        """Follow solutions that are not known along their lines, and enter all that this gives."""
+        begun = self._numbered(self._distinct(self._unknown(open_)))
+        self._enter(begun)
+        return [begun, *self._one_by_one(self._follow, begun, self.lines.line_of(begun.cell))]
+
+    def _follow(self, begun: Solutions) -> Solutions:
+        """What following solutions along their lines in both directions gives, as far as it is not known."""
+        lines = self.lines
+        if len(lines) == 1:
+            return begun.take(np.arange(0))
+        first, last = (lines.cell_at(begun.cell, np.full(len(begun), i)) for i in (0, len(lines) - 1))
+        followed = follow(
+            self.solver,
+            begun.u,
+            lines.positions[lines.place_of(begun.cell)],
+            self._points(first),
+            self._points(last),
+            self.task.search.wider_period_range,
+            self.task.continuation,
+            may_be_gaits=lambda u, params: self._clear_cases(u, params) == DOUBTFUL,
+            known=self._landmarks_beside(begun),
+        )
+        passed = followed.crossings(lines.positions)
+        cells = lines.cell_at(begun.cell[passed.branch], passed.position)
+        guesses = Solutions(cells, passed.u, begun.branch[passed.branch])
+        here = self._is_here(guesses.cell)
+        self._outgoing.append(guesses.take(~here))
+        guesses = guesses.take(here)
+        u, moved = self.solver.polished(guesses.u, self._points(guesses.cell))
+        return self._entered(Solutions(guesses.cell, u, guesses.branch).take(moved < SAME_BRANCH))
+
+    def _landmarks_beside(self, begun: Solutions) -> Known:
+        """Some solutions of each known branch on the lines of those that begin."""
+        lines, known = self.lines, self._all(self._landmarks)
+        line, first = np.unique(lines.line_of(begun.cell), return_index=True)
+        of = lines.line_of(known.cell)
+        at = np.flatnonzero(np.isin(of, line))
+        known = known.take(at)
+        row = first[np.searchsorted(line, of[at])]
+        return Known(known.u, lines.positions[lines.place_of(known.cell)], row)
+
+    def _entered(self, solutions: Solutions) -> Solutions:
+        """Enter those solutions that are not known; the branches of the others are known ones."""
+        self._join(solutions)
+        new = solutions.take(solutions.same_as(self.known, SEARCH_TOLERANCE, self.scale) == NONE)
+        kept, group = grouped(new.cell, new.u, SEARCH_TOLERANCE, backwards(new.u), self.scale)
+        self._joins.append((new.branch, new.branch[kept][group]))
+        new = new.take(np.sort(kept))
+        self._enter(new)
+        return new
+
+    def _across(self, found: list[Solutions]) -> Solutions:
+        """Guesses in cells beside solutions of each branch; those for other tiles are handed on."""
+        samples = self._all([_some_of_each_branch(part) for part in found])
+        self._landmarks.append(samples)
+        row, cell = self.task.grid.beside(samples.cell)
+        guesses = Solutions(cell, samples.u[row], samples.branch[row])
+        here = self._is_here(cell)
+        self._outgoing.append(guesses.take(~here))
+        return guesses.take(here)
+
+    def _converge(self, solutions: Solutions) -> tuple[Solutions, Orbits]:
+        """Limit cycles that are not known, from solutions of the search."""
+        points = self._points(solutions.cell)
+        codes = self._clear_cases(solutions.u, points)
+        doubtful = np.flatnonzero(codes == DOUBTFUL)
+        orbits = self.solver.converge(
+            solutions.u[doubtful], points[doubtful], self.task.search.wider_period_range
+        )
+        codes[doubtful] = orbits.codes
+        lost = ~np.isin(codes, FOUND)
+        for cell, code in zip(solutions.cell[lost].tolist(), codes[lost].tolist(), strict=True):
+            self.discarded[cell, STATUSES[code].value] += 1
+        at = np.flatnonzero(orbits.found)
+        rows = doubtful[at]
+        cycles = Solutions(solutions.cell[rows], orbits.u[at], solutions.branch[rows])
+        # Newton's method at full resolution may have moved on to a cycle that is there already.
+        kept = first_of_each(cycles.cell, cycles.u, DUPLICATE, None, self.scale)
+        kept = kept[cycles.take(kept).same_as(self.task.known, DUPLICATE, self.scale) == NONE]
+        return cycles.take(kept), orbits.take(at[kept])
+
+    def _clear_cases(self, u: Floats, points: Floats) -> Ints:
+        """Codes of the statuses of solutions that are clearly not gaits, `DOUBTFUL` for the others."""
+        return clearly_no_gaits(self.solver.kernels, 2 * CYCLE_N_RK[0], u, points)
+
+    def _one_by_one(self, method: Callable[[Solutions], _T], solutions: Solutions, group: Ints) -> list[_T]:
+        """Apply a method to all solutions; where that raises, to those of each group by themselves."""
+        if not len(solutions):
+            return []
         try:
-            return list(method(guesses))
+            return [method(solutions)]
         except Exception:
-            out: list[Any] = []
-            for cell in sorted({guess.cell for guess in guesses}):
+            out = []
+            for one in np.unique(group):
+                part = solutions.take(group == one)
                 try:
-                    out += method([guess for guess in guesses if guess.cell == cell])
+                    out.append(method(part))
                 except Exception as error:
-                    if cell in self._cycles:  # a branch into another tile is lost, but no cell fails
+                    for cell in part.cell.tolist():
                         self.failures[cell] = f"{type(error).__name__}: {error}"
             return out
 
-    def _follow(self, branches: list[Guess]) -> list[Guess]:
-        """Where branches end that begin at a cycle of `source` and lead to `cell`."""
-        if not branches:
-            return []
-        u = np.array([branch.u for branch in branches])
-        params, target = (self._points([getattr(b, name) for b in branches]) for name in ("source", "cell"))
-        task = self.task
-        ends = follow(self.solver, u, params, target, task.search.wider_period_range, task.continuation)
-        lost = np.setdiff1d(np.arange(len(branches)), ends.branch).tolist()
-        out = [branches[i]._replace(source=NO_SOURCE) for i in lost]  # the cycle itself may do
-        for i, end, reached in zip(ends.branch.tolist(), ends.u, ends.reached.tolist(), strict=True):
-            cell, source, _ = branches[i]
-            out.append(Guess(cell, source, end) if reached else Guess(source, NO_SOURCE, end))
-        return out
+    def _numbered(self, solutions: Solutions) -> Solutions:
+        """Solutions with numbers of branches of their own."""
+        first = self._next
+        self._next += len(solutions)
+        return Solutions(solutions.cell, solutions.u, first + np.arange(len(solutions)))
 
-    def _solve(self, guesses: list[Guess]) -> list[tuple[int, Floats]]:
-        """Solutions from guesses that are new and are to be followed, with their cells."""
-        cells = np.array([guess.cell for guess in guesses])
-        u, closed = self.solver.search(np.array([guess.u for guess in guesses]), self._points(cells))
-        shortest, longest = self.task.search.wider_period_range
-        closed &= (u[:, -1] > shortest) & (u[:, -1] <= longest)
-        cells, u = distinct(cells[closed], u[closed], scale=self.scale)
-        unseen = [
-            _unlike(x, chain(self._seen[cell], self._cycles[cell]), SEARCH_TOLERANCE, self.scale)
-            for cell, x in zip(cells.tolist(), u, strict=True)
-        ]
-        cells, u = cells[unseen], u[unseen]
-        if not len(cells):
-            return []
-        orbits = self.solver.converge(u, self._points(cells), self.task.search.wider_period_range)
-        new: list[tuple[int, Floats]] = []
-        for cell, x, code in zip(cells.tolist(), u, orbits.codes.tolist(), strict=True):
-            if code != Status.NOT_CONVERGED.code:
-                self._seen[cell].append(x)
-                self.new_seen.append((cell, x))
-            if code in NO_GAIT:
-                new.append((cell, x))
-            if code not in FOUND:
-                self.discarded[cell, STATUSES[code].value] += 1
-        return new + self._enter(*merged(cells, orbits))
+    def _join(self, solutions: Solutions) -> None:
+        """Note which branches are one, because a solution is known on another one."""
+        at = solutions.same_as(self.known, SEARCH_TOLERANCE, self.scale)
+        both = np.flatnonzero((at != NONE) & (solutions.branch != NONE))
+        self._joins.append((solutions.branch[both], self.known.branch[at[both]]))
 
-    def _enter(self, cells: Ints, orbits: Orbits) -> list[tuple[int, Floats]]:
-        """Enter limit cycles that are new; returns those whose branch is to be followed."""
-        # Newton's method at full resolution may have moved on to a cycle that is there already.
-        new = np.zeros(len(cells), dtype=bool)
-        for i, (cell, u) in enumerate(zip(cells.tolist(), orbits.u, strict=True)):
-            if _unlike(u, self._cycles[cell], DUPLICATE, self.scale):
-                self._cycles[cell].append(u)
-                new[i] = True
-        cells, orbits = cells[new], orbits.take(new)
-        self.new.append((cells, orbits))
-        weight = self.solver.model.evaluate("total_mass", p=orbits.params)["weight"]
-        followed = ~(orbits.min_vertical_force < -MAX_ADHESION * weight)
-        return list(zip(cells[followed].tolist(), orbits.u[followed], strict=True))
+    def _unknown(self, solutions: Solutions) -> Solutions:
+        return solutions.take(solutions.same_as(self.known, SEARCH_TOLERANCE, self.scale) == NONE)
 
-    def _points(self, cells: Any) -> Floats:
-        return self.task.grid.points(self.solver.model, self.task.params, cells)
+    def _distinct(self, solutions: Solutions) -> Solutions:
+        u = solutions.u
+        return solutions.take(first_of_each(solutions.cell, u, SEARCH_TOLERANCE, backwards(u), self.scale))
+
+    def _enter(self, solutions: Solutions) -> None:
+        self._known.append(solutions)
+
+    def _all(self, parts: Sequence[Solutions]) -> Solutions:
+        return Solutions.concatenate(parts, self.width)
+
+    def _is_here(self, cells: Ints) -> NDArray[np.bool_]:
+        return np.isin(cells, self.task.cells)
+
+    def _points(self, cells: Ints) -> Floats:
+        return self.task.grid.points(self.task.model, self.task.params, cells)
 
 
-def _unlike(u: Floats, others: Iterable[Floats], tolerance: float, scale: Floats) -> bool:
-    """Whether a solution differs from all of the others, in terms of the model's scales."""
-    last = tolerance * scale[-1]
-    return all(abs(u[-1] - v[-1]) > last or np.abs((u - v) / scale).max() > tolerance for v in others)
+def _some_of_each_branch(solutions: Solutions) -> Solutions:
+    """Every so many solutions in a row of one branch, the first and the last among them."""
+    branch = solutions.branch
+    begins = np.flatnonzero(np.append(True, branch[1:] != branch[:-1])[: len(branch)])
+    place = np.arange(len(branch)) - np.repeat(begins, np.diff(np.append(begins, len(branch))))
+    last = np.append(branch[1:] != branch[:-1], True)[: len(branch)]
+    return solutions.take((place % ACROSS == 0) | last)

@@ -1,25 +1,31 @@
-"""Branches of limit cycles followed from one parameter point to another, around folds, on arrays of points.
+"""Many branches of limit cycles followed along straight lines of parameter space, in lockstep.
 
 Pseudo-arclength continuation (H. B. Keller 1977; E. L. Allgower and K. Georg, Introduction to Numerical
 Continuation Methods, 2003, chapters 2 and 6): a branch is a curve of points x = (u, s), with section point
-and period u and the fraction s of the way from the parameters of the first point to those of the other. From
-a point x1 with the unit tangent tau, the next one solves the residual's equation R(u, s) = 0 together with
+and period u and the fraction s of the way along its line. From a point x1 with the unit tangent tau, the next
+one solves the residual's equation R(u, s) = 0 together with
 
     <u - u1, tau_u> + (s - s1) tau_s = ds,
 
 which keeps it in the plane across the tangent at the arclength ds. So a fold, where the curve turns back in
-s, is passed like any other point.
+s, is passed like any other point. A branch ends with its line, at s = 0 or s = 1.
 
-A branch ends where it has reached its target (s = 1), or back where it began (s = 0): there it has led around
-a fold to the other cycle of a pair.
+The points are as exact as a guess must be. Between two of them a branch is the cubic through both with their
+tangents.
+
+Where a branch arrives at the beginning of another one on its line, or at a cycle that is known, both are one
+curve, and it need not be followed any further.
 """
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from stridemap.solver.branches import cubics
+from stridemap.solver.branches.stops import Stops
 from stridemap.solver.cycles.solver import Solver
 from stridemap.solver.linear import solved
 from stridemap.solver.model.scales import Scales
@@ -32,97 +38,229 @@ Mask = NDArray[np.bool_]
 DIFFERENCE = 1e-6
 """Of `s`, for the derivative with respect to it."""
 
+MODES = 16
+"""Intervals of a line, in each of which the resolution is chosen for the faster of its ends."""
+
+SHARP = 0.999
+"""Cosine of the angle by which the tangent turns in an arclength step, below which the derivative at its end
+is needed."""
+
+SHORT = 0.02
+"""Of an arclength step: a correction that is so small is the last, if it is below the tolerance."""
+
+LOOK = 8
+"""Arclength steps after which a look is taken whether cycles may be gaits."""
+
 
 @dataclass(frozen=True)
-class BranchEnds:
-    """Where branches ended; those that were given up are left out.
+class Crossings:
+    """Where branches pass positions on their lines.
 
     Parameters
     ----------
     branch : ndarray of int, shape (k,)
-        Row of each branch among those that were followed, ascending.
+        Number of the branch, ascending.
+    position : ndarray of int, shape (k,)
+        Which of the positions.
     u : ndarray, shape (k, nz + 1)
-        Section point and period: a guess.
-    reached : ndarray of bool, shape (k,)
-        Whether at the target, or back at the branch's own parameter point.
+        Section point and period: a guess. In their order along each branch.
     """
 
     branch: Index
+    position: Index
     u: Array
-    reached: Mask
+
+
+@dataclass(frozen=True)
+class Followed:
+    """Points of branches.
+
+    Parameters
+    ----------
+    scale : ndarray, shape (nz + 2,)
+        What counts as 1 in each entry of x.
+    branch : ndarray of int, shape (k,)
+        Number of the branch among those that were followed, ascending.
+    ahead : ndarray of bool, shape (k,)
+        Whether a point is ahead of where the branch begins, or behind it. The beginning stands on both sides.
+    x, tangent : ndarray, shape (k, nz + 2)
+        Points (u, s) and unit tangents. Those behind, from the beginning on, come before those ahead.
+    """
+
+    scale: Array
+    branch: Index
+    ahead: Mask
+    x: Array
+    tangent: Array
+
+    def crossings(self, positions: Array) -> Crossings:
+        """Where the branches pass positions, those at which they begin left out.
+
+        Parameters
+        ----------
+        positions : ndarray, shape (p,)
+            Ascending, from 0 to 1.
+        """
+        x, tangent = self.x, self.tangent
+        same = (self.branch[:-1] == self.branch[1:]) & (self.ahead[:-1] == self.ahead[1:])
+        begin = np.flatnonzero(same)
+        curve = cubics.cubics(x[begin], x[begin + 1], tangent[begin], tangent[begin + 1], self.scale)
+        piece, low, high = cubics.monotonic(curve[:, :, -1])
+        # Ends that are points of the branch are taken as they are: they may be the end of the line.
+        s_low = np.where(low == 0, x[begin[piece], -1], cubics.value(curve[piece, :, -1], low))
+        s_high = np.where(high == 1, x[begin[piece] + 1, -1], cubics.value(curve[piece, :, -1], high))
+        which, position = _passed(positions, s_low, s_high)
+        at = piece[which]
+        tau = cubics.root(curve[at, :, -1], positions[position], low[which], high[which])
+        u = cubics.value(curve[at, :, :-1], tau[:, None])
+        along = np.where(self.ahead[begin[at]], 1, -1) * (begin[at] + tau)
+        order = np.lexsort((along, self.branch[begin[at]]))
+        return Crossings(self.branch[begin[at]][order], position[order], u[order])
+
+
+def _passed(positions: Array, start: Array, end: Array) -> tuple[Index, Index]:
+    """Which positions are passed between pairs of ends, the first of them left out: pair and position."""
+    rising = end > start
+    first = np.where(
+        rising, np.searchsorted(positions, start, "right"), np.searchsorted(positions, end, "left")
+    )
+    last = np.where(
+        rising, np.searchsorted(positions, end, "right"), np.searchsorted(positions, start, "left")
+    )
+    count = np.maximum(last - first, 0)
+    pair = np.repeat(np.arange(len(start)), count)
+    return pair, np.repeat(first - (np.cumsum(count) - count), count) + np.arange(len(pair))
+
+
+class Known(NamedTuple):
+    """Cycles that are known, where branches end: u, s, and a number of a branch that begins on their line."""
+
+    u: Array
+    s: Array
+    branch: Index
 
 
 def follow(
     solver: Solver,
     u: Array,
+    s: Array,
     params: Array,
     target: Array,
     period_range: tuple[float, float],
     options: ContinuationOptions | None = None,
-) -> BranchEnds:
-    """Follow branches from limit cycles to other parameter points.
+    *,
+    may_be_gaits: Callable[[Array, Array], Mask] | None = None,
+    known: Known | None = None,
+) -> Followed:
+    """Follow branches from limit cycles along lines, both ways.
 
     Parameters
     ----------
     solver : Solver
     u : ndarray, shape (m, nz + 1)
         Section points and periods of limit cycles.
+    s : ndarray, shape (m,)
+        Where on their lines the cycles are, from 0 to 1.
     params, target : ndarray, shape (m, n_params)
-        Their parameters, and those to be reached.
+        Parameters at the ends of the lines, s = 0 and s = 1.
     period_range : (float, float)
-        A branch that leaves it is given up.
+        A branch ends where it leaves it.
     options : ContinuationOptions, optional
+    may_be_gaits : callable, optional
+        (u, params) -> ndarray of bool, whether cycles may be gaits. A branch ends where there has been none
+        for a length of ``options.patience``.
+    known : Known, optional
 
     Returns
     -------
-    BranchEnds
+    Followed
+        What two of the branches have in common may be on one of them alone.
     """
-    if not len(u):
-        return BranchEnds(np.empty(0, dtype=np.int64), u, np.empty(0, dtype=bool))
-    return _Branches(solver, u, params, target, options or ContinuationOptions()).follow(period_range)
+    known = known or Known(u[:0], s[:0], np.empty(0, dtype=np.int64))
+    lines = _Lines(solver, params, target, options or ContinuationOptions(), period_range, may_be_gaits)
+    return lines.both_ways(np.column_stack([u, s]), np.column_stack(known[:2]), known.branch)
 
 
-class _Branches:
-    """Branches that are being followed. Points on them are x = (u, s), shape (m, nz + 2)."""
+class _Lines:
+    """Branches that are being followed, one on each of m lines. Points on them are x = (u, s)."""
 
     def __init__(
-        self, solver: Solver, u: Array, params: Array, target: Array, options: ContinuationOptions
+        self,
+        solver: Solver,
+        params: Array,
+        target: Array,
+        options: ContinuationOptions,
+        period_range: tuple[float, float],
+        may_be_gaits: Callable[[Array, Array], Mask] | None,
     ) -> None:
-        self.kernels, self.options = solver.kernels, options
-        self.u, self.params, self.direction = u, params, target - params
+        self.kernels, self.options, self.resolution = solver.kernels, options, solver.resolution
+        self.params, self.direction = params, target - params
+        self.period_range, self.may_be_gaits = period_range, may_be_gaits
         self.scale = np.array([*solver.model.spec.scales, Scales.of(solver.model).time, 1.0])
-        choose = solver.resolution.search_n_rk
-        self.n_rk = np.maximum(choose(u[:, -1], params), choose(u[:, -1], target))
+        ends = np.hstack([params, target])
+        _, self.first, line = np.unique(ends, axis=0, return_index=True, return_inverse=True)
+        self.line = line.ravel()
+        self.modes = self._modes() if len(params) else np.empty((0, MODES))
 
-    def follow(self, period_range: tuple[float, float]) -> BranchEnds:
-        """Follow all of them to their ends."""
-        options = self.options
-        at, x = np.arange(len(self.u)), np.column_stack([self.u, np.zeros(len(self.u))])
-        ahead = np.zeros_like(x)
-        ahead[:, -1] = 1.0
-        tangent = self._tangent(self._first_system(at, x), ahead)
-        ds = np.where(np.isfinite(tangent).all(axis=1), options.ds_max, 0.0)
-        ends = [(at[:0], x[:0, :-1], np.empty(0, dtype=bool))]
-        for _ in range(options.max_steps):
+    def both_ways(self, x: Array, known: Array, on_line_of: Index) -> Followed:
+        """Follow all towards s = 1 first, and then those back that none of the others has come along."""
+        at = np.arange(len(x))
+        upwards = np.zeros_like(x)
+        upwards[:, -1] = 1.0
+        tangent = self._tangent(self._system(at, x, self._n_rk(at, x))[0], upwards) if len(x) else upwards
+        stops = Stops(
+            np.concatenate([x, known]), np.concatenate([self.line, self.line[on_line_of]]), self.scale
+        )
+        parts = []
+        came_along = np.zeros(len(x), dtype=bool)
+        for way in (1.0, -1.0):
+            branch, points, tangents, arrived = self._one_way(at, x[at], way * tangent[at], stops, tangent)
+            came_along[arrived] = True
+            parts.append((branch, np.full(len(branch), way > 0), points, tangents))
+            at = np.flatnonzero(~came_along)
+        branch, ahead, points, tangents = (np.concatenate(column) for column in zip(*parts, strict=True))
+        order = np.lexsort((ahead, branch))
+        return Followed(self.scale, branch[order], ahead[order], points[order], tangents[order])
+
+    def _one_way(
+        self, at: Index, x: Array, tangent: Array, stops: Stops, beginnings: Array
+    ) -> tuple[Index, Array, Array, Index]:
+        """Follow branches to their ends: branch, points, tangents, and beginnings met from behind."""
+        options, (shortest, longest) = self.options, self.period_range
+        ds = np.where(np.isfinite(tangent).all(axis=1), options.ds, 0.0)
+        idle = np.zeros(len(x))  # length since the last gait
+        branches, points, tangents, met = [at], [x], [tangent], [at[:0]]
+        for step in range(options.max_steps):
+            if self.may_be_gaits is not None and step % LOOK == 0:
+                idle[self.may_be_gaits(x[:, :-1], self._point(at, x[:, -1:]))] = 0.0
+                ds[idle > options.patience] = 0.0
             go_on = ds >= options.ds_min
-            at, x, tangent, ds = at[go_on], x[go_on], tangent[go_on], ds[go_on]
+            at, x, tangent, ds, idle = at[go_on], x[go_on], tangent[go_on], ds[go_on], idle[go_on]
             if not len(at):
                 break
             y, new, good, easy = self._step(at, x, tangent, ds)
-            s0, s1 = x[:, -1], y[:, -1]
-            reached, back = good & (s1 >= 1), good & (s1 <= 0)
-            over = reached | back
-            # Where the plane across the tangent has led beyond: the point in between.
-            part = (reached[over] - s0[over]) / (s1[over] - s0[over])
-            ends.append((at[over], x[over, :-1] + part[:, None] * (y - x)[over, :-1], reached[over]))
+            branches.append(at[good])
+            points.append(y[good])
+            tangents.append(new[good])
+            period, s = y[:, -2], y[:, -1]
+            ended = ~((period > shortest) & (period <= longest)) | (s <= 0) | (s >= 1)
+            row, stop = stops.between(self.line[at[good]], x[good], y[good], tangent[good], new[good])
+            ended[np.flatnonzero(good)[row]] = True
+            row, stop = row[stop < len(beginnings)], stop[stop < len(beginnings)]
+            behind = (new[good][row] * beginnings[stop] / self.scale**2).sum(axis=1) > 0
+            met.append(stop[behind])
+            idle += np.where(good, ds, 0.0)
             x, tangent = np.where(good[:, None], y, x), np.where(good[:, None], new, tangent)
             factor = np.where(good, np.where(easy, options.step_growth, 1.0), options.step_shrink)
-            ds = np.minimum(factor * ds, options.ds_max)
-            inside = (x[:, -2] > period_range[0]) & (x[:, -2] <= period_range[1])
-            ds[over | ~inside] = 0.0
-        branch, u, reached = (np.concatenate(column) for column in zip(*ends, strict=True))
+            ds = np.where(good & ended, 0.0, np.minimum(factor * ds, options.ds_max))
+        branch = np.concatenate(branches)
         order = np.argsort(branch, kind="stable")
-        return BranchEnds(branch[order], u[order], reached[order])
+        return (
+            branch[order],
+            np.concatenate(points)[order],
+            np.concatenate(tangents)[order],
+            np.concatenate(met),
+        )
 
     def _step(self, at: Index, x: Array, tangent: Array, ds: Array) -> tuple[Array, Array, Mask, Mask]:
         """One arclength step, corrected: new points and tangents, whether they hold, and were easily found.
@@ -131,7 +269,8 @@ class _Branches:
         """
         options = self.options
         y, across, length = self._predicted(x, tangent, ds)
-        matrix, residual = self._system(at, y)
+        n_rk = self._n_rk(at, y)
+        matrix, residual = self._system(at, y, n_rk)
         new = self._tangent(matrix, tangent)
         matrix[:, -1, :] = across
         change = solved(matrix, np.column_stack([-residual, np.zeros(len(at))]))
@@ -140,23 +279,37 @@ class _Branches:
         with np.errstate(invalid="ignore"):
             cosine = (new * tangent / self.scale**2).sum(axis=1)
             near = (size < options.max_correction_ratio * length) & (cosine > options.min_tangent_cosine)
-        good, easy = near & (size < options.tolerance), np.zeros(len(at), dtype=bool)
+        smooth = cosine > options.easy_tangent_cosine
+        # Where steps are short, points must be as exact as these are short.
+        small = np.minimum(options.tolerance, SHORT * length)
+        good, easy = near & (size < small), near & smooth & (size < small)
         open_ = np.flatnonzero(near & ~good)
         for attempt in range(options.max_corrections):
             if not len(open_):
                 break
-            residual = self._residual(at[open_], y[open_, :-1], y[open_, -1:])
+            residual = self._residual(at[open_], y[open_, :-1], y[open_, -1:], n_rk[open_])
             change = solved(matrix[open_], np.column_stack([-residual, np.zeros(len(open_))]))
             y[open_] += change
             now = self._norm(change)
-            done = now < options.tolerance
+            done = now < small[open_]
             good[open_[done]] = True
-            easy[open_[done]] = attempt < options.max_corrections - 1
+            easy[open_[done]] = smooth[open_[done]] & (attempt < options.max_corrections - 1)
             with np.errstate(invalid="ignore"):
                 shrinking = now < options.max_contraction * size[open_]
             size[open_] = now
             open_ = open_[~done & shrinking]
+        sharp = np.flatnonzero(good & (cosine < SHARP))
+        if len(sharp):
+            new[sharp] = self._refined(at[sharp], y, across, tangent, n_rk, sharp)
         return y, new, good, easy
+
+    def _refined(self, at: Index, y: Array, across: Array, tangent: Array, n_rk: Index, rows: Index) -> Array:
+        """Tangents of rows where they turn sharply, from derivatives there; corrects their points."""
+        matrix, residual = self._system(at, y[rows], n_rk[rows])
+        new = self._tangent(matrix, tangent[rows])
+        matrix[:, -1, :] = across[rows]
+        y[rows] += solved(matrix, np.column_stack([-residual, np.zeros(len(rows))]))
+        return new
 
     def _predicted(self, x: Array, tangent: Array, ds: Array) -> tuple[Array, Array, Array]:
         """Points along the tangents, normals of the planes that corrections keep, and the arclength steps.
@@ -174,41 +327,52 @@ class _Branches:
         across[at_end] = np.eye(x.shape[1])[-1]
         return y, across, length
 
-    def _system(self, at: Index, x: Array) -> tuple[Array, Array]:
+    def _system(self, at: Index, x: Array, n_rk: Index) -> tuple[Array, Array]:
         """Derivative of the residual with a last row to be filled in, shape (m, nz + 2, nz + 2); residual."""
         u, s = x[:, :-1], x[:, -1:]
         n = u.shape[1]
-        jacobian, residual = self._evaluate(self.kernels.jacobian, at, u, s)
-        shifted = self._residual(at, u, s + DIFFERENCE)
+        jacobian, residual = self._evaluate(self.kernels.jacobian, n_rk, at, u, s)
+        shifted = self._residual(at, u, s + DIFFERENCE, n_rk)
         matrix = np.zeros((len(x), n + 1, n + 1))
         matrix[:, :n, :n] = jacobian
         matrix[:, :n, n] = (shifted - residual) / DIFFERENCE
         return matrix, residual
 
-    def _first_system(self, at: Index, x: Array) -> Array:
-        """The same where branches begin: those that leave one cycle have one derivative in common."""
-        _, first, same = np.unique(
-            np.hstack([self.u, self.params, self.n_rk[:, None]]),
-            axis=0, return_index=True, return_inverse=True,
-        )  # fmt: skip
-        matrix, residual = (part[same.ravel()] for part in self._system(at[first], x[first]))
-        shifted = self._residual(at, x[:, :-1], x[:, -1:] + DIFFERENCE)
-        matrix[:, :-1, -1] = (shifted - residual) / DIFFERENCE
-        return matrix
-
-    def _residual(self, at: Index, u: Array, s: Array) -> Array:
-        return self._evaluate(lambda n_rk, u, p: (self.kernels.residual(n_rk, u, p),), at, u, s)[0]
+    def _residual(self, at: Index, u: Array, s: Array, n_rk: Index) -> Array:
+        return self._evaluate(lambda n, u, p: (self.kernels.residual(n, u, p),), n_rk, at, u, s)[0]
 
     def _evaluate(
-        self, kernel: Callable[[int, Array, Array], tuple[Array, ...]], at: Index, u: Array, s: Array
+        self,
+        kernel: Callable[[int, Array, Array], tuple[Array, ...]],
+        n_rk: Index,
+        at: Index,
+        u: Array,
+        s: Array,
     ) -> list[Array]:
         """A kernel at points of branches, each at its own resolution."""
-        params = self.params[at] + s * self.direction[at]
-        n_rk = self.n_rk[at]
+        params = self._point(at, s)
         groups = [np.flatnonzero(n_rk == n) for n in np.unique(n_rk)]
+        if len(groups) == 1:
+            return list(kernel(int(n_rk[0]), u, params))
         parts = [kernel(n_rk[rows[0]].item(), u[rows], params[rows]) for rows in groups]
         back = np.argsort(np.concatenate(groups), kind="stable")
         return [np.concatenate(part)[back] for part in zip(*parts, strict=True)]
+
+    def _point(self, at: Index, s: Array) -> Array:
+        """Parameters at fractions of lines, shape (k, n_params)."""
+        return np.asarray(self.params[at] + s * self.direction[at])
+
+    def _modes(self) -> Array:
+        """The fastest mode in each interval of the line of each branch, shape (m, MODES)."""
+        first, fractions = self.first, np.linspace(0, 1, MODES + 1)
+        points = self.params[first, None] + fractions[:, None] * self.direction[first, None]
+        modes = self.resolution.fastest_mode(points.reshape(-1, points.shape[2])).reshape(len(first), -1)
+        return np.asarray(np.maximum(modes[:, 1:], modes[:, :-1])[self.line])
+
+    def _n_rk(self, at: Index, x: Array) -> Index:
+        """RK steps of a walking step near points."""
+        interval = np.clip(np.nan_to_num(x[:, -1]) * MODES, 0, MODES - 1).astype(np.int64)
+        return self.resolution.branch_n_rk(x[:, -2], self.modes[at, interval])
 
     def _tangent(self, matrix: Array, ahead: Array) -> Array:
         """Unit tangents on the same side as `ahead`."""
@@ -221,4 +385,4 @@ class _Branches:
 
     def _norm(self, x: Array) -> Array:
         """Lengths in terms of the scale."""
-        return np.sqrt(((x / self.scale) ** 2).sum(axis=1))
+        return np.asarray(np.sqrt(((x / self.scale) ** 2).sum(axis=1)))

@@ -222,6 +222,45 @@ def verdicts(
     return _VERDICTS[first]
 
 
+def clearly_no_gaits(kernels: Kernels, n_rk: int, u: Array, params: Array) -> Index:
+    """Codes of the statuses of rough solutions that are clearly not gaits, shape (m,); `DOUBTFUL` for others.
+
+    Parameters
+    ----------
+    kernels : Kernels
+    n_rk : int
+        RK steps with which they are looked at.
+    u : ndarray, shape (m, nz + 1)
+    params : ndarray, shape (m, n_params)
+    """
+    model, scales = kernels.model, Scales.of(kernels.model)
+    trace = Trace.of(kernels, u, params, kernels.trace(n_rk, u, params))
+    n = len(model.coordinates)
+    q, v = trace.w[:, :, :n], trace.w[:, :, n : 2 * n]
+    side = model.evaluate("touchdown_condition", q=q, v=v, p=params[:, None, :])["side"] / scales.side
+    height = -trace.observable("touchdown")[0] / scales.touchdown
+    out = np.full(len(u), DOUBTFUL)
+    # The foot passes the ground from above, and stays below it for a while, before the end of the step.
+    ahead = (side[:, :-3] < -CLEARLY) & (side[:, 1:-2] < -CLEARLY)
+    passes = ahead & (height[:, :-3] > 0) & (height[:, 1:-2] <= 0)
+    deep = np.minimum(height[:, 1:-2], height[:, 2:-1]) < -CLEARLY
+    out[(passes & deep).any(axis=1)] = Status.LATER_TOUCHDOWN.code
+    rate = trace.dg[:, -1, trace.row("touchdown")] * scales.time / scales.touchdown
+    falls = (side[:, -1] > CLEARLY) | (rate < -CLEARLY)
+    if model.stance_index is not None:
+        falls |= np.abs(q[:, :, model.stance_index]).max(axis=1) > np.pi / 2 + CLEARLY
+    out[falls] = Status.NOT_A_STEP.code
+    return out
+
+
+DOUBTFUL = -1
+"""Of a rough solution that may be a gait."""
+
+CLEARLY = 1e-3
+"""By how much a rough solution must miss the conditions of a gait, in terms of the scales, not to be one. Its
+own error is a hundredth of that."""
+
+
 def depends_on_resolution(kernels: Kernels, n_rk: int, u: Array, params: Array) -> Mask:
     """Whether the residual at points is much of the integration's making, shape (m,).
 

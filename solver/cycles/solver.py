@@ -14,6 +14,7 @@ from stridemap.solver.cycles.orbits import Orbits
 from stridemap.solver.kernels.catalogue import CYCLE_N_RK, FINE_N_RK
 from stridemap.solver.kernels.resolution import Resolution, coarsest
 from stridemap.solver.kernels.runge_kutta import ORDER
+from stridemap.solver.linear import solved
 from stridemap.solver.model.model import Model
 from stridemap.solver.model.scales import Scales
 from stridemap.solver.options import AcceptanceOptions
@@ -24,6 +25,10 @@ Mask = NDArray[np.bool_]
 
 SEARCH_RESIDUAL = 1e-4
 """What a search may leave open for Newton's method at full resolution, in terms of the model's scales."""
+
+POLISHES, POLISHED, FAR = 8, 1e-6, 5.0
+"""Newton steps from a good guess at most, and sizes of one after which no other is needed, or none helps, in
+terms of the scales."""
 
 SAME_END = 0.02
 """Distance, in terms of the scales, of two ends of a search that do not close, if they are taken for one."""
@@ -104,7 +109,7 @@ class Solver:
         closed |= self._one_of_each(promising, u, params)
         u = self.model.wrapped(u)
         possible = np.zeros(len(u), dtype=bool)
-        possible[closed] = self._can_be_a_step(u[closed], params[closed])
+        possible[closed] = self.can_be_a_step(u[closed], params[closed])
         return Searched(u, closed & possible, closed & ~possible, ~closed)
 
     def _one_of_each(self, promising: Mask, u: Array, params: Array) -> Mask:
@@ -117,12 +122,49 @@ class Solver:
             out[rows[first_of_each(cell.ravel(), u[rows], SAME_END, None, scale)]] = True
         return out
 
-    def _can_be_a_step(self, u: Array, params: Array) -> NDArray[np.bool_]:
+    def polished(self, guesses: Array, params: Array) -> tuple[Array, Array]:
+        """Solutions near good guesses at the resolution with which branches are followed.
+
+        Parameters
+        ----------
+        guesses : ndarray, shape (n, nz + 1)
+        params : ndarray, shape (n, n_params)
+
+        Returns
+        -------
+        u : ndarray, shape (n, nz + 1)
+        moved : ndarray, shape (n,)
+            How far they are from the guesses, in terms of the scales; infinite where there is none.
+        """
+        u, scale = guesses.copy(), Scales.of(self.model).unknowns
+        n_rk = self.resolution.branch_n_rk(u[:, -1], self.resolution.fastest_mode(params))
+        last = np.full(len(u), np.inf)
+        for n in np.unique(n_rk).tolist():
+            open_ = np.flatnonzero(n_rk == n)
+            for turn in range(POLISHES):
+                if turn % 2:  # one derivative is good for two steps
+                    residual = self.kernels.residual(n, u[open_], params[open_])
+                else:
+                    jacobian, residual = self.kernels.jacobian(n, u[open_], params[open_])
+                change = -solved(jacobian, residual)
+                u[open_] += change
+                last[open_] = np.abs(change / scale).max(axis=1)
+                with np.errstate(invalid="ignore"):
+                    go_on = (last[open_] > POLISHED) & (last[open_] < FAR)
+                open_, jacobian = open_[go_on], jacobian[go_on]
+                if not len(open_):
+                    break
+        with np.errstate(invalid="ignore"):
+            good = (last < 10 * POLISHED) & (u[:, -1] > 0)
+        moved = np.abs((u - guesses) / scale).max(axis=1)
+        return self.model.wrapped(u), np.where(good, moved, np.inf)
+
+    def can_be_a_step(self, u: Array, params: Array) -> Mask:
         """Whether the swing foot lands on the admissible side, with the stance leg above the ground."""
         after = self.model.evaluate("section_state", z=u[:, :-1], p=params)
         before = self.model.evaluate("before_touchdown", q=after["q"], p=params)["q_minus"]
         side = self.model.evaluate("touchdown_condition", q=before, v=after["v"], p=params)["side"]
-        can: NDArray[np.bool_] = side < 0
+        can: Mask = side < 0
         if self.model.stance_index is not None:
             can &= np.abs(before[:, self.model.stance_index]) < np.pi / 2
         return can

@@ -11,9 +11,13 @@ from stridemap.solver.model.model import Model
 Array = NDArray[np.float64]
 Index = NDArray[np.int64]
 
-SEARCH_PHASE, CYCLE_PHASE = 1.5, 0.45
+SEARCH_PHASE, BRANCH_PHASE, CYCLE_PHASE = 1.5, 0.75, 0.45
 """Phase of the fastest mode in one RK step at most. A search needs only to come near; but at twice its phase,
-sweeps were seen to lose cycles with a stiff spring."""
+sweeps were seen to lose cycles with a stiff spring. A branch that is nearly vertical is moved much by an
+error of the residual: at the phase of the search, by two cells of the default sweep."""
+
+BRANCH_N_RK = tuple(sorted({*SEARCH_N_RK, *CYCLE_N_RK}))
+"""Resolutions with which branches are followed."""
 
 
 @dataclass(frozen=True)
@@ -44,17 +48,22 @@ class Resolution:
 
     def cycle_n_rk(self, period: Array, params: Array) -> Index:
         """RK steps with which limit cycles of these periods are first computed, shape (n,)."""
-        return coarsest(self._phase(period, params), CYCLE_N_RK, CYCLE_PHASE)
+        return coarsest(_phase(period, self.fastest_mode(params)), CYCLE_N_RK, CYCLE_PHASE)
 
     def search_n_rk(self, period: Array, params: Array) -> Index:
         """RK steps of a search near a period, shape (n,)."""
-        return coarsest(self._phase(period, params), SEARCH_N_RK, SEARCH_PHASE)
+        return coarsest(_phase(period, self.fastest_mode(params)), SEARCH_N_RK, SEARCH_PHASE)
 
-    def _phase(self, period: Array, params: Array) -> Array:
-        """Phase of the fastest mode in a period; 0 where that is not a number, which no resolution helps."""
-        with np.errstate(over="ignore", invalid="ignore"):
-            phase: Array = self.fastest_mode(params) * np.abs(period)
-        return np.nan_to_num(phase, posinf=0.0)
+    def branch_n_rk(self, period: Array, mode: Array) -> Index:
+        """RK steps with which branches are followed near a period, where the fastest mode is known."""
+        return coarsest(_phase(period, mode), BRANCH_N_RK, BRANCH_PHASE)
+
+
+def _phase(period: Array, mode: Array) -> Array:
+    """Phase of a mode in a period; 0 where that is not a number, which no resolution helps."""
+    with np.errstate(over="ignore", invalid="ignore"):
+        phase: Array = mode * np.abs(period)
+    return np.nan_to_num(phase, posinf=0.0)
 
 
 def coarsest(phase: Array, choices: tuple[int, ...], per_rk_step: float = 1.0) -> Index:

@@ -9,6 +9,7 @@ TORUS = f"{MAPS}::test_the_torus_of_the_delayed_logistic_map"
 PITCHFORK = f"{MAPS}::test_a_pitchfork_is_a_branch_point_from_which_both_sides_are_reached"
 TWO = f"{MAPS}::test_two_doublings_between_two_points_are_both_found"
 ENDS = "tests/solver/branches/test_ends.py"
+TILES = "tests/sweeps/test_tiles.py"
 CONTINUATION = "tests/solver/branches/test_continuation.py"
 
 CURVES = (
@@ -289,24 +290,45 @@ GAITS = (
 FOLLOWED = (
     Mutation(
         "solver/branches/continuation.py",
-        "over = reached | back",
-        "over = reached",
+        "rising = end > start",
+        "rising = end != start",
         "a branch that leads back around a fold is lost",
         (f"{CONTINUATION}::test_fold_leads_to_the_other_cycle_of_the_pair",),
     ),
     Mutation(
         "solver/branches/continuation.py",
-        "matrix[:, -1, :] = across",
-        "matrix[:, -1, :] = np.eye(x.shape[1])[-1]",
+        "matrix[:, -1, :] = across\n        change",
+        "matrix[:, -1, :] = np.eye(x.shape[1])[-1]\n        change",
         "corrections keep the parameter, so that no fold is passed",
         (f"{CONTINUATION}::test_fold_leads_to_the_other_cycle_of_the_pair",),
     ),
     Mutation(
         "solver/branches/continuation.py",
-        "inside = (x[:, -2] > period_range[0]) & (x[:, -2] <= period_range[1])",
-        "inside = x[:, -2] > 0",
+        "ended = ~((period > shortest) & (period <= longest)) | (s <= 0) | (s >= 1)",
+        "ended = ~(period > 0) | (s <= 0) | (s >= 1)",
         "branches are followed outside the range of periods",
         (f"{CONTINUATION}::test_hopeless_branches_end_nowhere",),
+    ),
+    Mutation(
+        "solver/branches/continuation.py",
+        "if len(sharp):",
+        "if False:",
+        "tangents where branches turn sharply are those of the predicted points",
+        (f"{TILES}::test_two_cycles_next_to_a_fold_are_one_branch",),
+    ),
+    Mutation(
+        "solver/branches/continuation.py",
+        "at = np.flatnonzero(~came_along)",
+        "at = at[:0]",
+        "branches are followed one way only",
+        (f"{CONTINUATION}::test_what_a_branch_passes_on_its_way_is_the_cycle_there",),
+    ),
+    Mutation(
+        "solver/branches/stops.py",
+        "good = distance < ON_CURVE * length[row]",
+        "good = distance < 10 * ON_CURVE * length[row]",
+        "branches end at others that pass by",
+        ("tests/solver/branches/test_cubics.py",),
     ),
     Mutation(
         "solver/branches/joining.py",

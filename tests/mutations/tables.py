@@ -2,6 +2,7 @@
 
 from tests.mutations.mutation import Mutation
 
+CLEAR = "tests/solver/cycles/test_clear_cases.py"
 TILES = "tests/sweeps/test_tiles.py"
 REPORT = "tests/stridemap/views/test_report.py"
 NOTATION = "tests/stridemap/views/test_notation.py"
@@ -10,24 +11,24 @@ CLAIMS = "tests/stridemap/paper/test_claims.py"
 SWEEPS = (
     Mutation(
         "sweeps/tiles.py",
-        "NO_GAIT = (Status.NOT_A_STEP.code, Status.LATER_TOUCHDOWN.code)",
-        "NO_GAIT = ()",
-        "branches are not followed through cells in which they are not gaits",
-        (f"{TILES}::test_a_branch_is_followed_through_cells_in_which_it_is_not_a_gait",),
+        "may_be_gaits=lambda u, params: self._clear_cases(u, params) == DOUBTFUL,",
+        "may_be_gaits=lambda u, params: self._clear_cases(u, params) != DOUBTFUL,",
+        "branches are followed where they are not gaits, and not where they are",
+        ("tests/sweeps/test_run.py",),
     ),
     Mutation(
-        "sweeps/tiles.py",
-        "MAX_ADHESION = 1.0",
-        "MAX_ADHESION = 0.0",
-        "branches end where the foot is pulled",
-        (f"{TILES}::test_a_foot_that_is_pulled_a_little_does_not_end_a_branch",),
+        "solver/cycles/acceptance.py",
+        "out[(passes & deep).any(axis=1)] = Status.LATER_TOUCHDOWN.code",
+        "out[passes.any(axis=1)] = Status.LATER_TOUCHDOWN.code",
+        "a foot that hardly touches the ground counts as down",
+        (f"{CLEAR}::test_a_foot_that_just_passes_is_in_doubt",),
     ),
     Mutation(
-        "sweeps/tiles.py",
-        "MAX_ADHESION = 1.0",
-        "MAX_ADHESION = 1e9",
-        "branches are followed however much the foot is pulled",
-        (f"{TILES}::test_a_foot_that_is_pulled_by_more_than_the_weight_does",),
+        "solver/cycles/acceptance.py",
+        "out[falls] = Status.NOT_A_STEP.code",
+        "out[~falls] = Status.NOT_A_STEP.code",
+        "steps are no steps",
+        (f"{CLEAR}::test_gaits_are_in_doubt_and_clear_cases_are_what_acceptance_says",),
     ),
     Mutation(
         "solver/options.py",
@@ -38,24 +39,45 @@ SWEEPS = (
     ),
     Mutation(
         "sweeps/tiles.py",
-        "SAME_BRANCH = 1e-3",
-        "SAME_BRANCH = 1e-1",
-        "of two cycles near a fold only one is followed",
-        (f"{TILES}::test_two_cycles_next_to_a_fold_are_followed_each",),
+        "SAME_BRANCH = 0.05",
+        "SAME_BRANCH = 1e-9",
+        "what branches pass is thrown away",
+        (f"{TILES}::test_a_branch_is_followed_along_its_line",),
     ),
     Mutation(
         "sweeps/tiles.py",
-        "self.outgoing += [end for end in ends if end.cell not in self._cycles]",
-        "self.outgoing += []",
+        "        self._outgoing.append(guesses.take(~here))\n        guesses = guesses.take(here)",
+        "        guesses = guesses.take(here)",
         "branches end at the border of a tile",
         (f"{TILES}::test_what_leads_into_other_tiles_is_handed_on",),
+    ),
+    Mutation(
+        "sweeps/tiles.py",
+        "        self._outgoing.append(guesses.take(~here))\n        return guesses.take(here)",
+        "        return guesses.take(here)",
+        "cells beside a branch that are in another tile are not tried",
+        (f"{TILES}::test_from_a_branch_the_cells_beside_it_are_tried",),
+    ),
+    Mutation(
+        "sweeps/families.py",
+        "one, other = place[len(branch) :].reshape(-1, 2).T",
+        "one, other = place[len(branch) :].reshape(2, -1)",
+        "branches that have nothing in common are one",
+        ("tests/sweeps/test_solutions.py::test_families_are_connected_and_numbered_as_they_appear",),
+    ),
+    Mutation(
+        "sweeps/solutions.py",
+        "near = (np.abs(self.u[open_] - other.u[candidate]) <= tolerance * scale).all(axis=1)",
+        "near = (np.abs(self.u[open_] - other.u[candidate]) <= tolerance * scale).any(axis=1)",
+        "solutions that agree in one entry are one",
+        ("tests/sweeps/test_solutions.py",),
     ),
     Mutation(
         "sweeps/grid.py",
         "np.array([-1, 1])",
         "np.array([1, 1])",
         "cells have neighbours on one side only",
-        ("tests/sweeps/test_grid.py::test_neighbours_are_one_step_along_one_axis",),
+        ("tests/sweeps/test_grid.py::test_cells_beside_are_one_step_along_one_axis_that_is_not_the_longest",),
     ),
     Mutation(
         "sweeps/run.py",

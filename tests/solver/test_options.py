@@ -43,7 +43,9 @@ RECORDS = (SearchOptions, AcceptanceOptions, ContinuationOptions)
             "must not be above max_integration_error = 1e-12",
         ),
         (ContinuationOptions, {"ds_max": 0}, "ds_max = 0 is not allowed"),
-        (ContinuationOptions, {"ds_min": 2.0}, "ds_min = 2.0 is not allowed: .*above ds_max = 1.5"),
+        (ContinuationOptions, {"ds": 0.5}, "ds = 0.5 is not allowed: .*above ds_max = 0.1"),
+        (ContinuationOptions, {"patience": 0}, "patience = 0 is not allowed"),
+        (ContinuationOptions, {"ds_min": 2.0}, "ds_min = 2.0 is not allowed: .*above ds = 0.02"),
         (
             ContinuationOptions,
             {"step_growth": 0.9},
@@ -155,6 +157,7 @@ def test_continuation_obeys():
     points = np.array([model.point({"omega": 3.0}), model.point({"omega": 2.5})])
     solver = Solver.for_model(model)
     _, orbits = find_all(solver, points[:1])
-    args = (solver, orbits.u, orbits.params, np.repeat(points[1:], len(orbits), axis=0), (0.3, 3.0))
-    assert follow(*args).reached.any()
-    assert len(follow(*args, ContinuationOptions(max_steps=1, ds_max=1e-2)).branch) == 0
+    ends = (np.zeros(len(orbits)), orbits.params, np.repeat(points[1:], len(orbits), axis=0))
+    args = (solver, orbits.u, *ends, (0.3, 3.0))
+    assert follow(*args).x[:, -1].max() == 1
+    assert follow(*args, ContinuationOptions(max_steps=1, ds=1e-2, ds_max=1e-2)).x[:, -1].max() <= 0.01

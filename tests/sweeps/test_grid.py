@@ -36,20 +36,22 @@ def test_cells_number_the_product_in_c_order(axes):
 
 @settings(deadline=None)
 @given(AXES)
-def test_neighbours_are_one_step_along_one_axis(axes):
+def test_cells_beside_are_one_step_along_one_axis_that_is_not_the_longest(axes):
     grid = make_grid(axes)
-    pairs = grid.neighbour_pairs(np.arange(grid.n_cells))
+    row, neighbour = grid.beside(np.arange(grid.n_cells))
     indices = grid.indices(np.arange(grid.n_cells))
-    distance = np.abs(indices[:, None, :] - indices[None, :, :]).sum(axis=-1)
-    assert sorted(map(tuple, pairs)) == sorted(map(tuple, np.argwhere(distance == 1)))
-    for cell in (0, grid.n_cells - 1):
-        np.testing.assert_array_equal(grid.neighbours(cell), pairs[pairs[:, 0] == cell, 1])
+    apart = np.abs(indices[:, None, :] - indices[None, :, :])
+    wanted = np.argwhere((apart.sum(axis=-1) == 1) & (apart[..., grid.longest_axis] == 0))
+    assert sorted(zip(row.tolist(), neighbour.tolist(), strict=True)) == sorted(map(tuple, wanted.tolist()))
 
 
-def test_neighbour_pairs_keep_the_order_asked_for():
-    grid = make_grid([[0, 1, 2], [0, 1, 2]])
-    assert grid.neighbour_pairs([4, 0]).tolist() == [[4, 1], [4, 7], [4, 3], [4, 5], [0, 3], [0, 1]]
-    assert grid.neighbour_pairs([]).shape == (0, 2)
+def test_cells_beside_keep_the_order_asked_for():
+    grid = make_grid([[0, 1, 2], [0, 1, 2, 3], [0, 1]])
+    assert grid.longest_axis == 1
+    row, neighbour = grid.beside([10, 0])
+    assert row.tolist() == [0, 0, 0, 1, 1]
+    assert neighbour.tolist() == [2, 18, 11, 8, 1]
+    assert [part.tolist() for part in grid.beside([])] == [[], []]
 
 
 @settings(deadline=None)
@@ -73,7 +75,8 @@ def test_tiles_are_no_smaller_than_needed():
     grid = make_grid([range(120), range(18), range(4)])
     sizes = [len(cells) for cells in tiles(grid, 256)]
     assert min(sizes) > 64
-    assert tiles(grid, 256).counts == (16, 4, 1)  # halved along the longest side, again and again
+    assert tiles(grid, 256).counts == (1, 18, 2)  # whole lines along the longest axis
+    assert tiles(grid, 60).counts == (2, 18, 4)  # as long as one of them is small enough
     assert len(tiles(grid, grid.n_cells)) == 1
     with pytest.raises(ValueError, match="0"):
         tiles(grid, 0)

@@ -314,10 +314,12 @@ def test_a_cell_that_raises_is_a_row_with_a_reason(tmp_path, monkeypatch, stage,
     assert sweep(config, tmp_path / "out", executor=Inline(), tile_cells=3).failed_cells == 1
     cells = read_cells(tmp_path / "out")
     assert cells["status"].tolist() == ["found", "failed", "found"]
-    assert cells["orbits"][1] == 0
     assert cells["reason"][1] == f"{type(error).__name__}: boom"
     rows, sound = read_orbits(tmp_path / "out"), read_orbits(tmp_path / "sound")
-    sound = sound[sound["cell"] != 1]
+    # What branches from other cells pass there is found all the same, if only the search fails.
+    assert 0 <= cells["orbits"][1] <= (sound["cell"] == 1).sum()
+    assert (cells["orbits"][1] > 0) == (stage == "search")
+    rows, sound = rows[rows["cell"] != 1], sound[sound["cell"] != 1]
     assert rows["cell"].tolist() == sound["cell"].tolist()
     np.testing.assert_allclose(rows["period"], sound["period"], atol=1e-9, rtol=0)
 
@@ -428,7 +430,7 @@ def test_the_tables_orbits_come_back_as_orbits(reference):
     rows = read_orbits(reference[0])
     orbits = stridemap.Orbits.from_columns(load("wobbling"), rows)
     pd.testing.assert_frame_equal(
-        orbits.to_frame(), rows.drop(columns="cell"), check_dtype=False, check_exact=True
+        orbits.to_frame(), rows.drop(columns=["cell", "branch"]), check_dtype=False, check_exact=True
     )
     again = stridemap.find_orbits("wobbling", orbits[0].params)
     assert min(abs(orbit.period - orbits[0].period) for orbit in again) < 1e-9

@@ -32,7 +32,7 @@ PROVENANCE = {
 }  # fmt: skip
 
 
-CELL = np.array([0, 0, 2, 5])
+CELL, BRANCH = np.array([0, 0, 2, 5]), np.array([3, 0, 3, 1])
 
 
 def make_orbits(cells=CELL, periods=(1.2, 0.9, 1.1, 1.3)):
@@ -55,10 +55,10 @@ def make_orbits(cells=CELL, periods=(1.2, 0.9, 1.1, 1.3)):
 
 
 def make_table():
-    return orbit_table(CELL, make_orbits())
+    return orbit_table(CELL, BRANCH, make_orbits())
 
 
-NONE = orbit_table(CELL[:0], Orbits.empty(MODEL))
+NONE = orbit_table(CELL[:0], BRANCH[:0], Orbits.empty(MODEL))
 
 
 def make_cells(orbits):
@@ -85,15 +85,15 @@ def content(folder):
 def test_columns_bear_the_agreed_names():
     parameters = ["k", "alpha", "omega", "beta", "Kp", "Kd", "S", "gamma"]
     names = orbit_schema(MODEL).names
-    assert names[:10] == ["cell", *parameters, "status"]
-    assert names[10:16] == ["theta1", "dtheta1", "dtheta2", "x", "dx", "period"]
-    assert names[16:26] == [f"multiplier_{i}_{part}" for i in range(5) for part in ("re", "im")]
+    assert names[:11] == ["cell", *parameters, "branch", "status"]
+    assert names[11:17] == ["theta1", "dtheta1", "dtheta2", "x", "dx", "period"]
+    assert names[17:27] == [f"multiplier_{i}_{part}" for i in range(5) for part in ("re", "im")]
     measures = "spectral_radius multiplier_error stable undecided group step_length speed d_max"
     measures += " cop_max work work_positive work_net peak_torque peak_power cot cot_per_speed"
     measures += " min_vertical_force friction clearance peaks x_zero_crossings wobble_amplitude"
     measures += " touchdown_speed impact_friction lift_off_speed trailing_lifts_off residual"
     measures += " state_error integration_error"
-    assert names[26:] == measures.split() == list(MEASURED)
+    assert names[27:] == measures.split() == list(MEASURED)
     assert cell_schema(MODEL).names == ["cell", *parameters, "orbits", "stable_orbits", "status", "reason"]
     compass = orbit_schema(load("compass")).names
     assert not {"x", "dx", "k", "alpha"} & set(compass)
@@ -108,7 +108,7 @@ def test_a_row_holds_the_orbit():
     table = make_table()
     assert table.column_names == orbit_schema(MODEL).names
     row = table.to_pylist()[3]
-    assert (row["cell"], row["k"], row["omega"], row["status"]) == (5, 3.0, 3.0, "converged")
+    assert (row["cell"], row["branch"], row["k"], row["status"]) == (5, 1, 3.0, "converged")
     assert (row["multiplier_0_re"], row["multiplier_1_im"], row["dx"]) == (-0.5, -0.8, 0.5)
     orbit = orbits[3]
     for name in MEASURED:
@@ -122,7 +122,7 @@ def test_a_missing_value_is_refused_where_columns_must_be_full():
     orbits = make_orbits()
     peaks = np.array([3, 3, None, 3], dtype=object)
     with pytest.raises(ValueError, match="peaks has missing"):
-        orbit_table(CELL, replace(orbits, measures={**orbits.measures, "peaks": peaks}))
+        orbit_table(CELL, BRANCH, replace(orbits, measures={**orbits.measures, "peaks": peaks}))
 
 
 @pytest.mark.quick
@@ -188,7 +188,7 @@ def test_bytes_do_not_depend_on_how_the_rows_came(tmp_path):
     order = np.random.default_rng(1).permutation(len(CELL))
     store = Store.create(tmp_path / "b", CONFIG, dict(reversed(PROVENANCE.items())))
     for number, row in enumerate(order):
-        store.write_part(0, number, orbit_table(CELL[[row]], make_orbits()[[row]]))
+        store.write_part(0, number, orbit_table(CELL[[row]], BRANCH[[row]], make_orbits()[[row]]))
     orbits = pa.concat_tables([store.read_part(0, number) for number in range(len(order))])
     store.finish(orbits, make_cells(orbits))
     assert content(tmp_path / "a") == content(tmp_path / "b")
@@ -199,7 +199,7 @@ def test_equal_periods_are_ordered_by_the_other_columns(tmp_path):
     two = make_orbits(np.array([0, 0]), (1.0, 1.0))
     two.u[1, 0] = 0.05
     for name, order in (("a", [0, 1]), ("b", [1, 0])):
-        orbits = orbit_table(np.array([0, 0]), two[order])
+        orbits = orbit_table(np.array([0, 0]), np.array([0, 0]), two[order])
         Store.create(tmp_path / name, CONFIG, PROVENANCE).finish(orbits, make_cells(orbits))
         assert read_orbits(tmp_path / name)["theta1"].tolist() == [0.05, 0.1]
     assert content(tmp_path / "a") == content(tmp_path / "b")

@@ -12,8 +12,10 @@ from stridemap.solver.cycles.status import Status
 from stridemap.solver.model.loading import load
 from stridemap.solver.model.scales import Scales
 from stridemap.solver.options import AcceptanceOptions, ContinuationOptions, SearchOptions
+from stridemap.sweeps.families import families
 from stridemap.sweeps.grid import Grid
-from stridemap.sweeps.tiles import NO_SOURCE, Guess, Task, work
+from stridemap.sweeps.solutions import NONE, Solutions
+from stridemap.sweeps.tiles import Task, work
 from tests.oracles.kernels import needs_compiler
 from tests.oracles.reference import GUESSES, LIFTING
 
@@ -29,7 +31,7 @@ class Line:
     period_range: tuple[float, float] = (0.3, 3.0)
 
     def result(self, incoming, cells=None):
-        """What a tile finds from guesses (cell, source, cycle)."""
+        """What a tile finds from guesses (cell, cycle)."""
         model = load("wobbling")
         fixed = {n: v for n, v in {**model.preset, **self.params}.items() if n != "k"}
         low, high = self.period_range
@@ -45,9 +47,13 @@ class Line:
             tile=0,
             cells=np.arange(len(self.k)) if cells is None else np.array(cells),
             seeds=np.array([], dtype=np.int64),
-            incoming=[Guess(*one) for one in incoming],
-            known=[],
-            seen=[],
+            incoming=Solutions(
+                np.array([cell for cell, _ in incoming]),
+                np.array([u for _, u in incoming]),
+                np.full(len(incoming), NONE),
+            ),
+            known=Solutions.empty(6),
+            seen=Solutions.empty(6),
         )
         return work(task)
 
@@ -58,10 +64,10 @@ class Line:
         return find_all(Solver.for_model(model), point, SearchOptions(starts=128))[1]
 
 
-def test_a_branch_is_followed_to_the_neighbours_of_a_cell():
+def test_a_branch_is_followed_along_its_line():
     line = Line((8.0, 8.5, 9.0, 9.5), {})
     start = line.cycles(8.5).u[0]
-    rows = line.result([(1, NO_SOURCE, start)]).orbits
+    rows = line.result([(1, start)]).orbits
     assert rows["cell"].to_pylist() == [0, 1, 2, 3]
     for k, period in zip(line.k, rows["period"].to_pylist(), strict=True):
         assert np.abs(line.cycles(k).period - period).min() < 1e-10
@@ -69,10 +75,11 @@ def test_a_branch_is_followed_to_the_neighbours_of_a_cell():
 
 def test_what_leads_into_other_tiles_is_handed_on():
     line = Line((8.0, 8.5, 9.0, 9.5), {})
-    found = line.result([(1, NO_SOURCE, line.cycles(8.5).u[0])], cells=[0, 1])
+    found = line.result([(1, line.cycles(8.5).u[0])], cells=[0, 1])
     assert found.orbits["cell"].to_pylist() == [0, 1]
-    ((cell, source, u),) = found.outgoing
-    assert (cell, source) == (2, 1)
+    assert found.outgoing.cell.tolist() == [2]
+    assert found.outgoing.branch.tolist() == [found.orbits["branch"][1].as_py()]
+    (u,) = found.outgoing.u
     assert np.abs(line.cycles(9.0).u - u).max(axis=1).min() < 1e-2  # a guess
 
 
@@ -81,7 +88,7 @@ def test_a_branch_is_followed_through_cells_in_which_it_is_not_a_gait():
     point, _ = GUESSES[Status.LATER_TOUCHDOWN]
     line = Line((1.3, 1.4, 1.5), dict(zip(("alpha", "omega"), point[1:], strict=True)))
     near = np.array([0.0813196831, -0.3064211610, -0.0040437340, 0.0015141253, -0.3212197710, 2.62971018])
-    found = line.result([(0, NO_SOURCE, near)])
+    found = line.result([(0, near)])
     assert found.discarded[0, Status.LATER_TOUCHDOWN.value] == 1
     assert found.discarded[1, Status.LATER_TOUCHDOWN.value] == 1
     assert found.orbits["cell"].to_pylist() == [2]
@@ -93,52 +100,71 @@ def test_a_foot_that_is_pulled_a_little_does_not_end_a_branch():
     """It needs a pull of 0.6 of the weight; the neighbour has no other guess."""
     line = Line((LIFTING["k"], LIFTING["k"] + 0.02), {n: v for n, v in LIFTING.items() if n != "k"})
     u = np.array([0.0230059121, -1.4194402303, -0.0015022749, 0.0774067137, -7.4529883501, 0.6799971970])
-    found = line.result([(0, NO_SOURCE, u)])
+    found = line.result([(0, u)])
     assert found.orbits["cell"].to_pylist() == [0, 1]
     pulls = -np.array(found.orbits["min_vertical_force"].to_pylist()) / (1 + 2 * LIFTING["beta"])
     assert ((pulls > 0.5) & (pulls < 0.7)).all()
 
 
-def test_a_foot_that_is_pulled_by_more_than_the_weight_does():
-    """The pull grows as the spring gets softer: the first cell where it is too large is the last."""
-    k = tuple(LIFTING["k"] + np.arange(-20, 1) * 0.04)
-    line = Line(k, {n: v for n, v in LIFTING.items() if n != "k"})
-    u = np.array([0.0230059121, -1.4194402303, -0.0015022749, 0.0774067137, -7.4529883501, 0.6799971970])
-    rows = line.result([(len(k) - 1, NO_SOURCE, u)]).orbits
-    pulls = -np.array(rows["min_vertical_force"].to_pylist()) / (1 + 2 * LIFTING["beta"])
-    assert rows["cell"].to_pylist() == list(range(len(k) - len(pulls), len(k)))
-    assert (pulls[1:] < 1).all()
-    assert pulls[0] > 1
-
-
 @pytest.mark.parametrize(("first", "second"), [(22.5, 23.0), (23.0, 22.5)])
 @pytest.mark.parametrize("end", ["short", "long"])
 def test_a_branch_is_followed_that_is_a_little_outside_the_range_of_periods(first, second, end):
-    """By 1 in 10: the first cell's cycle does not count, and the second's does."""
+    """By 1 in 10: it does not count there, but it is a guess for where it comes back."""
     line = Line((22.5, 23.0), {})
     outside, inside = line.cycles(first), line.cycles(second)
     u, period = outside.u[0], outside.period[0]
     there = inside.period[np.abs(inside.period - period).argmin()]
-    # A range that ends between the two, or beyond both by a tenth: the branch is followed all the same.
     limits = (1.1 * period, 9.0) if end == "short" else (0.1, period / 1.1)
-    found = Line(line.k, {}, limits).result([(line.k.index(first), NO_SOURCE, u)])
-    assert sorted(found.orbits["cell"].to_pylist()) == [0, 1]
+    found = Line(line.k, {}, limits).result([(line.k.index(first), u)])
+    assert len(found.orbits) == 0
+    assert set(found.seen.cell.tolist()) == {0, 1}
+    assert np.abs(found.seen.u[:, -1] - there).min() < 1e-5
+    # Where the range ends between the two, the one inside counts.
+    between = 0.5 * (period + there)
+    limits = (between, 9.0) if there > period else (0.1, between)
+    found = Line(line.k, {}, limits).result([(line.k.index(first), u)])
+    assert set(found.orbits["cell"].to_pylist()) == {line.k.index(second)}
     assert np.abs(np.array(found.orbits["period"].to_pylist()) - there).min() < 1e-10
     # By half is too far.
     limits = (1.5 * period, 9.0) if end == "short" else (0.1, period / 1.5)
-    assert len(Line(line.k, {}, limits).result([(line.k.index(first), NO_SOURCE, u)]).orbits) == 0
+    assert len(Line(line.k, {}, limits).result([(line.k.index(first), u)]).seen) == 0
 
 
-def test_two_cycles_next_to_a_fold_are_followed_each():
-    """One came from the neighbour and need not go back; the other one, 0.05 away from it, must."""
-    line = Line((5.965, 5.98), {})
+def test_two_cycles_next_to_a_fold_are_one_branch():
+    """They are 0.05 apart; on each side of where they were met one goes on."""
+    line = Line((5.95, 5.965, 5.98), {})
     one, other = line.cycles(5.965).u
     apart = np.abs((one - other) / Scales.of(load("wobbling")).unknowns).max()
     assert 1e-2 < apart < 0.1
-    found = line.result([(0, 1, one), (0, NO_SOURCE, other)])
-    cells = found.orbits["cell"].to_pylist()
-    assert cells.count(0) == 2
-    periods = [p for cell, p in zip(cells, found.orbits["period"].to_pylist(), strict=True) if cell == 1]
-    goes_on = line.cycles(5.98).u
-    nearest = goes_on[np.abs(goes_on - other).max(axis=1).argmin()]
-    assert np.abs(np.array(periods) - nearest[-1]).min() < 1e-9
+    for begun in ([(1, one)], [(1, other)], [(1, one), (1, other)]):
+        found = line.result(begun)
+        cells = np.array(found.orbits["cell"].to_pylist())
+        periods = np.array(found.orbits["period"].to_pylist())
+        for cell, k in enumerate(line.k):
+            np.testing.assert_allclose(np.sort(periods[cells == cell]), line.cycles(k).period, atol=1e-9)
+        assert set(families(found.orbits["branch"].to_numpy(), found.joins)) == {0}
+
+
+def test_from_a_branch_the_cells_beside_it_are_tried():
+    """Along alpha, which has fewer values than k; in another tile by a guess, and with the same branch."""
+    model = load("wobbling")
+    axes = (np.array([22.0, 22.5, 23.0]), np.array([0.24, 0.25]))
+    fixed = {n: v for n, v in model.preset.items() if n not in ("k", "alpha")}
+    start = Line((22.5,), {"alpha": 0.25}).cycles(22.5).u[0]
+    results = []
+    for cells in (np.arange(6), np.array([1, 3, 5])):
+        task = Task(
+            model, Grid(("k", "alpha"), axes), fixed, SearchOptions(starts=1, period_min=0.3, period_max=3.0),
+            AcceptanceOptions(), ContinuationOptions(), Lanes(), round=1, tile=3, cells=cells,
+            seeds=np.array([], dtype=np.int64),
+            incoming=Solutions(np.array([3]), start[None], np.array([NONE])),
+            known=Solutions.empty(6), seen=Solutions.empty(6),
+        )  # fmt: skip
+        results.append(work(task))
+    whole, part = results
+    assert whole.orbits["cell"].to_pylist() == [0, 1, 2, 3, 4, 5]
+    assert set(families(whole.orbits["branch"].to_numpy(), whole.joins)) == {0}
+    assert part.orbits["cell"].to_pylist() == [1, 3, 5]
+    assert set(part.outgoing.cell.tolist()) <= {0, 2, 4}
+    assert len(part.outgoing) > 0
+    assert set(part.outgoing.branch.tolist()) <= set(part.seen.branch.tolist())

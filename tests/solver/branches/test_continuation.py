@@ -3,14 +3,16 @@
 import numpy as np
 import pytest
 
-from stridemap.solver.branches.continuation import follow
+from stridemap.solver.branches.continuation import Known, follow
 from stridemap.solver.cycles.search import find_all
 from stridemap.solver.cycles.solver import Solver
 from stridemap.solver.model.loading import load
+from stridemap.solver.model.scales import Scales
 from stridemap.solver.options import ContinuationOptions
 from tests.oracles.reference import REFERENCE, TWO_CYCLES
 
 RANGE = (0.3, 3.0)
+ENDS = np.array([0.0, 1.0])
 
 
 def cycles_at(model, **params):
@@ -19,9 +21,16 @@ def cycles_at(model, **params):
     return find_all(Solver.for_model(model), p[None])[1].u, p
 
 
-def followed(model, u, start, target):
+def followed(model, u, start, target, options=None, s=0.0, **more):
+    """Branches from cycles at one position of one line."""
     m = len(u)
-    return follow(Solver.for_model(model), u, np.tile(start, (m, 1)), np.tile(target, (m, 1)), RANGE)
+    ends = (np.tile(start, (m, 1)), np.tile(target, (m, 1)))
+    return follow(Solver.for_model(model), u, np.full(m, s), *ends, RANGE, options, **more)
+
+
+def at_target(crossings):
+    """What reaches the end of the line."""
+    return crossings.u[crossings.position == 1]
 
 
 def converged(model, u, p):
@@ -46,9 +55,9 @@ def test_branch_reaches_a_cycle_of_the_target(name, start, target):
     model = load(name)
     u, p = cycles_at(model, **start)
     there, q = cycles_at(model, **target)
-    ends = followed(model, u, p, q)
-    assert ends.reached.any()
-    for end in ends.u[ends.reached]:
+    ends = at_target(followed(model, u, p, q).crossings(ENDS))
+    assert len(ends)
+    for end in ends:
         assert np.abs(there - converged(model, end, q)).max(axis=1).min() < 1e-9
 
 
@@ -59,49 +68,108 @@ def test_fold_leads_to_the_other_cycle_of_the_pair():
     both = [e for e in REFERENCE if TWO_CYCLES.items() <= e["params"].items()]
     u = np.array([[*e["state"].values(), e["period"]] for e in both])
     p = model.point(TWO_CYCLES)
-    ends = followed(model, u, p, model.point({**TWO_CYCLES, "k": 3.0}))
-    assert ends.branch.tolist() == [0, 1]
-    assert not ends.reached.any()
-    for end, other in zip(ends.u, u[::-1], strict=True):
-        np.testing.assert_allclose(converged(model, end, p), other, rtol=0, atol=1e-10)
+    for one, other in ((0, 1), (1, 0)):
+        ends = followed(model, u[[one]], p, model.point({**TWO_CYCLES, "k": 3.0})).crossings(ENDS)
+        assert ends.position.tolist() == [0]
+        np.testing.assert_allclose(converged(model, ends.u[0], p), u[other], rtol=0, atol=1e-10)
+
+
+def test_what_a_branch_passes_on_its_way_is_the_cycle_there():
+    """At each of twenty springs, and on both sides of where it begins."""
+    model = load("wobbling")
+    k = np.linspace(20.0, 25.0, 21)
+    middle = k[10]
+    u, _ = cycles_at(model, k=middle)
+    found = followed(model, u, model.point({"k": k[0]}), model.point({"k": k[-1]}), s=0.5)
+    passed = found.crossings(np.linspace(0, 1, 21))
+    scale = Scales.of(model).unknowns
+    for branch, begin in enumerate(u):
+        here = passed.branch == branch
+        for position, guess in zip(passed.position[here], passed.u[here], strict=True):
+            cycle = converged(model, guess, model.point({"k": k[position]}))
+            assert np.abs((cycle - guess) / scale).max() < 1e-3
+            assert np.abs((cycle - begin) / scale).max() > 3e-3  # they differ by more from one another
+    # A fold lies between the springs of positions 6 and 7, and the line ends at 20.
+    assert len(u) == 2
+    assert set(passed.position.tolist()) == set(range(7, 21))
 
 
 def test_following_back_returns():
     model = load("wobbling")
     u, p = cycles_at(model, k=22.5)
     q = model.point({"k": 23.5})
-    there = followed(model, u, p, q)
-    assert there.reached.all() and len(there.branch) == len(u)
-    ends = followed(model, np.array([converged(model, end, q) for end in there.u]), q, p)
-    assert ends.reached.all()
-    for end, start in zip(ends.u, u, strict=True):
+    there = at_target(followed(model, u, p, q).crossings(ENDS))
+    assert len(there) == len(u)
+    ends = at_target(
+        followed(model, np.array([converged(model, end, q) for end in there]), q, p).crossings(ENDS)
+    )
+    for end, start in zip(ends, u, strict=True):
         np.testing.assert_allclose(converged(model, end, p), start, rtol=0, atol=1e-10)
 
 
-def test_branches_do_not_depend_on_each_other():
+def test_branches_on_different_lines_do_not_depend_on_each_other():
     model = load("wobbling")
     u, p = cycles_at(model, k=22.5)
     targets = np.array([model.point({"k": k, "omega": w}) for k in (19.5, 23.5) for w in (2.6, 3.0)])
-    at, to = np.repeat(np.arange(len(u)), 4), np.tile(np.arange(4), len(u))
-    together = follow(Solver.for_model(model), u[at], np.tile(p, (len(at), 1)), targets[to], RANGE)
-    assert len(together.branch) > 4
-    for row, (i, j) in enumerate(zip(at, to, strict=True)):
-        alone = follow(Solver.for_model(model), u[[i]], p[None], targets[[j]], RANGE)
+    m = len(targets)
+    together = follow(Solver.for_model(model), u[[0] * m], np.zeros(m), np.tile(p, (m, 1)), targets, RANGE)
+    for row in range(m):
+        alone = followed(model, u[:1], p, targets[row])
         here = together.branch == row
-        np.testing.assert_array_equal(alone.u, together.u[here])
-        np.testing.assert_array_equal(alone.reached, together.reached[here])
+        assert here.sum() > 4
+        np.testing.assert_array_equal(alone.x, together.x[here])
+        np.testing.assert_array_equal(alone.tangent, together.tangent[here])
+
+
+def test_a_branch_ends_where_another_one_begins_that_it_leads_to():
+    """Both cycles of the pair are on one curve through the fold: together they are followed once."""
+    model = load("wobbling")
+    both = [e for e in REFERENCE if TWO_CYCLES.items() <= e["params"].items()]
+    u = np.array([[*e["state"].values(), e["period"]] for e in both])
+    line = [model.point({**TWO_CYCLES, "k": k}) for k in (3.0, TWO_CYCLES["k"] + 1.0)]
+    s = (TWO_CYCLES["k"] - 3.0) / (TWO_CYCLES["k"] - 2.0)
+    alone = [len(followed(model, u[[i]], *line, s=s).x) for i in (0, 1)]
+    together = followed(model, u, *line, s=s)
+    assert len(together.x) < 0.75 * sum(alone)
+    # All springs are passed as often as by one of them alone.
+    positions = np.linspace(0, 1, 41)
+    one = followed(model, u[[0]], *line, s=s).crossings(positions)
+    both_ = together.crossings(positions)
+    for position in range(41):
+        assert (both_.position == position).any() == (one.position == position).any()
+    # A cycle that is known ends it as well.
+    known = Known(u[[1]], np.array([s]), np.array([0]))
+    assert len(followed(model, u[[0]], *line, s=s, known=known).x) < alone[0]
+
+
+def test_a_branch_without_gaits_ends_when_patience_does():
+    model = load("wobbling")
+    u, p = cycles_at(model, k=22.5)
+    q = model.point({"k": 30.5})
+    whole = followed(model, u[:1], p, q, ContinuationOptions(ds_max=0.02))
+    none = followed(
+        model, u[:1], p, q, ContinuationOptions(ds_max=0.02, patience=0.1),
+        may_be_gaits=lambda u, params: np.zeros(len(u), dtype=bool),
+    )  # fmt: skip
+    all_ = followed(
+        model, u[:1], p, q, ContinuationOptions(ds_max=0.02, patience=0.1),
+        may_be_gaits=lambda u, params: np.ones(len(u), dtype=bool),
+    )  # fmt: skip
+    assert len(none.x) < len(whole.x)
+    np.testing.assert_array_equal(all_.x, whole.x)
 
 
 def test_options_bound_the_steps():
     model = load("wobbling")
     u, p = cycles_at(model, k=22.5)
-    rows = Solver.for_model(model), u, np.tile(p, (len(u), 1)), np.tile(model.point({"k": 23.5}), (len(u), 1))
-    assert follow(*rows, RANGE).reached.all()
+    q = model.point({"k": 23.5})
+    ends = at_target(followed(model, u, p, q).crossings(ENDS))
+    assert len(ends) == len(u)
     # In one step of a tenth of the whole distance no branch gets to its end.
-    assert len(follow(*rows, RANGE, ContinuationOptions(ds_max=0.1, max_steps=1)).branch) == 0
-    fine = follow(*rows, RANGE, ContinuationOptions(ds_max=0.1, max_steps=200))
-    for end, other in zip(fine.u, follow(*rows, RANGE).u, strict=True):
-        q = model.point({"k": 23.5})
+    short = ContinuationOptions(ds=0.1, ds_max=0.1, max_steps=1)
+    assert not len(at_target(followed(model, u, p, q, short).crossings(ENDS)))
+    fine = at_target(followed(model, u, p, q, ContinuationOptions(ds_max=0.02)).crossings(ENDS))
+    for end, other in zip(fine, ends, strict=True):
         np.testing.assert_allclose(converged(model, end, q), converged(model, other, q), rtol=0, atol=1e-10)
 
 
@@ -110,11 +178,12 @@ def test_hopeless_branches_end_nowhere():
     u, p = cycles_at(model, k=6.0)
     q = model.point({"k": 6.5})
     bad = np.array([np.full(6, np.nan), np.full(6, np.inf), np.full(6, 1e200)])
-    ends = followed(model, np.concatenate([bad, u]), p, q)
+    ends = followed(model, np.concatenate([bad, u]), p, q).crossings(ENDS)
     assert ends.branch.min() == len(bad)
-    assert len(followed(model, bad, p, q).branch) == 0
-    assert len(followed(model, u[:0], p, q).branch) == 0
+    assert not len(followed(model, bad, p, q).crossings(ENDS).u)
+    assert not len(followed(model, u[:0], p, q).crossings(ENDS).u)
     # A branch that leaves the range of periods is given up.
     period = u[0, -1]
     solver, rows = Solver.for_model(model), (p[None], model.point({"k": 3.0})[None])
-    assert len(follow(solver, u[:1], *rows, (period - 1e-4, period + 1e-4)).branch) == 0
+    narrow = follow(solver, u[:1], np.zeros(1), *rows, (period - 1e-4, period + 1e-4))
+    assert len(narrow.x) < 5

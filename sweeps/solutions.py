@@ -1,0 +1,76 @@
+"""Solutions in the cells of a grid, as arrays: which of them are one."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Self
+
+import numpy as np
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+NONE = -1
+"""In the place of a row or a branch where there is none."""
+
+
+@dataclass(frozen=True)
+class Solutions:
+    """Solutions, or guesses of them, with their cells and branches.
+
+    Parameters
+    ----------
+    cell : ndarray of int, shape (n,)
+    u : ndarray, shape (n, nz + 1)
+        Section points and periods.
+    branch : ndarray of int, shape (n,)
+        Number of the branch; `NONE` where it is not known.
+    """
+
+    cell: Ints
+    u: Floats
+    branch: Ints
+
+    @classmethod
+    def empty(cls, width: int) -> Self:
+        """No solutions in `width` unknowns."""
+        return cls(np.empty(0, dtype=np.int64), np.empty((0, width)), np.empty(0, dtype=np.int64))
+
+    @classmethod
+    def concatenate(cls, parts: Sequence[Self], width: int) -> Self:
+        """All of some in `width` unknowns, in order."""
+        every = [cls.empty(width), *parts]
+        return cls(*(np.concatenate([getattr(part, name) for part in every]) for name in _COLUMNS))
+
+    def __len__(self) -> int:
+        return len(self.cell)
+
+    def take(self, index: NDArray[np.int64] | NDArray[np.bool_]) -> Self:
+        """Some of them."""
+        return type(self)(self.cell[index], self.u[index], self.branch[index])
+
+    def same_as(self, other: "Solutions", tolerance: float, scale: Floats) -> Ints:
+        """For each of them a row of `other` that is the same solution; `NONE` where there is none.
+
+        Parameters
+        ----------
+        other : Solutions
+        tolerance : float
+            Largest difference of two that are one, in any entry and in terms of `scale`.
+        scale : ndarray, shape (nz + 1,)
+        """
+        order = np.argsort(other.cell, kind="stable")
+        cells = other.cell[order]
+        row, last = np.searchsorted(cells, self.cell, "left"), np.searchsorted(cells, self.cell, "right")
+        out = np.full(len(self), NONE)
+        open_ = np.flatnonzero(row < last)
+        while len(open_):
+            candidate = order[row[open_]]
+            near = (np.abs(self.u[open_] - other.u[candidate]) <= tolerance * scale).all(axis=1)
+            out[open_[near]] = candidate[near]
+            row[open_] += 1
+            open_ = open_[~near & (row[open_] < last[open_])]
+        return out
+
+
+_COLUMNS = ("cell", "u", "branch")
