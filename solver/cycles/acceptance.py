@@ -243,7 +243,7 @@ def clearly_no_gaits(kernels: Kernels, n_rk: int, u: Array, params: Array) -> In
     # The foot passes the ground from above, and stays below it for a while, before the end of the step.
     ahead = (side[:, :-3] < -CLEARLY) & (side[:, 1:-2] < -CLEARLY)
     passes = ahead & (height[:, :-3] > 0) & (height[:, 1:-2] <= 0)
-    deep = np.minimum(height[:, 1:-2], height[:, 2:-1]) < -CLEARLY
+    deep = np.minimum(height[:, 1:-2], height[:, 2:-1]) < -DEEP
     out[(passes & deep).any(axis=1)] = Status.LATER_TOUCHDOWN.code
     rate = trace.dg[:, -1, trace.row("touchdown")] * scales.time / scales.touchdown
     falls = (side[:, -1] > CLEARLY) | (rate < -CLEARLY)
@@ -256,9 +256,9 @@ def clearly_no_gaits(kernels: Kernels, n_rk: int, u: Array, params: Array) -> In
 DOUBTFUL = -1
 """Of a rough solution that may be a gait."""
 
-CLEARLY = 1e-3
-"""By how much a rough solution must miss the conditions of a gait, in terms of the scales, not to be one. Its
-own error is a hundredth of that."""
+CLEARLY = DEEP = 1e-3
+"""By how much a rough solution must miss the conditions of a gait, in terms of the scales, not to be one, and
+how far below the ground its foot must be. Its own error is a hundredth of that."""
 
 
 def depends_on_resolution(kernels: Kernels, n_rk: int, u: Array, params: Array) -> Mask:

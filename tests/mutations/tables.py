@@ -14,7 +14,7 @@ SWEEPS = (
         "may_be_gaits=lambda u, params: self._clear_cases(u, params) == DOUBTFUL,",
         "may_be_gaits=lambda u, params: self._clear_cases(u, params) != DOUBTFUL,",
         "branches are followed where they are not gaits, and not where they are",
-        ("tests/sweeps/test_run.py",),
+        (f"{TILES}::test_a_branch_is_followed_as_long_as_it_is_a_gait_however_little_patience_there_is",),
     ),
     Mutation(
         "solver/cycles/acceptance.py",

@@ -45,5 +45,6 @@ def test_families_are_connected_and_numbered_as_they_appear():
     branch = np.array([70, 10, 30, 10, 50, 20])
     joins = np.array([[10, 40], [40, 50], [90, 91]])  # 10 and 50 by way of one without a cycle
     assert families(branch, joins).tolist() == [0, 1, 2, 1, 1, 3]
+    assert families(np.array([1, 2, 3, 4]), np.array([[1, 3], [2, 4]])).tolist() == [0, 1, 0, 1]
     assert families(branch[:0], joins).tolist() == []
     assert families(branch, joins[:0]).tolist() == [0, 1, 2, 1, 3, 4]

@@ -1,6 +1,6 @@
 """One tile of a sweep from guesses that are known: which branches are followed, and where to."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 import pytest
@@ -29,6 +29,7 @@ class Line:
     k: tuple[float, ...]
     params: dict[str, float]
     period_range: tuple[float, float] = (0.3, 3.0)
+    continuation: ContinuationOptions = field(default_factory=ContinuationOptions)
 
     def result(self, incoming, cells=None):
         """What a tile finds from guesses (cell, cycle)."""
@@ -41,7 +42,7 @@ class Line:
             params=fixed,
             search=SearchOptions(starts=1, period_min=low, period_max=high),
             acceptance=AcceptanceOptions(),
-            continuation=ContinuationOptions(),
+            continuation=self.continuation,
             backend=Lanes(),
             round=1,
             tile=0,
@@ -94,6 +95,12 @@ def test_a_branch_is_followed_through_cells_in_which_it_is_not_a_gait():
     assert found.orbits["cell"].to_pylist() == [2]
     (period,) = found.orbits["period"].to_pylist()
     assert np.abs(line.cycles(1.5).period - period).min() < 1e-10
+
+
+def test_a_branch_is_followed_as_long_as_it_is_a_gait_however_little_patience_there_is():
+    k = tuple(np.linspace(20.5, 25.0, 10))
+    line = Line(k, {}, continuation=ContinuationOptions(ds_max=0.02, patience=0.1))
+    assert line.result([(5, line.cycles(k[5]).u[0])]).orbits["cell"].to_pylist()[-1] == 9
 
 
 def test_a_foot_that_is_pulled_a_little_does_not_end_a_branch():

@@ -46,7 +46,7 @@ def test_pieces_and_roots_are_those_of_numpy():
 def test_a_stop_is_met_on_the_curve_and_not_beside_it_or_on_another_line():
     angle = np.array([0.5, 0.55, 0.9])
     on, _ = circle(angle)
-    beside = on[[1]] * 1.01
+    beside = on[[1]] * 1.001  # a hundredth of the distance of the two points
     stops = Stops(np.concatenate([on, beside, on[[1]]]), np.array([0, 0, 0, 0, 1]), np.array([1.0, 2.0]))
     (x, tangent), (y, new) = circle(np.array([0.5])), circle(np.array([0.6]))
     row, stop = stops.between(np.array([0]), x, y, tangent, new)

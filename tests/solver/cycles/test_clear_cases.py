@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from stridemap.solver.cycles import acceptance
-from stridemap.solver.cycles.acceptance import CLEARLY, DOUBTFUL, clearly_no_gaits
+from stridemap.solver.cycles.acceptance import DEEP, DOUBTFUL, clearly_no_gaits
 from stridemap.solver.cycles.search import starts
 from stridemap.solver.cycles.solver import Solver
 from stridemap.solver.cycles.status import FOUND, Status
@@ -55,7 +55,7 @@ def test_a_foot_that_just_passes_is_in_doubt(solutions, monkeypatch):
     assert len(early) >= 10
     trace = Trace.of(solver.kernels, u[early], p[early], solver.kernels.trace(48, u[early], p[early]))
     depth = trace.observable("touchdown")[0][:, :-1].max(axis=1) / Scales.of(solver.model).touchdown
-    assert (depth > CLEARLY).all()
+    assert (depth > DEEP).all()
     for row, deepest in zip(early[:, None], depth, strict=True):
-        monkeypatch.setattr(acceptance, "CLEARLY", 1.01 * deepest)
+        monkeypatch.setattr(acceptance, "DEEP", 1.01 * deepest)
         assert clearly_no_gaits(solver.kernels, 48, u[row], p[row]) != Status.LATER_TOUCHDOWN.code
