@@ -66,6 +66,8 @@ class Parameter(spec.Parameter):
         Ends of the allowed range; None means that there is none (but values must be finite).
     lower_open, upper_open : bool
         Whether that end itself is excluded.
+    counts : bool
+        Whether it counts something, such as spokes, so that it does not vary along a branch.
     """
 
     @property

@@ -12,7 +12,7 @@ from typing import Any, Literal
 
 from stridemap.errors import InputError
 
-FORMAT = 4
+FORMAT = 5
 """Of ``manifest.json``."""
 
 
@@ -30,6 +30,9 @@ class Parameter:
         Ends of the allowed range; None is no limit (but finite).
     lower_open, upper_open : bool
         Whether that end itself is excluded.
+    counts : bool
+        Whether it counts something, so that it means nothing between whole numbers. It does not vary along a
+        branch; a sweep may have it on an axis.
     """
 
     name: str
@@ -40,6 +43,7 @@ class Parameter:
     upper: float | None = None
     lower_open: bool = False
     upper_open: bool = False
+    counts: bool = False
 
     @property
     def allowed(self) -> str:

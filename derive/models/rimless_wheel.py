@@ -19,7 +19,7 @@ from stridemap.derive.models.slope import SLOPE, downhill
 THETA = Coordinate(
     "theta", "rad", "angle of the stance spoke from the ground's normal, positive leaning ahead"
 )
-SPOKES = Parameter("spokes", 6.0, "1", "number of spokes", 3.0)
+SPOKES = Parameter("spokes", 6.0, "1", "number of spokes", 3.0, counts=True)
 LAMBDA2 = Parameter(
     "lambda2", 2 / 3, "1", "m l^2 / (I + m l^2) with the moment of inertia I about the hub", 0.0, 1.0, True
 )

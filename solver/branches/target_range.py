@@ -88,13 +88,18 @@ def span(model: Model, parameter: str, point: Array, given: Any) -> tuple[float,
     Raises
     ------
     InputError
-        When the parameter is unknown, the range is not two numbers in ascending order within the parameter's
+        When the parameter is unknown or counts something, the range is not two numbers in ascending order within the parameter's
         own, or none can be guessed.
     """
     if parameter not in model.spec.names:
         model.point({parameter: 0.0})  # says which parameters there are
     current = float(point[model.spec.names.index(parameter)])
     (one,) = (p for p in model.parameters if p.name == parameter)
+    if one.counts:
+        raise InputError(
+            f"{parameter} ({one.meaning}) cannot vary: it counts something and means nothing between whole "
+            f"numbers; vary another parameter, or sweep {parameter} over whole numbers"
+        )
     if given is not None:
         low, high = _ends(parameter, given)
         return one.check(low), one.check(high)

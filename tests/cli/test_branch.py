@@ -38,6 +38,7 @@ def test_tables_and_the_diagram_are_written(run, tmp_path):
 def test_refusals(refused, tmp_path):
     refused("branch --model simplest_walker --vary k --range 0 1", "'k'", "slope")
     refused("branch --model simplest_walker --vary slope --range 1 0", "ascending order")
+    refused("branch --model rimless_wheel --vary spokes --range 4 8", "spokes", "whole numbers", "sweep")
     refused(f"{LINE} --period-n 0", "period_n = 0")
     refused(f"{LINE} --out b.txt", "b.txt", ".parquet")
     refused(f"{LINE} --plot b.xyz", "b.xyz", "svg")

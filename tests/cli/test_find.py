@@ -8,6 +8,12 @@ WHEEL = ("--model", "rimless_wheel", "--spokes", 10.471975511965978, "--set", "l
 RANGE = ("--range", 0, 0.3)
 
 
+def test_what_counts_something_is_not_solved_for(refused):
+    refused(
+        "find --model rimless_wheel --target speed=0.45 --vary spokes --range 4 8", "spokes", "whole numbers"
+    )
+
+
 def test_as_a_table(run):
     status, out, err = run("find", "--target", "speed = 0.45", *WHEEL, *RANGE)
     assert (status, err) == (0, "")
