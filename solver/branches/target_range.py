@@ -88,8 +88,8 @@ def span(model: Model, parameter: str, point: Array, given: Any) -> tuple[float,
     Raises
     ------
     InputError
-        When the parameter is unknown or counts something, the range is not two numbers in ascending order within the parameter's
-        own, or none can be guessed.
+        When the parameter is unknown or counts something, the range is not two numbers in ascending order
+        within the parameter's own, or none can be guessed.
     """
     if parameter not in model.spec.names:
         model.point({parameter: 0.0})  # says which parameters there are
