@@ -14,7 +14,7 @@ from stridemap.solver.model.scales import Scales
 from stridemap.solver.options import AcceptanceOptions, ContinuationOptions, SearchOptions
 from stridemap.sweeps.families import families
 from stridemap.sweeps.grid import Grid
-from stridemap.sweeps.solutions import NONE, Solutions
+from stridemap.sweeps.solutions import NONE, Guesses, Solutions
 from stridemap.sweeps.tiles import Task, work
 from tests.oracles.kernels import needs_compiler
 from tests.oracles.reference import GUESSES, LIFTING
@@ -48,10 +48,11 @@ class Line:
             tile=0,
             cells=np.arange(len(self.k)) if cells is None else np.array(cells),
             seeds=np.array([], dtype=np.int64),
-            incoming=Solutions(
+            incoming=Guesses(
                 np.array([cell for cell, _ in incoming]),
                 np.array([u for _, u in incoming]),
                 np.full(len(incoming), NONE),
+                np.array([cell for cell, _ in incoming]),
             ),
             known=Solutions.empty(6),
             seen=Solutions.empty(6),
@@ -164,7 +165,7 @@ def test_from_a_branch_the_cells_beside_it_are_tried():
             model, Grid(("k", "alpha"), axes), fixed, SearchOptions(starts=1, period_min=0.3, period_max=3.0),
             AcceptanceOptions(), ContinuationOptions(), Lanes(), round=1, tile=3, cells=cells,
             seeds=np.array([], dtype=np.int64),
-            incoming=Solutions(np.array([3]), start[None], np.array([NONE])),
+            incoming=Guesses(np.array([3]), start[None], np.array([NONE]), np.array([3])),
             known=Solutions.empty(6), seen=Solutions.empty(6),
         )  # fmt: skip
         results.append(work(task))
