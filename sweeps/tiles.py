@@ -5,7 +5,7 @@ A pure function of its input, so that the result does not depend on who computes
 
 from collections import Counter
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TypeVar
 
 import numpy as np
@@ -42,8 +42,11 @@ farther away is another solution."""
 ACROSS = 6
 """Of so many solutions in a row along a branch, one is tried in the cells beside its own."""
 
-ATTEMPTS = 8
+ATTEMPTS = 4
 """How often it is tried to follow two branches that may be one from a line to the line beside it."""
+
+STEPS_ACROSS = 60
+"""Arclength steps at most from one cell to the one beside it."""
 
 BRANCHES = 2**32
 """Numbers of branches that a tile has for its own."""
@@ -329,7 +332,9 @@ class _Search:
         """Branches of guesses, and those to which they lead in the guesses' cells, as far as they do."""
         origin, there = self._points(guesses.origin), self._points(guesses.cell)
         begin, periods = np.zeros(len(guesses)), self.task.search.wider_period_range
-        followed = follow(self.solver, guesses.u, begin, origin, there, periods, self.task.continuation)
+        options = self.task.continuation
+        options = replace(options, max_steps=min(options.max_steps, STEPS_ACROSS))
+        followed = follow(self.solver, guesses.u, begin, origin, there, periods, options)
         passed = followed.crossings(np.array([0.0, 1.0]))
         end = passed.position == 1
         row = passed.branch[end]
