@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, fields
-from typing import Self
+from typing import Any, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -34,8 +34,9 @@ class Solutions:
     @classmethod
     def empty(cls, width: int) -> Self:
         """No solutions in `width` unknowns."""
-        columns = {column.name: np.empty(0, dtype=np.int64) for column in fields(cls)}
-        return cls(**{**columns, "u": np.empty((0, width))})
+        u, numbers = np.empty((0, width)), np.empty(0, dtype=np.int64)
+        columns: dict[str, Any] = {column.name: numbers for column in fields(cls)}
+        return cls(**{**columns, "u": u})
 
     @classmethod
     def concatenate(cls, parts: Sequence[Self], width: int) -> Self:
@@ -50,6 +51,14 @@ class Solutions:
     def take(self, index: NDArray[np.int64] | NDArray[np.bool_]) -> Self:
         """Some of them."""
         return type(self)(*(getattr(self, column.name)[index] for column in fields(self)))
+
+    def some_of_each_branch(self, every: int) -> Self:
+        """Every so many in a row of one branch, the first and the last among them."""
+        branch = self.branch
+        begins = np.flatnonzero(np.append(True, branch[1:] != branch[:-1])[: len(branch)])
+        place = np.arange(len(branch)) - np.repeat(begins, np.diff(np.append(begins, len(branch))))
+        last = np.append(branch[1:] != branch[:-1], True)[: len(branch)]
+        return self.take((place % every == 0) | last)
 
     def same_as(self, other: "Solutions", tolerance: float, scale: Floats) -> Ints:
         """For each of them a row of `other` that is the same solution; `NONE` where there is none.
@@ -82,7 +91,7 @@ class Guesses(Solutions):
     Parameters
     ----------
     origin : ndarray of int, shape (n,)
-        The cell in which u is a solution; the guess's own cell where u is where a branch, or a start, is there.
+        The cell in which u is a solution; the guess's own one for starts, and where a branch passes that.
     """
 
     origin: Ints

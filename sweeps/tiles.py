@@ -24,7 +24,7 @@ from stridemap.solver.kernels.catalogue import CYCLE_N_RK
 from stridemap.solver.model.model import Model
 from stridemap.solver.model.scales import Scales
 from stridemap.solver.options import AcceptanceOptions, ContinuationOptions, SearchOptions
-from stridemap.sweeps.families import families
+from stridemap.sweeps.connections import connections
 from stridemap.sweeps.grid import Grid
 from stridemap.sweeps.lines import Lines
 from stridemap.sweeps.solutions import NONE, Guesses, Solutions
@@ -41,9 +41,6 @@ farther away is another solution."""
 
 ACROSS = 6
 """Of so many solutions in a row along a branch, one is tried in the cells beside its own."""
-
-ATTEMPTS = 4
-"""How often it is tried to follow two branches that may be one from a line to the line beside it."""
 
 STEPS_ACROSS = 60
 """Arclength steps at most from one cell to the one beside it."""
@@ -170,7 +167,7 @@ class _Search:
         self.failures: dict[int, str] = {}
         self.discarded: Counter[tuple[int, str]] = Counter()
         self._known = [task.seen]
-        self._landmarks = [_some_of_each_branch(task.seen)]
+        self._landmarks = [task.seen.some_of_each_branch(ACROSS)]
         self._outgoing: list[Guesses] = []
         self._links: list[tuple[Guesses, Solutions]] = []
         self._joins: list[tuple[Ints, Ints]] = []
@@ -209,10 +206,9 @@ class _Search:
         ]
         guesses = self._guesses([task.incoming, *seeds])
         while len(guesses):
-            solved = self._one_by_one(self._solve, guesses, guesses.cell)
-            arrived = self._all([solutions for _, solutions in solved])
-            found = self._along_lines(arrived)
-            self._links += solved
+            arrived = self._one_by_one(self._solve, guesses, guesses.cell)
+            self._links += arrived
+            found = self._along_lines(self._all([solutions for _, solutions in arrived]))
             guesses = self._across(found)
         self._connect()
 
@@ -292,9 +288,9 @@ class _Search:
         self._enter(new)
         return new
 
-    def _across(self, found: list[Solutions]) -> Solutions:
+    def _across(self, found: list[Solutions]) -> Guesses:
         """Guesses in cells beside solutions of each branch; those for other tiles are handed on."""
-        samples = self._all([_some_of_each_branch(part) for part in found])
+        samples = self._all([part.some_of_each_branch(ACROSS) for part in found])
         self._landmarks.append(samples)
         row, cell = self.task.grid.beside(samples.cell)
         guesses = Guesses(cell, samples.u[row], samples.branch[row], samples.cell[row])
@@ -303,11 +299,7 @@ class _Search:
         return guesses.take(here)
 
     def _connect(self) -> None:
-        """Note which branches of different lines, or of different tiles, are one.
-
-        That a guess from one of them leads to the other one does not say so: a search may end far away. Two
-        lines are joined where following from the cell of the guess to the one beside it leads there.
-        """
+        """Note which branches of different lines, or of different tiles, are one."""
         guesses = self._guesses([part for part, _ in self._links])
         arrived = self._all([part for _, part in self._links])
         away = np.abs((arrived.u - guesses.u) / self.scale).max(axis=1, initial=0.0)
@@ -316,17 +308,13 @@ class _Search:
         at = arrived.same_as(self.known, SEARCH_TOLERANCE, self.scale)
         order = np.argsort(away, kind="stable")
         order = order[(~along & (at != NONE))[order]]
-        links, other = guesses.take(order), self.known.branch[at[order]]
-        for _ in range(ATTEMPTS):
-            pairs = np.sort(families(np.append(links.branch, other), self.joins).reshape(2, -1), axis=0)
-            open_ = np.flatnonzero(pairs[0] != pairs[1])
-            if not len(open_):
-                break
-            _, first = np.unique(pairs[:, open_], axis=1, return_index=True)
-            tried = links.take(open_[first])
-            self._joins += self._one_by_one(self._followed_across, tried, tried.cell)
-            open_ = np.delete(open_, first)
-            links, other = links.take(open_), other[open_]
+        pairs = connections(guesses.take(order), self.known.branch[at[order]], self.joins, self._pairs_across)
+        self._joins.append((pairs[:, 0], pairs[:, 1]))
+
+    def _pairs_across(self, guesses: Guesses) -> Ints:
+        """What `_followed_across` gives, shape (n, 2)."""
+        parts = self._one_by_one(self._followed_across, guesses, guesses.cell)
+        return np.concatenate([np.empty((0, 2), dtype=np.int64), *map(np.column_stack, parts)])
 
     def _followed_across(self, guesses: Guesses) -> tuple[Ints, Ints]:
         """Branches of guesses, and those to which they lead in the guesses' cells, as far as they do."""
@@ -417,12 +405,3 @@ class _Search:
 
     def _points(self, cells: Ints) -> Floats:
         return self.task.grid.points(self.task.model, self.task.params, cells)
-
-
-def _some_of_each_branch(solutions: Solutions) -> Solutions:
-    """Every so many solutions in a row of one branch, the first and the last among them."""
-    branch = solutions.branch
-    begins = np.flatnonzero(np.append(True, branch[1:] != branch[:-1])[: len(branch)])
-    place = np.arange(len(branch)) - np.repeat(begins, np.diff(np.append(begins, len(branch))))
-    last = np.append(branch[1:] != branch[:-1], True)[: len(branch)]
-    return solutions.take((place % ACROSS == 0) | last)

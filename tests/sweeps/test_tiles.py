@@ -176,3 +176,35 @@ def test_from_a_branch_the_cells_beside_it_are_tried():
     assert set(part.outgoing.cell.tolist()) <= {0, 2, 4}
     assert len(part.outgoing) > 0
     assert set(part.outgoing.branch.tolist()) <= set(part.seen.branch.tolist())
+
+
+def test_families_are_one_only_where_following_leads_from_one_to_the_other():
+    """From the second of two cycles at alpha = 0.24 a search at 0.33 ends on the branch of the first."""
+    model = load("wobbling")
+    axes = (np.array([13.99, 14.0, 14.01]), np.array([0.24, 0.33]))
+    solver, fixed = Solver.for_model(model), {**model.preset, "omega": 3.0}
+    cycles = Line((14.0,), {"alpha": 0.24, "omega": 3.0}).cycles(14.0).u[:2]
+    # Where both are at 0.33, in steps so small that Newton's method stays on the branch.
+    ends = cycles.copy()
+    for alpha in np.linspace(0.24, 0.33, 501)[1:]:
+        ends, moved = solver.polished(
+            ends, np.tile(model.point({**fixed, "k": 14.0, "alpha": alpha}), (2, 1))
+        )
+        assert (moved < 0.1).all()
+    searched = solver.search(cycles, np.tile(model.point({**fixed, "k": 14.0, "alpha": 0.33}), (2, 1))).u
+    scale = Scales.of(model).unknowns
+    apart = np.abs((searched[:, None] - ends) / scale).max(axis=2)
+    assert (apart[:, 0] < 1e-2).all() and (apart[:, 1] > 0.1).all()
+
+    task = Task(
+        model, Grid(("k", "alpha"), axes), {n: v for n, v in fixed.items() if n not in ("k", "alpha")},
+        SearchOptions(starts=1, period_min=0.3, period_max=3.0), AcceptanceOptions(), ContinuationOptions(),
+        Lanes(), round=1, tile=0, cells=np.array([1, 3, 5]), seeds=np.array([], dtype=np.int64),
+        incoming=Guesses(np.array([3, 3]), cycles, np.array([10**12, 10**13]), np.array([2, 2])),
+        known=Solutions.empty(6), seen=Solutions.empty(6),
+    )  # fmt: skip
+    found = work(task)
+    here = found.seen.branch[np.abs((found.seen.u - ends[0]) / scale).max(axis=1).argmin()]
+    first, second, own = families(np.array([10**12, 10**13, here]), found.joins)
+    assert first == own
+    assert second != own
