@@ -17,9 +17,16 @@ from stridemap.derive.models import WALKERS, compass, round_feet
 from stridemap.derive.models.controller import CLOCK, GAINS, hip_torque
 from tests.oracles.newton import by_hand
 from tests.oracles.rewritten import light_model
-from tests.oracles.states import MP, call, differences, exact, on_section
+from tests.oracles.states import MP, call, differences, exact, fifty_digits, on_section
 
 STATES = 4
+
+
+@pytest.fixture(autouse=True)
+def _fifty_digits():
+    """Decimal numbers have 50 digits in all of this."""
+    with fifty_digits():
+        yield
 
 
 @cache

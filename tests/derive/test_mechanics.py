@@ -3,6 +3,8 @@
 Each property holds at 1,000 random states and parameters.
 """
 
+from decimal import Decimal
+
 import casadi as ca
 import numpy as np
 import pytest
@@ -10,10 +12,17 @@ import pytest
 from stridemap.solver.model.loading import load
 from tests.oracles.newton import Newton, by_hand
 from tests.oracles.second_derivation import equations, kane, lagrange
-from tests.oracles.states import FIFTY, MODELS, MP, call, exact, on_section, states
+from tests.oracles.states import MODELS, MP, call, exact, fifty_digits, on_section, states
 
 WITH_MASSES = [name for name in MODELS if name != "simplest_walker"]
 all_models = pytest.mark.parametrize("name", MODELS)
+
+
+@pytest.fixture(autouse=True)
+def _fifty_digits():
+    """Decimal numbers have 50 digits in all of this."""
+    with fifty_digits():
+        yield
 
 
 def quantities(name, *functions, at=None):
@@ -114,9 +123,9 @@ def test_feet_without_mass_are_the_limit_of_light_ones():
     at = {key: value[:200] for key, value in states("simplest_walker").items()}
     seen = quantities("simplest_walker", *LIMITS, at=at)
     at = {key: exact(value) for key, value in at.items()}
-    light = [Heavy(FIFTY.mpf(10) ** -n, at) for n in (4, 6, 8)]
+    light = [Heavy(Decimal(10) ** -n, at) for n in (4, 6, 8)]
     for function, key in LIMITS.items():
-        off = [np.abs(getattr(walker, function)()[key] - seen[key]).astype(float) for walker in light]
+        off = [np.abs(getattr(walker, function)()[key] - exact(seen[key])).astype(float) for walker in light]
         coarse, fine, finest = (x.max() for x in off)
         assert finest < 1e-5, key
         assert [coarse / fine, fine / finest] == pytest.approx([100, 100], rel=0.05), key
@@ -203,7 +212,7 @@ def fifty_digit_flow(name):
     flow = call(load(name).equations.state_derivative, MP, at)
 
     def moved(function, time):
-        time = FIFTY.mpf(time)
+        time = exact(time)
         q = at["q"] + time * flow["dq"] + time**2 / 2 * flow["dv"]
         place = {**at, "q": q, "v": at["v"] + time * flow["dv"]}
         return call(getattr(load(name).equations, function), MP, place)
@@ -214,7 +223,7 @@ def fifty_digit_flow(name):
 @all_models
 def test_ground_force_and_zmp_follow_from_the_motion_of_the_centre_of_mass(name):
     """By differences at 50 digits: steps of 1e-15 leave errors of about 1e-20."""
-    moved, step = fifty_digit_flow(name), FIFTY.mpf("1e-15")
+    moved, step = fifty_digit_flow(name), Decimal("1e-15")
     behind, here, ahead = (moved("centre_of_mass", s * step) for s in (-1, 0, 1))
     velocity = (ahead["com"] - behind["com"]) / (2 * step)
     acceleration = (ahead["com"] - 2 * here["com"] + behind["com"]) / step**2
@@ -239,7 +248,7 @@ def test_ground_force_and_zmp_follow_from_the_motion_of_the_centre_of_mass(name)
 
 @all_models
 def test_swing_foot_moves_at_its_velocity(name):
-    moved, step = fifty_digit_flow(name), FIFTY.mpf("1e-15")
+    moved, step = fifty_digit_flow(name), Decimal("1e-15")
     behind, here, ahead = (moved("swing_foot", s * step) for s in (-1, 0, 1))
     assert np.abs((ahead["foot"] - behind["foot"]) / (2 * step) - here["dfoot"]).max() < 1e-24
 

@@ -100,7 +100,7 @@ def test_an_end_of_a_search_below_the_ground_is_not_a_step():
     """Just before touchdown the stance leg leans ahead by as much as it leans back after it."""
     solver = Solver.for_model(load("simplest_walker"))
     u = np.array([[angle, -0.2, 3.0] for angle in (0.2, 1.5, 1.65, -0.2)])
-    possible = solver._can_be_a_step(u, np.repeat(solver.model.point({})[None], 4, axis=0))
+    possible = solver.can_be_a_step(u, np.repeat(solver.model.point({})[None], 4, axis=0))
     assert possible.tolist() == [True, True, False, False]
 
 
