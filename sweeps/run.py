@@ -34,7 +34,7 @@ from stridemap.sweeps.families import families
 from stridemap.sweeps.grid import Grid, tiles
 from stridemap.sweeps.lock import held, refuse_if_held
 from stridemap.sweeps.provenance import provenance
-from stridemap.sweeps.solutions import Solutions
+from stridemap.sweeps.solutions import Guesses, Solutions
 from stridemap.sweeps.store import Store, read_cells
 from stridemap.sweeps.tables import cell_table, orbit_schema
 from stridemap.sweeps.tiles import Result, Task, work
@@ -51,7 +51,7 @@ MOST_WORKERS = 1024
 KIND, REASON, NUMBER = "_kind", "_reason", "_number"
 """Columns of a part that orbits lack: what a row is, why a cell failed, and a number. A row of solutions that
 were thrown away has their status as its reason, and how many they are as its number; one that joins two
-branches has the other branch as its number."""
+branches has the other branch as its number, a guess the cell that it comes from."""
 
 KINDS = ORBIT, FAILURE, SEEN, GUESS, DISCARDED, JOIN = (
     "orbit", "failure", "seen", "guess", "discarded", "join",
@@ -215,7 +215,7 @@ class _Run:
         seeds = self.grid.subgrid(self.config.strides)
         owner = self.tiles.tile_of(seeds)
         tasks = [
-            self._task(1, tile, seeds[owner == tile], self._all([])) for tile in np.unique(owner).tolist()
+            self._task(1, tile, seeds[owner == tile], self._guesses([])) for tile in np.unique(owner).tolist()
         ]
         for round_ in count(1):
             incoming = self._run_round(pool, round_, tasks)
@@ -224,7 +224,7 @@ class _Run:
                 return self._finish()
         raise AssertionError("count has no end")
 
-    def _task(self, round_: int, tile: int, seeds: Ints, incoming: Solutions) -> Task:
+    def _task(self, round_: int, tile: int, seeds: Ints, incoming: Guesses) -> Task:
         return Task(
             model=self.model,
             grid=self.grid,
@@ -242,7 +242,7 @@ class _Run:
             seen=self._all(self.seen[tile]),
         )
 
-    def _run_round(self, pool: Executor, round_: int, tasks: list[Task]) -> dict[int, Solutions]:
+    def _run_round(self, pool: Executor, round_: int, tasks: list[Task]) -> dict[int, Guesses]:
         """Compute the tiles of a round that no earlier run finished; returns the guesses for each tile."""
         done = [task for task in tasks if self.store.has_part(round_, task.tile)]
         finished = len(done)
@@ -299,7 +299,7 @@ class _Run:
                 },
             ),
             self._rows(SEEN, self._columns(result.seen)),
-            self._rows(GUESS, self._columns(result.outgoing)),
+            self._rows(GUESS, {**self._columns(result.outgoing), NUMBER: result.outgoing.origin}),
             self._rows(JOIN, {"branch": result.joins[:, 0], NUMBER: result.joins[:, 1]}),
         ]
         return pa.concat_tables(tables)
@@ -323,9 +323,9 @@ class _Run:
         u = dict(zip(names, solutions.u.T, strict=True))
         return {"cell": solutions.cell, "branch": solutions.branch, **u}
 
-    def _absorb(self, parts: list[tuple[int, pa.Table]]) -> dict[int, Solutions]:
+    def _absorb(self, parts: list[tuple[int, pa.Table]]) -> dict[int, Guesses]:
         """Take up the finished parts of a round, in the order of tiles; returns the guesses for each tile."""
-        guesses: list[Solutions] = []
+        guesses: list[Guesses] = []
         for tile, part in parts:
             of_kind = {kind: part.filter(pa.compute.equal(part[KIND], kind)) for kind in KINDS}
             failed = of_kind[FAILURE]
@@ -339,13 +339,15 @@ class _Run:
             self.orbits_found += int(np.count_nonzero(self._counts(orbits["period"].to_numpy())))
             self.known[tile].append(self._solutions(of_kind[ORBIT]))
             self.seen[tile].append(self._solutions(of_kind[SEEN]))
-            guesses.append(self._solutions(of_kind[GUESS]))
+            made = self._solutions(of_kind[GUESS])
+            origin = of_kind[GUESS][NUMBER].to_numpy()
+            guesses.append(Guesses(made.cell, made.u, made.branch, origin))
             self.joins.append(
                 np.column_stack([of_kind[JOIN][name].to_numpy() for name in ("branch", NUMBER)])
             )
-        made = self._all(guesses)
-        owner = self.tiles.tile_of(made.cell)
-        return {tile: made.take(owner == tile) for tile in np.unique(owner).tolist()}
+        every = self._guesses(guesses)
+        owner = self.tiles.tile_of(every.cell)
+        return {tile: every.take(owner == tile) for tile in np.unique(owner).tolist()}
 
     def _solutions(self, rows: pa.Table) -> Solutions:
         """Solutions of rows of a part."""
@@ -354,6 +356,9 @@ class _Run:
 
     def _all(self, parts: list[Solutions]) -> Solutions:
         return Solutions.concatenate(parts, len(self.model.section) + 1)
+
+    def _guesses(self, parts: list[Guesses]) -> Guesses:
+        return Guesses.concatenate(parts, len(self.model.section) + 1)
 
     def _finish(self) -> Summary:
         schema = orbit_schema(self.model)

@@ -1,8 +1,8 @@
 """Solutions in the cells of a grid, as arrays: which of them are one."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
-from typing import Self
+from dataclasses import dataclass, fields
+from typing import Any, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,7 +16,7 @@ NONE = -1
 
 @dataclass(frozen=True)
 class Solutions:
-    """Solutions, or guesses of them, with their cells and branches.
+    """Solutions with their cells and branches.
 
     Parameters
     ----------
@@ -34,20 +34,31 @@ class Solutions:
     @classmethod
     def empty(cls, width: int) -> Self:
         """No solutions in `width` unknowns."""
-        return cls(np.empty(0, dtype=np.int64), np.empty((0, width)), np.empty(0, dtype=np.int64))
+        u, numbers = np.empty((0, width)), np.empty(0, dtype=np.int64)
+        columns: dict[str, Any] = {column.name: numbers for column in fields(cls)}
+        return cls(**{**columns, "u": u})
 
     @classmethod
     def concatenate(cls, parts: Sequence[Self], width: int) -> Self:
         """All of some in `width` unknowns, in order."""
         every = [cls.empty(width), *parts]
-        return cls(*(np.concatenate([getattr(part, name) for part in every]) for name in _COLUMNS))
+        names = (column.name for column in fields(cls))
+        return cls(*(np.concatenate([getattr(part, name) for part in every]) for name in names))
 
     def __len__(self) -> int:
         return len(self.cell)
 
     def take(self, index: NDArray[np.int64] | NDArray[np.bool_]) -> Self:
         """Some of them."""
-        return type(self)(self.cell[index], self.u[index], self.branch[index])
+        return type(self)(*(getattr(self, column.name)[index] for column in fields(self)))
+
+    def some_of_each_branch(self, every: int) -> Self:
+        """Every so many in a row of one branch, the first and the last among them."""
+        branch = self.branch
+        begins = np.flatnonzero(np.append(True, branch[1:] != branch[:-1])[: len(branch)])
+        place = np.arange(len(branch)) - np.repeat(begins, np.diff(np.append(begins, len(branch))))
+        last = np.append(branch[1:] != branch[:-1], True)[: len(branch)]
+        return self.take((place % every == 0) | last)
 
     def same_as(self, other: "Solutions", tolerance: float, scale: Floats) -> Ints:
         """For each of them a row of `other` that is the same solution; `NONE` where there is none.
@@ -73,4 +84,14 @@ class Solutions:
         return out
 
 
-_COLUMNS = ("cell", "u", "branch")
+@dataclass(frozen=True)
+class Guesses(Solutions):
+    """Guesses of solutions in cells.
+
+    Parameters
+    ----------
+    origin : ndarray of int, shape (n,)
+        The cell in which u is a solution; the guess's own one for starts, and where a branch passes that.
+    """
+
+    origin: Ints

@@ -5,7 +5,7 @@ A pure function of its input, so that the result does not depend on who computes
 
 from collections import Counter
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TypeVar
 
 import numpy as np
@@ -24,12 +24,14 @@ from stridemap.solver.kernels.catalogue import CYCLE_N_RK
 from stridemap.solver.model.model import Model
 from stridemap.solver.model.scales import Scales
 from stridemap.solver.options import AcceptanceOptions, ContinuationOptions, SearchOptions
+from stridemap.sweeps.connections import connections
 from stridemap.sweeps.grid import Grid
 from stridemap.sweeps.lines import Lines
-from stridemap.sweeps.solutions import NONE, Solutions
+from stridemap.sweeps.solutions import NONE, Guesses, Solutions
 from stridemap.sweeps.tables import orbit_table
 
 _T = TypeVar("_T")
+_S = TypeVar("_S", bound=Solutions)
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
@@ -39,6 +41,9 @@ farther away is another solution."""
 
 ACROSS = 6
 """Of so many solutions in a row along a branch, one is tried in the cells beside its own."""
+
+STEPS_ACROSS = 60
+"""Arclength steps at most from one cell to the one beside it."""
 
 BRANCHES = 2**32
 """Numbers of branches that a tile has for its own."""
@@ -63,8 +68,8 @@ class Task:
         The tile's cells, ascending.
     seeds : ndarray of int
         Those of them that get many starts.
-    incoming : Solutions
-        Guesses from branches of other tiles.
+    incoming : Guesses
+        From branches of other tiles.
     known : Solutions
         Cycles that the tile's cells have already.
     seen : Solutions
@@ -82,7 +87,7 @@ class Task:
     tile: int
     cells: Ints
     seeds: Ints
-    incoming: Solutions
+    incoming: Guesses
     known: Solutions
     seen: Solutions
 
@@ -100,8 +105,8 @@ class Result:
         Cells that failed with the reason.
     seen : Solutions
         What is to be added to the task's.
-    outgoing : Solutions
-        Guesses for cells of other tiles.
+    outgoing : Guesses
+        For cells of other tiles.
     joins : ndarray of int, shape (n, 2)
         Pairs of branches that are one.
     discarded : dict of (int, str) to int
@@ -113,7 +118,7 @@ class Result:
     orbits: pa.Table
     failures: dict[int, str]
     seen: Solutions
-    outgoing: Solutions
+    outgoing: Guesses
     joins: Ints
     discarded: dict[tuple[int, str], int]
 
@@ -162,8 +167,9 @@ class _Search:
         self.failures: dict[int, str] = {}
         self.discarded: Counter[tuple[int, str]] = Counter()
         self._known = [task.seen]
-        self._landmarks = [_some_of_each_branch(task.seen)]
-        self._outgoing: list[Solutions] = []
+        self._landmarks = [task.seen.some_of_each_branch(ACROSS)]
+        self._outgoing: list[Guesses] = []
+        self._links: list[tuple[Guesses, Solutions]] = []
         self._joins: list[tuple[Ints, Ints]] = []
         self._next = task.tile * BRANCHES + len(np.unique(task.seen.branch))
 
@@ -180,9 +186,9 @@ class _Search:
         return self.known.take(np.arange(len(self.task.seen), len(self.known)))
 
     @property
-    def outgoing(self) -> Solutions:
+    def outgoing(self) -> Guesses:
         """Guesses for other tiles."""
-        return self._all(self._outgoing)
+        return self._guesses(self._outgoing)
 
     @property
     def joins(self) -> Ints:
@@ -194,13 +200,17 @@ class _Search:
         """Solve from guesses, follow what is new along its line, try what that gives beside it, and so on."""
         model, task = self.task.model, self.task
         made = [(cell, starts(model, task.search, cell)) for cell in task.seeds.tolist()]
-        seeds = [Solutions(np.full(len(u), cell), u, np.full(len(u), NONE)) for cell, u in made]
-        guesses = self._all([task.incoming, *seeds])
+        seeds = [
+            Guesses(cells, u, np.full(len(u), NONE), cells)
+            for cells, u in ((np.full(len(u), cell), u) for cell, u in made)
+        ]
+        guesses = self._guesses([task.incoming, *seeds])
         while len(guesses):
-            arrived = self._all(self._one_by_one(self._solve, guesses, guesses.cell))
-            found = self._along_lines(arrived)
-            self._join(arrived)
+            arrived = self._one_by_one(self._solve, guesses, guesses.cell)
+            self._links += arrived
+            found = self._along_lines(self._all([solutions for _, solutions in arrived]))
             guesses = self._across(found)
+        self._connect()
 
     def gaits(self) -> tuple[Ints, Ints, Orbits]:
         """New limit cycles: their cells, ascending, and branches."""
@@ -214,8 +224,8 @@ class _Search:
         orbits = Orbits.concatenate(self.task.model, [orbits for _, orbits in parts])
         return found.cell[order], found.branch[order], orbits.take(order)
 
-    def _solve(self, guesses: Solutions) -> Solutions:
-        """Solutions from guesses, with the guesses' branches."""
+    def _solve(self, guesses: Guesses) -> tuple[Guesses, Solutions]:
+        """Guesses that lead to solutions, and these."""
         points = self._points(guesses.cell)
         u, closed = self.solver.search(guesses.u, points)
         at = np.flatnonzero(closed)
@@ -224,7 +234,7 @@ class _Search:
         u[at], closed[at] = polished[group], (moved < np.inf)[group]
         shortest, longest = self.task.search.wider_period_range
         closed &= (u[:, -1] > shortest) & (u[:, -1] <= longest)
-        return Solutions(guesses.cell, u, guesses.branch).take(closed)
+        return guesses.take(closed), Solutions(guesses.cell, u, guesses.branch).take(closed)
 
     def _along_lines(self, open_: Solutions) -> list[Solutions]:
         """Follow solutions that are not known along their lines, and enter all that this gives."""
@@ -251,7 +261,7 @@ class _Search:
         )
         passed = followed.crossings(lines.positions)
         cells = lines.cell_at(begun.cell[passed.branch], passed.position)
-        guesses = Solutions(cells, passed.u, begun.branch[passed.branch])
+        guesses = Guesses(cells, passed.u, begun.branch[passed.branch], cells)
         here = self._is_here(guesses.cell)
         self._outgoing.append(guesses.take(~here))
         guesses = guesses.take(here)
@@ -278,15 +288,48 @@ class _Search:
         self._enter(new)
         return new
 
-    def _across(self, found: list[Solutions]) -> Solutions:
+    def _across(self, found: list[Solutions]) -> Guesses:
         """Guesses in cells beside solutions of each branch; those for other tiles are handed on."""
-        samples = self._all([_some_of_each_branch(part) for part in found])
+        samples = self._all([part.some_of_each_branch(ACROSS) for part in found])
         self._landmarks.append(samples)
         row, cell = self.task.grid.beside(samples.cell)
-        guesses = Solutions(cell, samples.u[row], samples.branch[row])
+        guesses = Guesses(cell, samples.u[row], samples.branch[row], samples.cell[row])
         here = self._is_here(cell)
         self._outgoing.append(guesses.take(~here))
         return guesses.take(here)
+
+    def _connect(self) -> None:
+        """Note which branches of different lines, or of different tiles, are one."""
+        guesses = self._guesses([part for part, _ in self._links])
+        arrived = self._all([part for _, part in self._links])
+        away = np.abs((arrived.u - guesses.u) / self.scale).max(axis=1, initial=0.0)
+        along = guesses.origin == guesses.cell
+        self._join(arrived.take(along & (away < SAME_BRANCH)))
+        at = arrived.same_as(self.known, SEARCH_TOLERANCE, self.scale)
+        order = np.argsort(away, kind="stable")
+        order = order[(~along & (at != NONE))[order]]
+        pairs = connections(guesses.take(order), self.known.branch[at[order]], self.joins, self._pairs_across)
+        self._joins.append((pairs[:, 0], pairs[:, 1]))
+
+    def _pairs_across(self, guesses: Guesses) -> Ints:
+        """What `_followed_across` gives, shape (n, 2)."""
+        parts = self._one_by_one(self._followed_across, guesses, guesses.cell)
+        return np.concatenate([np.empty((0, 2), dtype=np.int64), *map(np.column_stack, parts)])
+
+    def _followed_across(self, guesses: Guesses) -> tuple[Ints, Ints]:
+        """Branches of guesses, and those to which they lead in the guesses' cells, as far as they do."""
+        origin, there = self._points(guesses.origin), self._points(guesses.cell)
+        begin, periods = np.zeros(len(guesses)), self.task.search.wider_period_range
+        options = self.task.continuation
+        options = replace(options, max_steps=min(options.max_steps, STEPS_ACROSS))
+        followed = follow(self.solver, guesses.u, begin, origin, there, periods, options)
+        passed = followed.crossings(np.array([0.0, 1.0]))
+        end = passed.position == 1
+        row = passed.branch[end]
+        u, moved = self.solver.polished(passed.u[end], there[row])
+        arrived = Solutions(guesses.cell[row], u, guesses.branch[row]).take(moved < SAME_BRANCH)
+        at = arrived.same_as(self.known, SEARCH_TOLERANCE, self.scale)
+        return arrived.branch[at != NONE], self.known.branch[at[at != NONE]]
 
     def _converge(self, solutions: Solutions) -> tuple[Solutions, Orbits]:
         """Limit cycles that are not known, from solutions of the search."""
@@ -312,7 +355,7 @@ class _Search:
         """Codes of the statuses of solutions that are clearly not gaits, `DOUBTFUL` for the others."""
         return clearly_no_gaits(self.solver.kernels, 2 * CYCLE_N_RK[0], u, points)
 
-    def _one_by_one(self, method: Callable[[Solutions], _T], solutions: Solutions, group: Ints) -> list[_T]:
+    def _one_by_one(self, method: Callable[[_S], _T], solutions: _S, group: Ints) -> list[_T]:
         """Apply a method to all solutions; where that raises, to those of each group by themselves."""
         if not len(solutions):
             return []
@@ -354,17 +397,11 @@ class _Search:
     def _all(self, parts: Sequence[Solutions]) -> Solutions:
         return Solutions.concatenate(parts, self.width)
 
+    def _guesses(self, parts: Sequence[Guesses]) -> Guesses:
+        return Guesses.concatenate(parts, self.width)
+
     def _is_here(self, cells: Ints) -> NDArray[np.bool_]:
         return np.isin(cells, self.task.cells)
 
     def _points(self, cells: Ints) -> Floats:
         return self.task.grid.points(self.task.model, self.task.params, cells)
-
-
-def _some_of_each_branch(solutions: Solutions) -> Solutions:
-    """Every so many solutions in a row of one branch, the first and the last among them."""
-    branch = solutions.branch
-    begins = np.flatnonzero(np.append(True, branch[1:] != branch[:-1])[: len(branch)])
-    place = np.arange(len(branch)) - np.repeat(begins, np.diff(np.append(begins, len(branch))))
-    last = np.append(branch[1:] != branch[:-1], True)[: len(branch)]
-    return solutions.take((place % ACROSS == 0) | last)

@@ -181,6 +181,11 @@ def follow(
     return lines.both_ways(np.column_stack([u, s]), np.column_stack(known[:2]), known.branch)
 
 
+def _at_end(s: Array, slope: Array) -> Mask:
+    """Whether points are at the end of their line to which their tangents point."""
+    return ((s <= 0) & (slope < 0)) | ((s >= 1) & (slope > 0))
+
+
 class _Lines:
     """Branches that are being followed, one on each of m lines. Points on them are x = (u, s)."""
 
@@ -227,7 +232,8 @@ class _Lines:
     ) -> tuple[Index, Array, Array, Index]:
         """Follow branches to their ends: branch, points, tangents, and beginnings met from behind."""
         options, (shortest, longest) = self.options, self.period_range
-        ds = np.where(np.isfinite(tangent).all(axis=1), options.ds, 0.0)
+        begins = np.isfinite(tangent).all(axis=1) & ~_at_end(x[:, -1], tangent[:, -1])
+        ds = np.where(begins, options.ds, 0.0)
         idle = np.zeros(len(x))  # length since the last gait
         branches, points, tangents, met = [at], [x], [tangent], [at[:0]]
         for step in range(options.max_steps):

@@ -59,6 +59,13 @@ SWEEPS = (
         (f"{TILES}::test_from_a_branch_the_cells_beside_it_are_tried",),
     ),
     Mutation(
+        "sweeps/tiles.py",
+        "self._join(arrived.take(along & (away < SAME_BRANCH)))",
+        "self._join(arrived)",
+        "a search that ends far away joins two families",
+        (f"{TILES}::test_families_are_one_only_where_following_leads_from_one_to_the_other",),
+    ),
+    Mutation(
         "sweeps/families.py",
         "one, other = place[len(branch) :].reshape(-1, 2).T",
         "one, other = place[len(branch) :].reshape(2, -1)",

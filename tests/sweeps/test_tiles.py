@@ -14,7 +14,7 @@ from stridemap.solver.model.scales import Scales
 from stridemap.solver.options import AcceptanceOptions, ContinuationOptions, SearchOptions
 from stridemap.sweeps.families import families
 from stridemap.sweeps.grid import Grid
-from stridemap.sweeps.solutions import NONE, Solutions
+from stridemap.sweeps.solutions import NONE, Guesses, Solutions
 from stridemap.sweeps.tiles import Task, work
 from tests.oracles.kernels import needs_compiler
 from tests.oracles.reference import GUESSES, LIFTING
@@ -48,10 +48,11 @@ class Line:
             tile=0,
             cells=np.arange(len(self.k)) if cells is None else np.array(cells),
             seeds=np.array([], dtype=np.int64),
-            incoming=Solutions(
+            incoming=Guesses(
                 np.array([cell for cell, _ in incoming]),
                 np.array([u for _, u in incoming]),
                 np.full(len(incoming), NONE),
+                np.array([cell for cell, _ in incoming]),
             ),
             known=Solutions.empty(6),
             seen=Solutions.empty(6),
@@ -164,7 +165,7 @@ def test_from_a_branch_the_cells_beside_it_are_tried():
             model, Grid(("k", "alpha"), axes), fixed, SearchOptions(starts=1, period_min=0.3, period_max=3.0),
             AcceptanceOptions(), ContinuationOptions(), Lanes(), round=1, tile=3, cells=cells,
             seeds=np.array([], dtype=np.int64),
-            incoming=Solutions(np.array([3]), start[None], np.array([NONE])),
+            incoming=Guesses(np.array([3]), start[None], np.array([NONE]), np.array([3])),
             known=Solutions.empty(6), seen=Solutions.empty(6),
         )  # fmt: skip
         results.append(work(task))
@@ -175,3 +176,36 @@ def test_from_a_branch_the_cells_beside_it_are_tried():
     assert set(part.outgoing.cell.tolist()) <= {0, 2, 4}
     assert len(part.outgoing) > 0
     assert set(part.outgoing.branch.tolist()) <= set(part.seen.branch.tolist())
+
+
+def test_families_are_one_only_where_following_leads_from_one_to_the_other():
+    """From another cycle at alpha = 0.24 a search at 0.33 ends on the branch of the first."""
+    model = load("wobbling")
+    axes = (np.array([13.99, 14.0, 14.01]), np.array([0.24, 0.33]))
+    solver, fixed = Solver.for_model(model), {**model.preset, "omega": 3.0}
+    cycles = Line((14.0,), {"alpha": 0.24, "omega": 3.0}).cycles(14.0).u[[0, 2]]
+    # In steps so small that Newton's method stays on their branches they come to two cycles.
+    ends, farthest = cycles.copy(), np.zeros(2)
+    for alpha in np.linspace(0.24, 0.33, 501)[1:]:
+        ends, moved = solver.polished(
+            ends, np.tile(model.point({**fixed, "k": 14.0, "alpha": alpha}), (2, 1))
+        )
+        farthest = np.maximum(farthest, moved)
+    assert (farthest < 1e-2).all()
+    searched, _ = solver.search(cycles, np.tile(model.point({**fixed, "k": 14.0, "alpha": 0.33}), (2, 1)))
+    scale = Scales.of(model).unknowns
+    assert (np.abs((searched - ends[0]) / scale) < 1e-2).all()
+    assert np.abs((searched - ends[1]) / scale).max() > 0.1
+
+    task = Task(
+        model, Grid(("k", "alpha"), axes), {n: v for n, v in fixed.items() if n not in ("k", "alpha")},
+        SearchOptions(starts=1, period_min=0.3, period_max=3.0), AcceptanceOptions(), ContinuationOptions(),
+        Lanes(), round=1, tile=0, cells=np.array([1, 3, 5]), seeds=np.array([], dtype=np.int64),
+        incoming=Guesses(np.array([3, 3]), cycles, np.array([10**12, 10**13]), np.array([2, 2])),
+        known=Solutions.empty(6), seen=Solutions.empty(6),
+    )  # fmt: skip
+    found = work(task)
+    here = found.seen.branch[np.abs((found.seen.u - ends[0]) / scale).max(axis=1).argmin()]
+    first, second, own = families(np.array([10**12, 10**13, here]), found.joins)
+    assert first == own
+    assert second != own
