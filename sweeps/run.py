@@ -13,7 +13,6 @@ from collections import Counter, defaultdict
 from collections.abc import Callable, Mapping
 from concurrent.futures import BrokenExecutor, Executor, Future, as_completed
 from dataclasses import dataclass
-from functools import cached_property
 from itertools import count
 from pathlib import Path
 from typing import Any
@@ -33,6 +32,7 @@ from stridemap.sweeps.executors import interrupts_held, processes
 from stridemap.sweeps.families import families
 from stridemap.sweeps.grid import Grid, tiles
 from stridemap.sweeps.lock import held, refuse_if_held
+from stridemap.sweeps.parts import part_table, result_of, solutions_of
 from stridemap.sweeps.provenance import provenance
 from stridemap.sweeps.solutions import Guesses, Solutions
 from stridemap.sweeps.store import Store, read_cells
@@ -48,15 +48,6 @@ fastest where many are followed at a time; each worker needs a tile."""
 
 MOST_WORKERS = 1024
 """Processes of one sweep: each takes some 200 MB, and no machine has as many cores."""
-KIND, REASON, NUMBER = "_kind", "_reason", "_number"
-"""Columns of a part that orbits lack: what a row is, why a cell failed, and a number. A row of solutions that
-were thrown away has their status as its reason, and how many they are as its number; one that joins two
-branches has the other branch as its number, a guess the cell that it comes from."""
-
-KINDS = ORBIT, FAILURE, SEEN, GUESS, DISCARDED, JOIN = (
-    "orbit", "failure", "seen", "guess", "discarded", "join",
-)  # fmt: skip
-"""Kinds of rows of a part."""
 
 
 @dataclass(frozen=True)
@@ -201,7 +192,7 @@ class _Run:
         self.grid = Grid.from_mapping(config.grid)
         self.tiles = tiles(self.grid, tile_cells)
         self.options = config.search.options
-        self.parts: list[pa.Table] = []
+        self.orbits: list[pa.Table] = []
         self.failures: dict[int, str] = {}
         self.discarded: dict[int, Counter[Status]] = defaultdict(Counter)
         self.orbits_found = 0
@@ -255,7 +246,7 @@ class _Run:
                 futures += [pool.submit(work, task) for task in open_tasks]
             for future in as_completed(futures):
                 result = future.result()
-                self.store.write_part(result.round, result.tile, self._part(result))
+                self.store.write_part(result.round, result.tile, part_table(self.model, result))
                 finished += 1
                 found += int(np.count_nonzero(self._counts(result.orbits["period"].to_numpy())))
                 self._report(round_, finished, len(tasks), found)
@@ -272,7 +263,8 @@ class _Run:
                 future.cancel()
             raise
         # Read back in the order of tiles, whatever the order in which they were finished.
-        return self._absorb([(task.tile, self.store.read_part(round_, task.tile)) for task in tasks])
+        parts = ((task.tile, self.store.read_part(round_, task.tile)) for task in tasks)
+        return self._absorb([result_of(self.model, round_, tile, part) for tile, part in parts])
 
     def _report(self, round_: int, done: int, total: int, found: int = 0) -> None:
         self.progress(Progress(round_, done, total, self.orbits_found + found))
@@ -282,77 +274,20 @@ class _Run:
         shortest, longest = self.options.period_range
         return (period > shortest) & (period <= longest)
 
-    def _part(self, result: Result) -> pa.Table:
-        """What is kept of a finished tile, in one table."""
-        failures = sorted(result.failures.items())
-        tables = [
-            self._rows(ORBIT, {name: result.orbits[name] for name in result.orbits.column_names}),
-            self._rows(
-                FAILURE, {"cell": [cell for cell, _ in failures], REASON: [why for _, why in failures]}
-            ),
-            self._rows(
-                DISCARDED,
-                {
-                    "cell": [cell for cell, _ in result.discarded],
-                    REASON: [status for _, status in result.discarded],
-                    NUMBER: list(result.discarded.values()),
-                },
-            ),
-            self._rows(SEEN, self._columns(result.seen)),
-            self._rows(GUESS, {**self._columns(result.outgoing), NUMBER: result.outgoing.origin}),
-            self._rows(JOIN, {"branch": result.joins[:, 0], NUMBER: result.joins[:, 1]}),
-        ]
-        return pa.concat_tables(tables)
-
-    def _rows(self, kind: str, columns: Mapping[str, Any]) -> pa.Table:
-        """Rows of a part of one kind; null in the columns that are not given."""
-        schema = self._part_schema
-        n = len(next(iter(columns.values())))
-        nulls = {field.name: pa.nulls(n, field.type) for field in schema}
-        return pa.Table.from_pydict({**nulls, **columns, KIND: [kind] * n}, schema=schema)
-
-    @cached_property
-    def _part_schema(self) -> pa.Schema:
-        fields = [field.with_nullable(True) for field in orbit_schema(self.model)]
-        fields += [pa.field(KIND, pa.string()), pa.field(REASON, pa.string()), pa.field(NUMBER, pa.int64())]
-        return pa.schema(fields)
-
-    def _columns(self, solutions: Solutions) -> dict[str, Any]:
-        """Solutions as columns."""
-        names = (*self.model.section, "period")
-        u = dict(zip(names, solutions.u.T, strict=True))
-        return {"cell": solutions.cell, "branch": solutions.branch, **u}
-
-    def _absorb(self, parts: list[tuple[int, pa.Table]]) -> dict[int, Guesses]:
-        """Take up the finished parts of a round, in the order of tiles; returns the guesses for each tile."""
-        guesses: list[Guesses] = []
-        for tile, part in parts:
-            of_kind = {kind: part.filter(pa.compute.equal(part[KIND], kind)) for kind in KINDS}
-            failed = of_kind[FAILURE]
-            self.failures |= dict(zip(failed["cell"].to_pylist(), failed[REASON].to_pylist(), strict=True))
-            for cell, status, n in zip(
-                *(of_kind[DISCARDED][name].to_pylist() for name in ("cell", REASON, NUMBER)), strict=True
-            ):
+    def _absorb(self, results: list[Result]) -> dict[int, Guesses]:
+        """Take up the results of a round, in the order of tiles; returns the guesses for each tile."""
+        for result in results:
+            self.failures |= result.failures
+            for (cell, status), n in result.discarded.items():
                 self.discarded[cell][Status(status)] += n
-            orbits = of_kind[ORBIT].drop_columns([KIND, REASON, NUMBER])
-            self.parts.append(orbits)
-            self.orbits_found += int(np.count_nonzero(self._counts(orbits["period"].to_numpy())))
-            self.known[tile].append(self._solutions(of_kind[ORBIT]))
-            self.seen[tile].append(self._solutions(of_kind[SEEN]))
-            made = self._solutions(of_kind[GUESS])
-            origin = of_kind[GUESS][NUMBER].to_numpy()
-            guesses.append(Guesses(made.cell, made.u, made.branch, origin))
-            self.joins.append(
-                np.column_stack([of_kind[JOIN][name].to_numpy() for name in ("branch", NUMBER)])
-            )
-        every = self._guesses(guesses)
+            self.orbits.append(result.orbits)
+            self.orbits_found += int(np.count_nonzero(self._counts(result.orbits["period"].to_numpy())))
+            self.known[result.tile].append(solutions_of(self.model, result.orbits))
+            self.seen[result.tile].append(result.seen)
+            self.joins.append(result.joins)
+        every = self._guesses([result.outgoing for result in results])
         owner = self.tiles.tile_of(every.cell)
         return {tile: every.take(owner == tile) for tile in np.unique(owner).tolist()}
-
-    def _solutions(self, rows: pa.Table) -> Solutions:
-        """Solutions of rows of a part."""
-        u = np.column_stack([rows[name].to_numpy() for name in (*self.model.section, "period")])
-        return Solutions(rows["cell"].to_numpy(), u, rows["branch"].to_numpy())
 
     def _all(self, parts: list[Solutions]) -> Solutions:
         return Solutions.concatenate(parts, len(self.model.section) + 1)
@@ -362,7 +297,7 @@ class _Run:
 
     def _finish(self) -> Summary:
         schema = orbit_schema(self.model)
-        orbits = pa.concat_tables(self.parts).cast(schema) if self.parts else schema.empty_table()
+        orbits = pa.concat_tables(self.orbits) if self.orbits else schema.empty_table()
         orbits = orbits.filter(self._counts(orbits["period"].to_numpy()))
         orbits = orbits.sort_by([("cell", "ascending"), ("period", "ascending")])
         numbers = families(orbits["branch"].to_numpy(), np.concatenate(self.joins))

@@ -1,0 +1,99 @@
+"""What is kept of a finished tile until its sweep is finished: all of a result in one table."""
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+import pyarrow as pa
+import pyarrow.compute as pc
+
+from stridemap.solver.model.model import Model
+from stridemap.sweeps.solutions import Guesses, Solutions
+from stridemap.sweeps.tables import orbit_schema
+from stridemap.sweeps.tiles import Result
+
+KIND, REASON, NUMBER = "_kind", "_reason", "_number"
+"""Columns of a part that orbits lack: what a row is, why a cell failed, and a number. A row of solutions that
+were thrown away has their status as its reason, and how many they are as its number; one that joins two
+branches has the other branch as its number, a guess the cell that it comes from."""
+
+ORBIT, FAILURE, SEEN, GUESS, DISCARDED, JOIN = "orbit", "failure", "seen", "guess", "discarded", "join"
+"""Kinds of rows of a part."""
+
+
+def part_table(model: Model, result: Result) -> pa.Table:
+    """A result as a table.
+
+    Parameters
+    ----------
+    model : Model
+    result : Result
+    """
+    failures = sorted(result.failures.items())
+    of_kind: dict[str, Mapping[str, Any]] = {
+        ORBIT: {name: result.orbits[name] for name in result.orbits.column_names},
+        FAILURE: {"cell": [cell for cell, _ in failures], REASON: [why for _, why in failures]},
+        DISCARDED: {
+            "cell": [cell for cell, _ in result.discarded],
+            REASON: [status for _, status in result.discarded],
+            NUMBER: list(result.discarded.values()),
+        },
+        SEEN: _columns(model, result.seen),
+        GUESS: {**_columns(model, result.outgoing), NUMBER: result.outgoing.origin},
+        JOIN: {"branch": result.joins[:, 0], NUMBER: result.joins[:, 1]},
+    }
+    schema = _schema(model)
+    return pa.concat_tables([_rows(schema, kind, columns) for kind, columns in of_kind.items()])
+
+
+def result_of(model: Model, round_: int, tile: int, part: pa.Table) -> Result:
+    """The result from which a table was made.
+
+    Parameters
+    ----------
+    model : Model
+    round_, tile : int
+    part : Table
+        As from `part_table`.
+    """
+
+    def rows(kind: str) -> pa.Table:
+        return part.filter(pc.equal(part[KIND], kind))
+
+    orbits, failed, thrown, guesses, joins = (rows(k) for k in (ORBIT, FAILURE, DISCARDED, GUESS, JOIN))
+    made = solutions_of(model, guesses)
+    lost = zip(*(thrown[name].to_pylist() for name in ("cell", REASON, NUMBER)), strict=True)
+    return Result(
+        round_,
+        tile,
+        orbits.drop_columns([KIND, REASON, NUMBER]).cast(orbit_schema(model)),
+        dict(zip(failed["cell"].to_pylist(), failed[REASON].to_pylist(), strict=True)),
+        solutions_of(model, rows(SEEN)),
+        Guesses(made.cell, made.u, made.branch, guesses[NUMBER].to_numpy()),
+        np.column_stack([joins[name].to_numpy() for name in ("branch", NUMBER)]),
+        {(cell, status): n for cell, status, n in lost},
+    )
+
+
+def solutions_of(model: Model, rows: pa.Table) -> Solutions:
+    """Section points and periods of rows, with their cells and branches."""
+    u = np.column_stack([rows[name].to_numpy() for name in (*model.section, "period")])
+    return Solutions(rows["cell"].to_numpy(), u, rows["branch"].to_numpy())
+
+
+def _columns(model: Model, solutions: Solutions) -> dict[str, Any]:
+    u = dict(zip((*model.section, "period"), solutions.u.T, strict=True))
+    return {"cell": solutions.cell, "branch": solutions.branch, **u}
+
+
+def _rows(schema: pa.Schema, kind: str, columns: Mapping[str, Any]) -> pa.Table:
+    """Rows of one kind; null in the columns that are not given."""
+    n = len(next(iter(columns.values())))
+    nulls = {field.name: pa.nulls(n, field.type) for field in schema}
+    return pa.Table.from_pydict({**nulls, **columns, KIND: [kind] * n}, schema=schema)
+
+
+def _schema(model: Model) -> pa.Schema:
+    fields = [field.with_nullable(True) for field in orbit_schema(model)]
+    fields += [pa.field(KIND, pa.string()), pa.field(REASON, pa.string()), pa.field(NUMBER, pa.int64())]
+    return pa.schema(fields)

@@ -1,0 +1,39 @@
+"""A finished tile as a table and back."""
+
+import dataclasses
+
+import numpy as np
+import pytest
+
+from stridemap.solver.model.loading import load
+from stridemap.sweeps.parts import part_table, result_of
+from tests.oracles.kernels import needs_compiler
+from tests.sweeps.test_tiles import Line
+
+pytestmark = [needs_compiler, pytest.mark.quick]
+
+
+def same(one, other):
+    """Whether two values, or arrays, or records of arrays are equal to the last bit."""
+    if dataclasses.is_dataclass(one):
+        return all(same(getattr(one, f.name), getattr(other, f.name)) for f in dataclasses.fields(one))
+    return np.array_equal(one, other) if isinstance(one, np.ndarray) else one == other
+
+
+@pytest.mark.parametrize("cells", [[0, 1], [0]])
+def test_a_part_is_the_whole_result(cells):
+    line = Line((22.0, 22.5, 23.0), {})
+    result = line.result([(0, line.cycles(22.0).u[0])], cells=cells)
+    result = dataclasses.replace(
+        result,
+        failures={1: "ValueError: boom", 0: "é, ∞"},
+        joins=np.array([[5, 7], [1, 2**40]]),
+        discarded={(0, "not_a_step"): 3, (1, "later_touchdown"): 1},
+    )
+    model = load("wobbling")
+    assert len(result.orbits) > 0 and len(result.seen) > 0 and len(result.outgoing) > 0
+    assert same(result_of(model, result.round, result.tile, part_table(model, result)), result)
+    nothing = line.result([(0, np.full(6, 1e3))])
+    nothing = dataclasses.replace(nothing, failures={}, discarded={})
+    assert len(nothing.orbits) == len(nothing.joins) == 0
+    assert same(result_of(model, nothing.round, nothing.tile, part_table(model, nothing)), nothing)
