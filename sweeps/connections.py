@@ -30,6 +30,11 @@ def connections(guesses: Guesses, other: Ints, joins: Ints, followed: Callable[[
         Pairs of branches that are known to be one.
     followed : callable
         Guesses -> pairs of their branches and those to which following leads, shape (k, 2).
+
+    Returns
+    -------
+    ndarray of int, shape (j, 2)
+        What is not in `joins` yet.
     """
     found = np.empty((0, 2), dtype=np.int64)
     for _ in range(ATTEMPTS):

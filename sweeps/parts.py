@@ -10,7 +10,7 @@ import pyarrow.compute as pc
 from stridemap.solver.model.model import Model
 from stridemap.sweeps.solutions import Guesses, Solutions
 from stridemap.sweeps.tables import orbit_schema
-from stridemap.sweeps.tiles import Result
+from stridemap.sweeps.tasks import Result
 
 KIND, REASON, NUMBER = "_kind", "_reason", "_number"
 """Columns of a part that orbits lack: what a row is, why a cell failed, and a number. A row of solutions that

@@ -37,7 +37,8 @@ from stridemap.sweeps.provenance import provenance
 from stridemap.sweeps.solutions import Guesses, Solutions
 from stridemap.sweeps.store import Store, read_cells
 from stridemap.sweeps.tables import cell_table, orbit_schema
-from stridemap.sweeps.tiles import Result, Task, work
+from stridemap.sweeps.tasks import Result, Task
+from stridemap.sweeps.tiles import work
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]

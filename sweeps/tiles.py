@@ -5,14 +5,12 @@ A pure function of its input, so that the result does not depend on who computes
 
 from collections import Counter
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TypeVar
 
 import numpy as np
-import pyarrow as pa
 from numpy.typing import NDArray
 
-from stridemap.solver.backends.base import Backend
 from stridemap.solver.branches.continuation import Known, follow
 from stridemap.solver.cycles.acceptance import CLEARLY, DOUBTFUL, clearly_no_gaits
 from stridemap.solver.cycles.duplicates import DUPLICATE, SEARCH_TOLERANCE, backwards, first_of_each, grouped
@@ -21,14 +19,12 @@ from stridemap.solver.cycles.search import starts
 from stridemap.solver.cycles.solver import Solver
 from stridemap.solver.cycles.status import FOUND, STATUSES
 from stridemap.solver.kernels.catalogue import CYCLE_N_RK
-from stridemap.solver.model.model import Model
 from stridemap.solver.model.scales import Scales
-from stridemap.solver.options import AcceptanceOptions, ContinuationOptions, SearchOptions
 from stridemap.sweeps.connections import connections
-from stridemap.sweeps.grid import Grid
 from stridemap.sweeps.lines import Lines
 from stridemap.sweeps.solutions import NONE, Guesses, Solutions
 from stridemap.sweeps.tables import orbit_table
+from stridemap.sweeps.tasks import Result, Task
 
 _T = TypeVar("_T")
 _S = TypeVar("_S", bound=Solutions)
@@ -47,80 +43,6 @@ STEPS_ACROSS = 60
 
 BRANCHES = 2**32
 """Numbers of branches that a tile has for its own."""
-
-
-@dataclass(frozen=True)
-class Task:
-    """What a worker needs to work on one tile: all of it, wherever the worker is.
-
-    Parameters
-    ----------
-    model : Model
-        With its generated files.
-    grid : Grid
-    params : dict of str to float
-        Parameters that are not on an axis of the grid.
-    search, acceptance, continuation : SearchOptions, AcceptanceOptions, ContinuationOptions
-    backend : Backend
-        What runs the kernels.
-    round, tile : int
-    cells : ndarray of int, shape (n,)
-        The tile's cells, ascending.
-    seeds : ndarray of int
-        Those of them that get many starts.
-    incoming : Guesses
-        From branches of other tiles.
-    known : Solutions
-        Cycles that the tile's cells have already.
-    seen : Solutions
-        What the search gave there, before it converged: the cycles, and what turned out not to be one.
-    """
-
-    model: Model
-    grid: Grid
-    params: dict[str, float]
-    search: SearchOptions
-    acceptance: AcceptanceOptions
-    continuation: ContinuationOptions
-    backend: Backend
-    round: int
-    tile: int
-    cells: Ints
-    seeds: Ints
-    incoming: Guesses
-    known: Solutions
-    seen: Solutions
-
-
-@dataclass(frozen=True)
-class Result:
-    """What a worker found.
-
-    Parameters
-    ----------
-    round, tile : int
-    orbits : Table
-        Rows of the table of orbits, with the numbers of branches that the search gave them.
-    failures : dict of int to str
-        Cells that failed with the reason.
-    seen : Solutions
-        What is to be added to the task's.
-    outgoing : Guesses
-        For cells of other tiles.
-    joins : ndarray of int, shape (n, 2)
-        Pairs of branches that are one.
-    discarded : dict of (int, str) to int
-        How many solutions in which cell were no limit cycle, by `Status`.
-    """
-
-    round: int
-    tile: int
-    orbits: pa.Table
-    failures: dict[int, str]
-    seen: Solutions
-    outgoing: Guesses
-    joins: Ints
-    discarded: dict[tuple[int, str], int]
 
 
 def work(task: Task) -> Result:
@@ -281,7 +203,7 @@ class _Search:
     def _entered(self, solutions: Solutions) -> Solutions:
         """Enter those solutions that are not known; the branches of the others are known ones."""
         self._join(solutions)
-        new = solutions.take(solutions.same_as(self.known, SEARCH_TOLERANCE, self.scale) == NONE)
+        new = self._unknown(solutions)
         kept, group = grouped(new.cell, new.u, SEARCH_TOLERANCE, backwards(new.u), self.scale)
         self._joins.append((new.branch, new.branch[kept][group]))
         new = new.take(np.sort(kept))
@@ -305,7 +227,7 @@ class _Search:
         away = np.abs((arrived.u - guesses.u) / self.scale).max(axis=1, initial=0.0)
         along = guesses.origin == guesses.cell
         self._join(arrived.take(along & (away < SAME_BRANCH)))
-        at = arrived.same_as(self.known, SEARCH_TOLERANCE, self.scale)
+        at = self._same(arrived)
         order = np.argsort(away, kind="stable")
         order = order[(~along & (at != NONE))[order]]
         pairs = connections(guesses.take(order), self.known.branch[at[order]], self.joins, self._pairs_across)
@@ -328,7 +250,7 @@ class _Search:
         row = passed.branch[end]
         u, moved = self.solver.polished(passed.u[end], there[row])
         arrived = Solutions(guesses.cell[row], u, guesses.branch[row]).take(moved < SAME_BRANCH)
-        at = arrived.same_as(self.known, SEARCH_TOLERANCE, self.scale)
+        at = self._same(arrived)
         return arrived.branch[at != NONE], self.known.branch[at[at != NONE]]
 
     def _converge(self, solutions: Solutions) -> tuple[Solutions, Orbits]:
@@ -380,12 +302,16 @@ class _Search:
 
     def _join(self, solutions: Solutions) -> None:
         """Note which branches are one, because a solution is known on another one."""
-        at = solutions.same_as(self.known, SEARCH_TOLERANCE, self.scale)
+        at = self._same(solutions)
         both = np.flatnonzero((at != NONE) & (solutions.branch != NONE))
         self._joins.append((solutions.branch[both], self.known.branch[at[both]]))
 
+    def _same(self, solutions: Solutions) -> Ints:
+        """Rows of known solutions that are the same; `NONE` where there is none."""
+        return solutions.same_as(self.known, SEARCH_TOLERANCE, self.scale)
+
     def _unknown(self, solutions: Solutions) -> Solutions:
-        return solutions.take(solutions.same_as(self.known, SEARCH_TOLERANCE, self.scale) == NONE)
+        return solutions.take(self._same(solutions) == NONE)
 
     def _distinct(self, solutions: Solutions) -> Solutions:
         u = solutions.u

@@ -30,7 +30,14 @@ def cubics(x0: Array, x1: Array, tangent0: Array, tangent1: Array, scale: Array)
 
 
 def value(cubic: Array, tau: Array) -> Array:
-    """Values at tau."""
+    """Values at tau.
+
+    Parameters
+    ----------
+    cubic : ndarray, shape (n, 4) or (n, 4, M)
+    tau : ndarray, shape (n,) or (n, 1)
+        One for each cubic.
+    """
     out = cubic[:, 0] * tau
     for i in (1, 2):
         out = (out + cubic[:, i]) * tau

@@ -26,6 +26,7 @@ def test_a_part_is_the_whole_result(cells):
     result = line.result([(0, line.cycles(22.0).u[0])], cells=cells)
     result = dataclasses.replace(
         result,
+        outgoing=dataclasses.replace(result.outgoing, origin=result.outgoing.cell + 7),
         failures={1: "ValueError: boom", 0: "é, ∞"},
         joins=np.array([[5, 7], [1, 2**40]]),
         discarded={(0, "not_a_step"): 3, (1, "later_touchdown"): 1},

@@ -15,7 +15,8 @@ from stridemap.solver.options import AcceptanceOptions, ContinuationOptions, Sea
 from stridemap.sweeps.families import families
 from stridemap.sweeps.grid import Grid
 from stridemap.sweeps.solutions import NONE, Guesses, Solutions
-from stridemap.sweeps.tiles import Task, work
+from stridemap.sweeps.tasks import Task
+from stridemap.sweeps.tiles import work
 from tests.oracles.kernels import needs_compiler
 from tests.oracles.reference import GUESSES, LIFTING
 

@@ -5,7 +5,7 @@ import pytest
 
 from stridemap.solver.cycles import acceptance
 from stridemap.solver.cycles.acceptance import DEEP, DOUBTFUL, clearly_no_gaits
-from stridemap.solver.cycles.search import starts
+from stridemap.solver.cycles.search import find_all, starts
 from stridemap.solver.cycles.solver import Solver
 from stridemap.solver.cycles.status import FOUND, Status
 from stridemap.solver.model.loading import load
@@ -44,6 +44,18 @@ def test_gaits_are_in_doubt_and_clear_cases_are_what_acceptance_says(solutions):
         lost = ~orbits.found
         assert clear.sum() > 0.7 * lost.sum() > 0
         assert {Status.NOT_A_STEP.code, Status.LATER_TOUCHDOWN.code} <= set(codes.tolist())
+
+
+def test_gaits_with_a_stiff_spring_are_in_doubt():
+    """The mass oscillates ten times in a step, of which the look at it has 48 RK steps."""
+    model = load("wobbling")
+    solver = Solver.for_model(model)
+    corners = [{"k": 60.0, "alpha": 0.05, "omega": omega} for omega in (2.0, 3.5)]
+    points = np.array([model.point(corner) for corner in corners])
+    _, orbits = find_all(solver, points, SearchOptions(starts=64, max_starts=64))
+    assert orbits.period.max() > 2
+    codes = clearly_no_gaits(solver.kernels, 48, orbits.u, orbits.params)
+    assert (codes == DOUBTFUL).all()
 
 
 def test_a_foot_that_just_passes_is_in_doubt(solutions, monkeypatch):

@@ -1,0 +1,89 @@
+"""What a worker is given for one tile of a sweep, and what it gives back."""
+
+from dataclasses import dataclass
+
+import numpy as np
+import pyarrow as pa
+from numpy.typing import NDArray
+
+from stridemap.solver.backends.base import Backend
+from stridemap.solver.model.model import Model
+from stridemap.solver.options import AcceptanceOptions, ContinuationOptions, SearchOptions
+from stridemap.sweeps.grid import Grid
+from stridemap.sweeps.solutions import Guesses, Solutions
+
+Ints = NDArray[np.int64]
+
+
+@dataclass(frozen=True)
+class Task:
+    """What a worker needs to work on one tile: all of it, wherever the worker is.
+
+    Parameters
+    ----------
+    model : Model
+        With its generated files.
+    grid : Grid
+    params : dict of str to float
+        Parameters that are not on an axis of the grid.
+    search, acceptance, continuation : SearchOptions, AcceptanceOptions, ContinuationOptions
+    backend : Backend
+        What runs the kernels.
+    round, tile : int
+    cells : ndarray of int, shape (n,)
+        The tile's cells, ascending.
+    seeds : ndarray of int
+        Those of them that get many starts.
+    incoming : Guesses
+        From branches of other tiles.
+    known : Solutions
+        Cycles that the tile's cells have already.
+    seen : Solutions
+        What the search gave there, before it converged: the cycles, and what turned out not to be one.
+    """
+
+    model: Model
+    grid: Grid
+    params: dict[str, float]
+    search: SearchOptions
+    acceptance: AcceptanceOptions
+    continuation: ContinuationOptions
+    backend: Backend
+    round: int
+    tile: int
+    cells: Ints
+    seeds: Ints
+    incoming: Guesses
+    known: Solutions
+    seen: Solutions
+
+
+@dataclass(frozen=True)
+class Result:
+    """What a worker found.
+
+    Parameters
+    ----------
+    round, tile : int
+    orbits : Table
+        Rows of the table of orbits, with the numbers of branches that the search gave them.
+    failures : dict of int to str
+        Cells that failed with the reason.
+    seen : Solutions
+        What is to be added to the task's.
+    outgoing : Guesses
+        For cells of other tiles.
+    joins : ndarray of int, shape (n, 2)
+        Pairs of branches that are one.
+    discarded : dict of (int, str) to int
+        How many solutions in which cell were no limit cycle, by `Status`.
+    """
+
+    round: int
+    tile: int
+    orbits: pa.Table
+    failures: dict[int, str]
+    seen: Solutions
+    outgoing: Guesses
+    joins: Ints
+    discarded: dict[tuple[int, str], int]
