@@ -271,6 +271,8 @@ class ContinuationOptions(Options):
         the next one may be longer.
     patience : float
         Length along which a branch is followed without a gait on it.
+    special_points : bool
+        Whether special points of the branches are located.
 
     Raises
     ------
@@ -291,6 +293,7 @@ class ContinuationOptions(Options):
     min_tangent_cosine: float = 0.94
     easy_tangent_cosine: float = 0.98
     patience: float = 2.0
+    special_points: bool = True
 
     def __post_init__(self) -> None:
         for name in ("max_steps", "max_corrections"):
@@ -301,6 +304,7 @@ class ContinuationOptions(Options):
             self._check_number(name, 0.0, np.inf)
         self._check("ds_min", self.ds_min <= self.ds, f"it must not be above ds = {self.ds:g}")
         self._check("ds", self.ds <= self.ds_max, f"it must not be above ds_max = {self.ds_max:g}")
+        self._check("special_points", isinstance(self.special_points, bool), "true or false is needed")
         self._check_number("step_growth", float(np.nextafter(1, 0)), np.inf)  # 1 itself is allowed
         for name in (
             "step_shrink",

@@ -9,7 +9,7 @@ import pyarrow.compute as pc
 
 from stridemap.solver.model.model import Model
 from stridemap.sweeps.solutions import Guesses, Solutions
-from stridemap.sweeps.tables import orbit_schema
+from stridemap.sweeps.tables import orbit_schema, special_schema
 from stridemap.sweeps.tasks import Result
 
 KIND, REASON, NUMBER = "_kind", "_reason", "_number"
@@ -17,7 +17,9 @@ KIND, REASON, NUMBER = "_kind", "_reason", "_number"
 were thrown away has their status as its reason, and how many they are as its number; one that joins two
 branches has the other branch as its number, a guess the cell that it comes from."""
 
-ORBIT, FAILURE, SEEN, GUESS, DISCARDED, JOIN = "orbit", "failure", "seen", "guess", "discarded", "join"
+ORBIT, FAILURE, SEEN, GUESS, DISCARDED, JOIN, SPECIAL = (
+    "orbit", "failure", "seen", "guess", "discarded", "join", "special"
+)  # fmt: skip
 """Kinds of rows of a part."""
 
 
@@ -40,6 +42,7 @@ def part_table(model: Model, result: Result) -> pa.Table:
         },
         SEEN: _columns(model, result.seen),
         GUESS: {**_columns(model, result.outgoing), NUMBER: result.outgoing.origin},
+        SPECIAL: {name: result.special[name] for name in result.special.column_names},
         JOIN: {"branch": result.joins[:, 0], NUMBER: result.joins[:, 1]},
     }
     schema = _schema(model)
@@ -66,11 +69,12 @@ def result_of(model: Model, round_: int, tile: int, part: pa.Table) -> Result:
     return Result(
         round_,
         tile,
-        orbits.drop_columns([KIND, REASON, NUMBER]).cast(orbit_schema(model)),
+        orbits.select(orbit_schema(model).names).cast(orbit_schema(model)),
         dict(zip(failed["cell"].to_pylist(), failed[REASON].to_pylist(), strict=True)),
         solutions_of(model, rows(SEEN)),
         Guesses(made.cell, made.u, made.branch, guesses[NUMBER].to_numpy()),
         np.column_stack([joins[name].to_numpy() for name in ("branch", NUMBER)]),
+        rows(SPECIAL).select(special_schema(model).names).cast(special_schema(model)),
         {(cell, status): n for cell, status, n in lost},
     )
 
@@ -95,5 +99,7 @@ def _rows(schema: pa.Schema, kind: str, columns: Mapping[str, Any]) -> pa.Table:
 
 def _schema(model: Model) -> pa.Schema:
     fields = [field.with_nullable(True) for field in orbit_schema(model)]
+    have = set(orbit_schema(model).names)
+    fields += [field.with_nullable(True) for field in special_schema(model) if field.name not in have]
     fields += [pa.field(KIND, pa.string()), pa.field(REASON, pa.string()), pa.field(NUMBER, pa.int64())]
     return pa.schema(fields)

@@ -21,8 +21,17 @@ from stridemap.solver.model.loading import available, load
 from stridemap.solver.model.model import Model
 from stridemap.sweeps.config import canonical_json
 from stridemap.sweeps.grid import Grid
-from stridemap.sweeps.store import CELLS, ORBITS, read_cells, read_orbits, read_provenance, table_shape
-from stridemap.sweeps.tables import FORMAT, cell_schema, orbit_schema
+from stridemap.sweeps.store import (
+    CELLS,
+    ORBITS,
+    SPECIAL,
+    read_cells,
+    read_orbits,
+    read_provenance,
+    read_special,
+    table_shape,
+)
+from stridemap.sweeps.tables import FORMAT, cell_schema, orbit_schema, special_schema
 from stridemap.words import multiplier_columns
 
 CELL_STATUSES = ("found", "empty", "failed")
@@ -90,13 +99,15 @@ class FinishedSweep:
     model : Model
     provenance : mapping
         How it was made; see `stridemap.read_provenance`.
-    orbits, cells : pandas.DataFrame
+    orbits, cells, special : pandas.DataFrame
+        Limit cycles, grid cells, and special points along the lines of the grid.
     """
 
     model: Model
     provenance: Mapping[str, Any]
     orbits: pd.DataFrame
     cells: pd.DataFrame
+    special: pd.DataFrame
 
 
 def read_sweep(folder: str | Path, model: str | Path | Model | None = None) -> FinishedSweep:
@@ -122,7 +133,7 @@ def read_sweep(folder: str | Path, model: str | Path | Model | None = None) -> F
     _check_columns(folder, provenance, loaded)
     orbits, cells = read_orbits(folder), read_cells(folder)
     _check_values(folder, provenance["configuration"], loaded, orbits, cells)
-    return FinishedSweep(loaded, provenance, orbits, cells)
+    return FinishedSweep(loaded, provenance, orbits, cells, read_special(folder))
 
 
 def _checked(found: dict[str, Any], folder: str | Path) -> dict[str, Any]:
@@ -193,13 +204,14 @@ def _check_columns(folder: str | Path, provenance: Mapping[str, Any], model: Mod
         raise _foreign(folder, f"they lack the column {lacking[0]}")
     wanted = [field for field in orbit_schema(model) if field.name not in set(model.measured) - set(measures)]
     n_cells = int(np.prod([len(axis) for axis in provenance["configuration"]["grid"].values()], dtype=object))
-    for name, fields in ((ORBITS, wanted), (CELLS, list(cell_schema(model)))):
+    tables = {ORBITS: wanted, CELLS: list(cell_schema(model)), SPECIAL: list(special_schema(model))}
+    for name, fields in tables.items():
         schema, rows = table_shape(folder, name)
         _check_schema(folder, name, schema, fields)
         if name == CELLS and rows != n_cells:
             raise _foreign(folder, f"{CELLS} has {rows:,} rows for a grid of {n_cells:,} cells")
-        if name == ORBITS and rows > MOST_CYCLES * n_cells:
-            raise _foreign(folder, f"{ORBITS} has {rows:,} rows for {n_cells:,} cells")
+        if name in (ORBITS, SPECIAL) and rows > MOST_CYCLES * n_cells:
+            raise _foreign(folder, f"{name} has {rows:,} rows for {n_cells:,} cells")
 
 
 def _check_schema(folder: str | Path, table: str, schema: pa.Schema, fields: Iterable[pa.Field]) -> None:

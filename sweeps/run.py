@@ -12,7 +12,7 @@ import os
 from collections import Counter, defaultdict
 from collections.abc import Callable, Mapping
 from concurrent.futures import BrokenExecutor, Executor, Future, as_completed
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from itertools import count
 from pathlib import Path
 from typing import Any
@@ -35,7 +35,8 @@ from stridemap.sweeps.lock import held, refuse_if_held
 from stridemap.sweeps.parts import part_table, result_of, solutions_of
 from stridemap.sweeps.provenance import provenance
 from stridemap.sweeps.solutions import Guesses, Solutions
-from stridemap.sweeps.store import Store, read_cells
+from stridemap.sweeps.special_tables import in_order
+from stridemap.sweeps.store import Store, read_cells, read_special
 from stridemap.sweeps.tables import cell_table, orbit_schema
 from stridemap.sweeps.tasks import Result, Task
 from stridemap.sweeps.tiles import work
@@ -81,6 +82,10 @@ class Summary:
     cells, orbits, stable_orbits, failed_cells : int
     already_finished : bool
         Whether the tables were there before.
+    special : dict of str to int
+        Number of special points that were located along the lines of the grid, by type.
+    special_not_located : int
+        Number of those that were not.
     """
 
     folder: Path
@@ -89,6 +94,8 @@ class Summary:
     stable_orbits: int
     failed_cells: int
     already_finished: bool = False
+    special: dict[str, int] = field(default_factory=dict)
+    special_not_located: int = 0
 
 
 def sweep(
@@ -102,7 +109,7 @@ def sweep(
     tile_cells: int | None = None,
     progress: Callable[[Progress], None] | None = None,
 ) -> Summary:
-    """Find all limit cycles of a grid and write ``orbits.parquet`` and ``cells.parquet``.
+    """Find all limit cycles of a grid and write ``orbits.parquet``, ``cells.parquet``, ``special.parquet``.
 
     Parameters
     ----------
@@ -201,6 +208,7 @@ class _Run:
         self.known: dict[int, list[Solutions]] = defaultdict(list)
         self.seen: dict[int, list[Solutions]] = defaultdict(list)
         self.joins: list[Ints] = []
+        self.special: list[pa.Table] = []
 
     def all_rounds(self, pool: Executor) -> Summary:
         """Work until nothing new appears, then write the tables."""
@@ -286,6 +294,7 @@ class _Run:
             self.known[result.tile].append(solutions_of(self.model, result.orbits))
             self.seen[result.tile].append(result.seen)
             self.joins.append(result.joins)
+            self.special.append(result.special)
         every = self._guesses([result.outgoing for result in results])
         owner = self.tiles.tile_of(every.cell)
         return {tile: every.take(owner == tile) for tile in np.unique(owner).tolist()}
@@ -301,15 +310,20 @@ class _Run:
         orbits = pa.concat_tables(self.orbits) if self.orbits else schema.empty_table()
         orbits = orbits.filter(self._counts(orbits["period"].to_numpy()))
         orbits = orbits.sort_by([("cell", "ascending"), ("period", "ascending")])
-        numbers = families(orbits["branch"].to_numpy(), np.concatenate(self.joins))
-        column = schema.get_field_index("branch")
-        orbits = orbits.set_column(column, schema.field("branch"), pa.array(numbers))
+        special = pa.concat_tables(self.special)
+        # Cycles come first: families of which there is none in a cell get the numbers after theirs.
+        branches = [table["branch"].to_numpy() for table in (orbits, special)]
+        numbers = families(np.concatenate(branches), np.concatenate(self.joins))
+        orbits = _numbered(orbits, numbers[: len(orbits)])
+        axis = self.grid.longest_axis
+        width = float(np.ptp(self.grid.axes[axis])) or 1.0
+        special = in_order(self.model, self.grid.names[axis], width, _numbered(special, numbers[len(orbits) :]))
         points = self.grid.points(self.model, self.config.params)
         found = np.bincount(orbits["cell"].to_numpy(), minlength=self.grid.n_cells)
         status, reason = zip(*(self._cell(cell, n) for cell, n in enumerate(found.tolist())), strict=True)
         cells = cell_table(self.model, points, orbits, status, reason)
-        self.store.finish(orbits, cells)
-        return self._summary(cells.to_pandas())
+        self.store.finish(orbits, cells, special)
+        return self._summary(cells.to_pandas(), special.to_pandas())
 
     def _cell(self, cell: int, found: int) -> tuple[str, str | None]:
         if cell in self.failures:
@@ -327,9 +341,13 @@ class _Run:
 
     def summary_of_finished(self) -> Summary:
         """Read the summary of a sweep that was finished before."""
-        return self._summary(read_cells(self.store.folder), already_finished=True)
+        folder = self.store.folder
+        return self._summary(read_cells(folder), read_special(folder), already_finished=True)
 
-    def _summary(self, cells: pd.DataFrame, already_finished: bool = False) -> Summary:
+    def _summary(
+        self, cells: pd.DataFrame, special: pd.DataFrame, already_finished: bool = False
+    ) -> Summary:
+        located = special["reason"].isna()
         return Summary(
             self.store.folder,
             cells=len(cells),
@@ -337,7 +355,15 @@ class _Run:
             stable_orbits=int(cells["stable_orbits"].sum()),
             failed_cells=int((cells["status"] == "failed").sum()),
             already_finished=already_finished,
+            special={str(name): int(n) for name, n in special[located].groupby("type").size().items()},
+            special_not_located=int((~located).sum()),
         )
+
+
+def _numbered(table: pa.Table, branch: Ints) -> pa.Table:
+    """A table with other numbers of branches."""
+    column = table.schema.get_field_index("branch")
+    return table.set_column(column, table.schema.field("branch"), pa.array(branch))
 
 
 def _thrown_away(counts: Mapping[Status, int]) -> str:

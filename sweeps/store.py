@@ -1,7 +1,8 @@
-"""The output folder of a sweep: two Parquet tables, and a part file for each finished piece of work.
+"""The output folder of a sweep: three Parquet tables, and a part file for each finished piece of work.
 
-``orbits.parquet`` has one row per limit cycle, ``cells.parquet`` one per grid cell. While a sweep runs, its
-finished (round, tile) pieces are files in the subfolder ``parts``, which `Store.finish` removes once both
+``orbits.parquet`` has one row per limit cycle, ``cells.parquet`` one per grid cell, ``special.parquet`` one
+per special point that was met. While a sweep runs, its
+finished (round, tile) pieces are files in the subfolder ``parts``, which `Store.finish` removes once all
 tables are in place. Every file is written under another name, flushed to the disk and renamed, so a kill
 at any moment leaves the old or the new file, and every file carries the sweep's provenance, so nothing is
 mixed with another sweep's. No time, host or number of workers enters a file.
@@ -26,7 +27,10 @@ from stridemap.errors import InputError, StorageError
 from stridemap.sweeps.config import SweepConfig, canonical_json
 from stridemap.sweeps.provenance import DECIDING
 
-ORBITS, CELLS, PARTS = "orbits.parquet", "cells.parquet", "parts"
+ORBITS, CELLS, SPECIAL, PARTS = "orbits.parquet", "cells.parquet", "special.parquet", "parts"
+
+TABLES = (ORBITS, CELLS, SPECIAL)
+"""What is in the folder of a finished sweep."""
 
 # Keys of the schema metadata: the provenance, the name that the file was written under, and the digest of
 # both with columns and number of rows: Parquet has checksums for its pages, but none for its footer.
@@ -44,7 +48,7 @@ class Store:
     provenance : mapping
         What every file carries: the mapping given, with ``configuration`` and ``configuration_hash``.
     finished : bool
-        Whether both tables were complete when the store was opened.
+        Whether all tables were complete when the store was opened.
     """
 
     folder: Path
@@ -93,7 +97,7 @@ class Store:
         # be replaced, and may be an earlier run's.
         for path in outputs:
             store._check(path, same_software=not parts)
-        if len(outputs) == 2 and not parts:
+        if len(outputs) == len(TABLES) and not parts:
             return cls(store.folder, store.provenance, finished=True)
         store._make_folder()
         return store
@@ -124,8 +128,8 @@ class Store:
         self._check(path, same_software=True)
         return _read(path)
 
-    def finish(self, orbits: pa.Table, cells: pa.Table) -> None:
-        """Write both tables, orbits ordered by cell and period, and then remove the parts.
+    def finish(self, orbits: pa.Table, cells: pa.Table, special: pa.Table) -> None:
+        """Write all tables, orbits ordered by cell and period, and then remove the parts.
 
         Parameters
         ----------
@@ -133,6 +137,8 @@ class Store:
             All limit cycles, as from `orbit_table`, in any order.
         cells : Table
             All cells, as from `cell_table`.
+        special : Table
+            All special points, as from `in_order`.
 
         Raises
         ------
@@ -143,6 +149,7 @@ class Store:
         keys = dict.fromkeys(["cell", "period", *orbits.column_names])
         self._write(self.folder / ORBITS, orbits.sort_by([(key, "ascending") for key in keys]))
         self._write(self.folder / CELLS, cells)
+        self._write(self.folder / SPECIAL, special)
         # A kill in here leaves the first parts, as if the sweep had been killed after writing them.
         with contextlib.suppress(OSError):  # a file in there that is not ours keeps the folder
             for path in [*reversed(self._parts()), *(self.folder / PARTS).glob("*.tmp")]:
@@ -158,7 +165,7 @@ class Store:
         return sorted(folder.glob("round-*-tile-*.parquet")) if os.path.isdir(folder) else []
 
     def _outputs(self) -> list[Path]:
-        return [path for name in (ORBITS, CELLS) if os.path.lexists(path := self.folder / name)]
+        return [path for name in TABLES if os.path.lexists(path := self.folder / name)]
 
     def _check(self, path: Path, same_software: bool) -> None:
         """Refuse `path` if it is damaged, foreign or of another sweep."""
@@ -236,20 +243,42 @@ def read_cells(folder: str | Path) -> pd.DataFrame:
     return _frame(_output(folder, CELLS))
 
 
+def read_special(folder: str | Path) -> pd.DataFrame:
+    """Return the special points that a finished sweep has met along the lines of its grid, one row each.
+
+    They are ordered by line and by the value of the parameter that varies along it.
+
+    Raises
+    ------
+    InputError
+        As `read_orbits`, and if an earlier version of stridemap made the sweep.
+    """
+    path = Path(folder) / SPECIAL
+    if not os.path.exists(path) and os.path.exists(_output(folder, ORBITS)):
+        raise InputError(
+            f"there is no {SPECIAL} in {folder}: an earlier version of stridemap made the sweep; sweep again"
+        )
+    return _frame(_output(folder, SPECIAL))
+
+
 def read_provenance(folder: str | Path) -> dict[str, Any]:
     """Return how the tables in `folder` were made: configuration, its hash, versions and so on.
 
     Raises
     ------
     InputError
-        As `read_orbits`, and if the two tables are not of one sweep.
+        As `read_orbits`, and if the tables are not of one sweep.
     """
-    orbits, cells = (_provenance(_output(folder, name)) for name in (ORBITS, CELLS))
-    if orbits != cells:
-        raise InputError(
-            f"{ORBITS} and {CELLS} in {folder} are not of one sweep ({_difference(orbits, cells)}, in that "
-            "order); sweep again"
-        )
+    orbits = _provenance(_output(folder, ORBITS))
+    for name in (CELLS, SPECIAL):
+        if name == SPECIAL and not os.path.exists(Path(folder) / SPECIAL):
+            continue  # earlier versions of stridemap did not write it
+        other = _provenance(_output(folder, name))
+        if orbits != other:
+            raise InputError(
+                f"{ORBITS} and {name} in {folder} are not of one sweep ({_difference(orbits, other)}, in "
+                "that order); sweep again"
+            )
     return orbits
 
 

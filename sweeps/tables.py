@@ -1,6 +1,6 @@
-"""The columns of a sweep's two tables, and how limit cycles become tables.
+"""The columns of a sweep's tables, and how limit cycles become tables.
 
-A row of orbits is a limit cycle, a row of cells a grid cell. Columns bear the names of the JSON that
+A row of orbits is a limit cycle, a row of cells a grid cell, a row of special points one point of a line. Columns bear the names of the JSON that
 ``stridemap orbit`` prints, with state entries, parameters and multipliers as columns of their own; which
 quantities there are says `stridemap.quantities`.
 """
@@ -16,7 +16,7 @@ from stridemap.solver.cycles.orbits import Orbits
 from stridemap.solver.model.model import Model
 from stridemap.words import multiplier_columns
 
-FORMAT = 4
+FORMAT = 5
 """Of the tables: it rises when columns change, other than those of measured quantities."""
 
 _TYPES = {"float": pa.float64(), "int": pa.int64(), "bool": pa.bool_(), "str": pa.string()}
@@ -41,6 +41,28 @@ def cell_schema(model: Model) -> pa.Schema:
     counts = [("orbits", pa.int64()), ("stable_orbits", pa.int64())]
     columns = [*_cell_columns(model), *counts, ("status", pa.string()), ("reason", pa.string())]
     return _schema(columns, {"reason"})
+
+
+def special_schema(model: Model) -> pa.Schema:
+    """Columns of ``special.parquet``; a point that was not located has its place and a reason alone."""
+    places = [("cell", pa.int64()), ("line", pa.int64()), ("branch", pa.int64()), ("type", pa.string())]
+    bounds = [("lower", pa.float64()), ("upper", pa.float64())]
+    parameters = [(name, pa.float64()) for name in model.spec.names]
+    located = [
+        *((name, pa.float64()) for name in model.section),
+        ("period", pa.float64()),
+        *((name, pa.float64()) for i in range(len(model.section)) for name in multiplier_columns(i)),
+        ("residual", pa.float64()),
+        ("gait", pa.bool_()),
+        ("criticality", pa.string()),
+        ("multiplier_re", pa.float64()),
+        ("multiplier_im", pa.float64()),
+        ("crossing_slope", pa.float64()),
+        *((f"null_{name}_{part}", pa.float64()) for name in model.section for part in ("re", "im")),
+        ("reason", pa.string()),
+    ]
+    nullable = {name for name, _ in [*parameters, *located]}
+    return _schema([*places, *parameters, *bounds, *located], nullable)
 
 
 def orbit_table(cell: NDArray[np.int64], branch: NDArray[np.int64], orbits: Orbits) -> pa.Table:

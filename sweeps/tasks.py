@@ -75,6 +75,8 @@ class Result:
         For cells of other tiles.
     joins : ndarray of int, shape (n, 2)
         Pairs of branches that are one.
+    special : Table
+        Rows of the table of special points, with the numbers of branches that the search gave them.
     discarded : dict of (int, str) to int
         How many solutions in which cell were no limit cycle, by `Status`.
     """
@@ -86,4 +88,5 @@ class Result:
     seen: Solutions
     outgoing: Guesses
     joins: Ints
+    special: pa.Table
     discarded: dict[tuple[int, str], int]

@@ -11,7 +11,8 @@ from typing import TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from stridemap.solver.branches.continuation import Known, follow
+from stridemap.solver.branches.conditions import GaitConditions
+from stridemap.solver.branches.continuation import Followed, Known, follow
 from stridemap.solver.cycles.acceptance import CLEARLY, DOUBTFUL, clearly_no_gaits
 from stridemap.solver.cycles.duplicates import DUPLICATE, SEARCH_TOLERANCE, backwards, first_of_each, grouped
 from stridemap.solver.cycles.orbits import Orbits
@@ -20,9 +21,12 @@ from stridemap.solver.cycles.solver import Solver
 from stridemap.solver.cycles.status import FOUND, STATUSES
 from stridemap.solver.kernels.catalogue import CYCLE_N_RK
 from stridemap.solver.model.scales import Scales
+from stridemap.sweeps.changes import Stretches
 from stridemap.sweeps.connections import connections
 from stridemap.sweeps.lines import Lines
 from stridemap.sweeps.solutions import NONE, Guesses, Solutions
+from stridemap.sweeps.special import Locator, SpecialPoint
+from stridemap.sweeps.special_tables import special_table
 from stridemap.sweeps.tables import orbit_table
 from stridemap.sweeps.tasks import Result, Task
 
@@ -65,6 +69,7 @@ def work(task: Task) -> Result:
     search = _Search(task)
     search.relax()
     cells, branch, orbits = search.gaits()
+    special = search.special()
     return Result(
         task.round,
         task.tile,
@@ -73,6 +78,7 @@ def work(task: Task) -> Result:
         search.new,
         search.outgoing,
         search.joins,
+        special_table(task.model, task.grid, task.params, special),
         dict(search.discarded),
     )
 
@@ -93,6 +99,7 @@ class _Search:
         self._outgoing: list[Guesses] = []
         self._links: list[tuple[Guesses, Solutions]] = []
         self._joins: list[tuple[Ints, Ints]] = []
+        self._followed: list[tuple[Solutions, Followed]] = []
         self._next = task.tile * BRANCHES + len(np.unique(task.seen.branch))
 
     @property
@@ -146,6 +153,60 @@ class _Search:
         orbits = Orbits.concatenate(self.task.model, [orbits for _, orbits in parts])
         return found.cell[order], found.branch[order], orbits.take(order)
 
+    def special(self) -> list[SpecialPoint]:
+        """Special points on what was followed along lines."""
+        if not self._followed or not self.task.continuation.special_points:
+            return []
+        grid, axis = self.task.grid, self.task.grid.longest_axis
+        conditions = GaitConditions(self.solver.kernels, None, self.task.search.period_range)
+        locator = Locator(conditions, grid.names[axis], *grid.axes[axis][[0, -1]].tolist())
+        stretches = self._stretches()
+        try:
+            return locator.special_points(stretches)
+        except Exception:
+            out = []
+            for one in np.unique(stretches.branch):
+                part = stretches.take(stretches.branch == one)
+                try:
+                    out += locator.special_points(part)
+                except Exception as error:
+                    self.failures[int(part.cell[0])] = f"{type(error).__name__}: {error}"
+            return out
+
+    def _stretches(self) -> Stretches:
+        """All that was followed along lines, as points at parameters."""
+        lines, model, axis = self.lines, self.task.model, self.task.grid.longest_axis
+        name = self.task.grid.names[axis]
+        values = self.task.grid.axes[axis][lines.first : lines.last + 1]
+        length, column = values[-1] - values[0], model.spec.names.index(name)
+        parts, count = [], 0
+        for begun, followed in self._followed:
+            first = lines.line_of(begun.cell)[followed.branch]
+            params = self._points(first)
+            s = followed.x[:, -1]
+            params[:, column] = np.where(s == 1, values[-1], values[0] + s * length)
+            tangent = followed.tangent.copy()
+            tangent[:, -1] *= length
+            stretch = count + 2 * followed.branch + followed.ahead
+            count += 2 * len(begun)
+            parts.append(
+                (first, begun.branch[followed.branch], stretch, followed.x[:, :-1], params, tangent)
+            )
+        cell, branch, stretch, u, params, tangent = (np.concatenate(c) for c in zip(*parts, strict=True))
+        n_rk = self.solver.resolution.branch_n_rk(u[:, -1], self._fastest_modes(cell, params[:, column]))
+        return Stretches(cell, branch, stretch, u, params, tangent, n_rk)
+
+    def _fastest_modes(self, cell: Ints, values: Floats) -> Floats:
+        """The faster of the fastest modes in the two cells between which each point of a line lies."""
+        lines, axis = self.lines, self.task.grid.longest_axis
+        first, line = np.unique(cell, return_inverse=True)
+        places = np.arange(len(lines))
+        cells = np.concatenate([lines.cell_at(np.full(len(lines), one), places) for one in first.tolist()])
+        modes = self.solver.resolution.fastest_mode(self._points(cells)).reshape(len(first), -1)
+        own = self.task.grid.axes[axis][lines.first : lines.last + 1]
+        at = np.clip(np.searchsorted(own, values, "right") - 1, 0, len(own) - 2)
+        return np.maximum(modes[line.ravel(), at], modes[line.ravel(), at + 1])
+
     def _solve(self, guesses: Guesses) -> tuple[Guesses, Solutions]:
         """Guesses that lead to solutions, and these."""
         points = self._points(guesses.cell)
@@ -181,6 +242,7 @@ class _Search:
             may_be_gaits=lambda u, params: self._clear_cases(u, params) == DOUBTFUL,
             known=self._landmarks_beside(begun),
         )
+        self._followed.append((begun, followed))
         passed = followed.crossings(lines.positions)
         cells = lines.cell_at(begun.cell[passed.branch], passed.position)
         guesses = Guesses(cells, passed.u, begun.branch[passed.branch], cells)

@@ -33,6 +33,8 @@ class GaitEnd(StrEnum):
     """The vertical ground force reaches zero."""
     FRICTION = "friction"
     """The friction that is needed reaches the limit."""
+    PERIOD_LIMIT = "period_limit"
+    """The period leaves the range that counts."""
 
 
 @dataclass(frozen=True)
@@ -44,10 +46,13 @@ class GaitConditions:
     kernels : Kernels
     friction_limit : float or None
         Largest ratio of horizontal to vertical ground force.
+    period_range : (float, float) or None
+        Periods of a walking step that count.
     """
 
     kernels: Kernels
     friction_limit: float | None = None
+    period_range: tuple[float, float] | None = None
 
     @property
     def names(self) -> tuple[GaitEnd, ...]:
@@ -55,6 +60,8 @@ class GaitConditions:
         left_out = set()
         if self.friction_limit is None:
             left_out.add(GaitEnd.FRICTION)
+        if self.period_range is None:
+            left_out.add(GaitEnd.PERIOD_LIMIT)
         if self.kernels.model.stance_index is None:
             left_out.add(GaitEnd.FALL)
         return tuple(name for name in GaitEnd if name not in left_out)
@@ -93,6 +100,11 @@ class GaitConditions:
             if name == GaitEnd.FALL:
                 fallen: Array = np.abs(q[:, :, model.stance_index]).max(axis=1)
                 return 0.5 * np.pi - fallen
+            if name == GaitEnd.PERIOD_LIMIT:
+                assert self.period_range is not None
+                shortest, longest = self.period_range
+                within: Array = np.minimum(u[:, -1] - shortest, longest - u[:, -1])
+                return within
             assert self.friction_limit is not None
             return self.friction_limit - extreme(trace, "friction", np.absolute)
 

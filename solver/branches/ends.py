@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from stridemap.solver.branches.arclength import CurvePoint, advanced
+from stridemap.solver.branches.arclength import CurvePoint
 from stridemap.solver.branches.conditions import GaitConditions, GaitEnd
 from stridemap.solver.branches.curve import ZeroCurve
 from stridemap.solver.kernels.catalogue import CYCLE_N_RK
@@ -73,11 +73,11 @@ def gait_ends(
         inside = number if gait[number] else number + 1
         outside = 2 * number + 1 - inside
         broken = [name for name in holds if not holds[name][outside]]
-        found = [
-            end
-            for name in broken
-            if (end := _located(curve, name, points[number], points[number + 1], conditions, options))
-        ]
+        pair, found = (points[number], points[number + 1]), []
+        for name in broken:
+            known = tuple(values[name][number : number + 2].tolist())
+            if end := _located(curve, name, pair, known, conditions, options):
+                found.append(end)
         if found:  # of several that are broken, the one that is met first
             middle = points[inside].x
             yield number, min(found, key=lambda end: curve.norm(end.point.x - middle))
@@ -86,32 +86,45 @@ def gait_ends(
 def _located(
     curve: ZeroCurve,
     name: GaitEnd,
-    one: CurvePoint,
-    other: CurvePoint,
+    pair: tuple[CurvePoint, CurvePoint],
+    known: tuple[float, ...],
     conditions: GaitConditions,
     options: ArclengthOptions,
 ) -> End | None:
-    """Where a condition is zero between two points: regula falsi (Illinois) on the arclength step."""
+    """Where a condition is zero between two points: regula falsi (Illinois) on the arclength step.
+
+    The condition is `known` at both points.
+    """
+    one, other = pair
+    n_rk = max(one.n_rk, other.n_rk)
 
     def value(point: CurvePoint) -> float:
         return float(conditions_along(curve, [point], conditions, [name])[name][0])
 
     low, high = 0.0, curve.dot(other.x - one.x, one.tangent)
-    f_low, f_high = value(one), value(other)
+    x_low, x_high = one.x, other.x
+    f_low, f_high = known
     here: CurvePoint | None = None
+    kept = 0  # the side that the last turn kept: 1 for the upper end, -1 for the lower one
     for turn in range(LOCATE_ITERATIONS):
         bounded = np.isfinite(f_low) and np.isfinite(f_high) and turn % 6 < 5
-        ds = low + (high - low) * (f_low / (f_low - f_high) if bounded else 0.5)
-        here = advanced(curve, one, ds, options.max_corrections + 3)
-        if here is None:
+        part = f_low / (f_low - f_high) if bounded else 0.5
+        guess = x_low + part * (x_high - x_low)
+        found = curve.corrected(guess, one.tangent, n_rk, options.max_corrections + 3)
+        if not found.converged:
             return None
-        f = value(here)
+        here = CurvePoint.at(curve, found, one.tangent, n_rk)
+        ds, f = low + part * (high - low), value(here)
         if abs(f) < ROUNDING or high - low < 1e-15 * (1.0 + abs(high)):
             break
         if (f > 0) == (f_low > 0):
-            low, f_low, f_high = ds, f, 0.5 * f_high
+            low, x_low, f_low = ds, here.x, f
+            f_high *= 0.5 if kept == 1 else 1.0  # kept twice in a row, an end would stay for ever
+            kept = 1
         else:
-            high, f_high, f_low = ds, f, 0.5 * f_low
+            high, x_high, f_high = ds, here.x, f
+            f_low *= 0.5 if kept == -1 else 1.0
+            kept = -1
     if here is None or not abs(f) < LOCATED:
         return None
     closing = float(np.abs(curve.linearised(here.x, here.n_rk)[1]).max())

@@ -117,11 +117,11 @@ def _between(
     first, second = tests(curve, one), tests(curve, other)
     crossed = [kind for kind in SpecialType if first[kind] * second[kind] < 0]
     change = abs(unstable_count(other) - unstable_count(one))
-    if not crossed and not change:
+    if not change and (not crossed or _hollow(crossed, one, other)):
         return []
     found = [located(curve, kind, one, other, options) for kind in crossed] if len(crossed) < 2 else []
     specials = [special for special in found if special is not None]
-    explained = sum(_CHANGES[special.type] for special in specials)
+    explained = sum(CHANGES[special.type] for special in specials)
     # Two doublings leave the sign of their test as it was: what the count of multipliers says must add up.
     if len(crossed) < 2 and change <= explained and (explained - change) % 2 == 0:
         return specials
@@ -135,7 +135,17 @@ def _between(
     return [special for special in found if special is not None]
 
 
-_CHANGES = {SpecialType.FOLD: 1, SpecialType.PD: 1, SpecialType.NS: 2, SpecialType.BP: 1}
+def _hollow(crossed: list[SpecialType], one: CurvePoint, other: CurvePoint) -> bool:
+    """Whether the only sign that changes between two points, as many multipliers outside, means nothing.
+
+    A multiplier goes through infinity where the foot grazes the ground, and two real ones can have the
+    product 1. A doubling would change how many are outside, and so would a torus, which needs a pair.
+    """
+    real = not (one.multipliers.imag.any() or other.multipliers.imag.any())
+    return crossed == [SpecialType.PD] or (crossed == [SpecialType.NS] and real)
+
+
+CHANGES = {SpecialType.FOLD: 1, SpecialType.PD: 1, SpecialType.NS: 2, SpecialType.BP: 1}
 """By how much each changes the number of multipliers outside the unit circle."""
 
 
@@ -154,7 +164,7 @@ def located(
 
     Newton's method starts from a bracket that is halved until it converges to a point within.
     """
-    sign = tests(curve, one)[kind]
+    sign, growing = tests(curve, one)[kind], 0
     for _ in range(BISECTIONS):
         guess = _likeliest(curve, kind, one, other)
         special = _SOLVERS[kind](curve, guess)
@@ -163,6 +173,10 @@ def located(
         middle = _middle(curve, one, other, options)
         if middle is None:
             return None
+        largest = max(abs(tests(curve, one)[kind]), abs(tests(curve, other)[kind]))
+        growing = growing + 1 if abs(tests(curve, middle)[kind]) > largest else 0
+        if growing == POLE:
+            return None  # the test goes through infinity, where the foot grazes the ground
         one, other = (middle, other) if tests(curve, middle)[kind] * sign > 0 else (one, middle)
     return None
 
@@ -177,7 +191,7 @@ def _refined(curve: Curve, special: Special, guess: CurvePoint) -> Special:
             break
         change = curve.norm(finer.x - special.x)
         special, n_rk = finer, _finer(n_rk)
-        if change < RESOLVED:
+        if change < RESOLVED * GAIN:
             break
     return special
 
@@ -406,11 +420,15 @@ SUBDIVISIONS = 8
 BISECTIONS = 24
 """How often the bracket of one special point is halved before Newton's method must succeed."""
 
+POLE = 4
+"""Halvings in a row at which a test function grows, after which it has no zero but a pole."""
+
 ITERATIONS = 15
 """Newton iterations of one attempt."""
 
-RESOLVED = 1e-12
-"""Change of a special point, in terms of the scale, at twice the resolution that needs no finer one."""
+RESOLVED, GAIN = 1e-12, 32.0
+"""Error of a special point, in terms of the scale, that needs no finer resolution, and by which factor at least
+it is smaller than what twice the resolution has changed: 256 with a method of order 8."""
 
 SPECIAL_RESIDUAL, SETTLED = 1e-11, 1e-7
 """Residual of a special point, and the size of a Newton step after which the next one would be lost in

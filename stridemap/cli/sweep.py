@@ -26,7 +26,7 @@ def sweep(
     ] = None,
     derive_timeout: DeriveTimeoutOption = None,
 ) -> int:
-    """Find all limit cycles of a grid of parameters; writes orbits.parquet and cells.parquet."""
+    """Find all limit cycles of a grid of parameters; writes orbits.parquet, cells.parquet and special.parquet."""
     from stridemap.cli.progress import show
     from stridemap.sweeps.run import sweep as sweep_
 
@@ -47,4 +47,8 @@ def sweep(
         f"sweep {done}: {summary.orbits:,} limit cycles ({summary.stable_orbits:,} stable) "
         f"in {summary.cells:,} cells{failed}; tables in {summary.folder}"
     )
+    counts = [f"{n:,} {name}" for name, n in summary.special.items()]
+    counts += [f"{summary.special_not_located:,} not located"] if summary.special_not_located else []
+    if counts:
+        print(f"special points along the lines of the grid: {', '.join(counts)}")
     return FOUND if summary.orbits else NOTHING

@@ -1,0 +1,344 @@
+"""Special points on the lines of a sweep: bifurcations, and where limit cycles begin and end.
+
+Branches are followed as guesses. Where something happens between two points of one, both are solved for,
+and what is between them is located by the systems of `solver.branches.special` and `solver.branches.ends`,
+as on a branch over one parameter.
+"""
+
+from collections import Counter, defaultdict
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from stridemap.solver.branches.arclength import CurvePoint
+from stridemap.solver.branches.conditions import GaitConditions, GaitEnd
+from stridemap.solver.branches.cubics import cubics, value
+from stridemap.solver.branches.curve import Curve
+from stridemap.solver.branches.ends import End, gait_ends
+from stridemap.solver.branches.special import CHANGES, Special, SpecialType, special_points, tests
+from stridemap.solver.branches.switching import doubled, supercritical
+from stridemap.solver.cycles.chain import Chain
+from stridemap.solver.kernels.catalogue import CYCLE_N_RK
+from stridemap.solver.kernels.resolution import Resolution
+from stridemap.solver.options import ArclengthOptions
+from stridemap.sweeps import changes
+from stridemap.sweeps.changes import Stretches, cycles, sides, sides_of_guesses
+
+Floats = NDArray[np.float64]
+Ints = NDArray[np.int64]
+Conditions = dict[GaitEnd, Floats]
+
+CORRECTIONS = 10
+"""Newton's corrections of a point of a branch at most."""
+
+ON_BRANCH = 2e-3
+"""Distance from a branch, in terms of the length of the piece, at which a special point is one of it."""
+
+UNKNOWN = "unknown"
+"""The type of a special point of which only the stretch is known on which it lies."""
+
+NOT_SOLVED = "the branch was not solved for at both values between which it lies"
+NOT_LOCATED = "Newton's method did not find it between the two values"
+
+
+@dataclass(frozen=True)
+class SpecialPoint:
+    """A special point of a branch on a line of the grid.
+
+    Parameters
+    ----------
+    cell : int
+        A cell of its line.
+    branch : int
+        Number that the search gave the branch.
+    type : str
+        A `SpecialType`, a `GaitEnd` or `UNKNOWN`.
+    lower, upper : float
+        Values of the parameter between which it lies; both are its own where it was located.
+    values : dict of str to value
+        What the table has of it besides, by column; empty where it was not located.
+    reason : str or None
+        Why it was not located.
+    """
+
+    cell: int
+    branch: int
+    type: str
+    lower: float
+    upper: float
+    values: dict[str, Any]
+    reason: str | None = None
+
+
+@dataclass(frozen=True)
+class Locator:
+    """Locates special points of branches on lines along one parameter.
+
+    Parameters
+    ----------
+    conditions : GaitConditions
+        With the range of periods that count.
+    parameter : str
+        What varies along the lines.
+    low, high : float
+        Ends of the lines.
+    """
+
+    conditions: GaitConditions
+    parameter: str
+    low: float
+    high: float
+
+    def special_points(self, stretches: Stretches) -> list[SpecialPoint]:
+        """Special points of stretches, in order along them. What two stretches share is there twice."""
+        points, held = self._solved(stretches, sides_of_guesses(stretches, self.conditions))
+        out: list[SpecialPoint] = []
+        met: dict[int, list[_Met]] = defaultdict(list)  # by cell: stretches often share a part of a branch
+        for piece in sorted(i for i in points if i + 1 in points and stretches.joined[i]):
+            pair = points[piece], points[piece + 1]
+            curve = self._curve(stretches.params[piece])
+            column = curve.equations.columns[0]
+            place = int(stretches.cell[piece]), int(stretches.branch[piece])
+            if pair[0] is None or pair[1] is None:
+                lower, upper = sorted(stretches.params[[piece, piece + 1], column].tolist())
+                out.append(SpecialPoint(*place, UNKNOWN, lower, upper, {}, NOT_SOLVED))
+                continue
+            one, other = pair[0], pair[1]
+            beside = {name: np.array([held[piece][name], held[piece + 1][name]]) for name in held[piece]}
+            side = [self._side(point, held[piece + i]) for i, point in enumerate((one, other))]
+            if changes.changes(side[0][None], side[1][None])[0]:
+                what = _Piece(self, curve, one, other, side[0], side[1], beside)
+                if not what.is_explained_by(met[place[0]]):
+                    out += [SpecialPoint(*place, *rest) for rest in what.special_points(met[place[0]])]
+        return out
+
+    def _curve(self, params: Floats) -> Curve:
+        chain = Chain(self.conditions.kernels, 1)
+        return Curve.over(chain, params, self.parameter, self.high - self.low)
+
+    def _solved(
+        self, stretches: Stretches, guessed: Ints
+    ) -> tuple[dict[int, CurvePoint | None], dict[int, dict[GaitEnd, float]]]:
+        """The ends of all pieces on which something happens, and the conditions of a gait there.
+
+        A guess may be on another side than the point for which it stands: then the piece beside it counts too.
+        """
+        known = (guessed[:, changes.CYCLE] != changes.UNKNOWN) if len(guessed) else np.zeros(0, dtype=bool)
+        looked = stretches.joined & known[:-1] & known[1:]
+        pieces = set(np.flatnonzero(looked & changes.changes(guessed[:-1], guessed[1:])).tolist())
+        points: dict[int, CurvePoint | None] = {}
+        held: dict[int, dict[GaitEnd, float]] = {}
+        while new := sorted({i for piece in pieces for i in (piece, piece + 1)} - points.keys()):
+            n_rk = Resolution(self.conditions.kernels.model).cycle_n_rk(
+                stretches.u[new, -1], stretches.params[new]
+            )
+            points |= {i: self._point(stretches, i, n) for i, n in zip(new, n_rk.tolist(), strict=True)}
+            held |= self._held([(i, point) for i in new if (point := points[i]) is not None], stretches)
+            for i in new:
+                point = points[i]
+                if point is not None and (self._side(point, held[i]) != guessed[i]).any():
+                    pieces |= {beside for beside in (i - 1, i) if 0 <= beside < len(looked) and looked[beside]}
+        return points, held
+
+    def _point(self, stretches: Stretches, i: int, n_rk: int) -> CurvePoint | None:
+        """The point of the branch for which a guess stands; None where Newton's method does not find it."""
+        curve = self._curve(stretches.params[i])
+        x = np.append(stretches.u[i], stretches.params[i, curve.equations.columns[0]])
+        tangent = stretches.tangent[i] / curve.norm(stretches.tangent[i])
+        found = curve.corrected(x, tangent, n_rk, CORRECTIONS)
+        return CurvePoint.at(curve, found, tangent, n_rk) if found.converged else None
+
+    def _held(
+        self, points: list[tuple[int, CurvePoint]], stretches: Stretches
+    ) -> dict[int, dict[GaitEnd, float]]:
+        """Conditions of a gait at points."""
+        if not points:
+            return {}
+        params = np.array([self._curve(stretches.params[i]).equations.point(p.x[-1]) for i, p in points])
+        n_rk = [min(2 * point.n_rk, 2 * CYCLE_N_RK[-1]) for _, point in points]
+        values = self.conditions.of_cycles(n_rk, np.array([p.x[:-1] for _, p in points]), params, 1)
+        return {
+            i: {name: float(value[row]) for name, value in values.items()}
+            for row, (i, _) in enumerate(points)
+        }
+
+    def _side(self, point: CurvePoint, held: dict[GaitEnd, float]) -> Ints:
+        """On which side a point is of what can happen, shape (5,)."""
+        holds = {name: np.array([value]) for name, value in held.items()}
+        jacobian, multipliers = point.matrix[None, :, :-1], point.multipliers[None]
+        return np.asarray(sides(point.tangent[-1:], jacobian, multipliers, holds)[0])
+
+
+@dataclass(frozen=True)
+class _Met:
+    """A special point that was located.
+
+    Parameters
+    ----------
+    type : str
+    x : ndarray, shape (nz + 2,)
+    slope : float
+        Of a bifurcation. That of a fold says to which side of it there are cycles.
+    """
+
+    type: str
+    x: Floats
+    slope: float = 0.0
+
+
+@dataclass(frozen=True)
+class _Piece:
+    """A part of a branch between two of its points, on which something happens."""
+
+    locator: Locator
+    curve: Curve
+    one: CurvePoint
+    other: CurvePoint
+    side: Ints
+    other_side: Ints
+    held: Conditions
+
+    def is_explained_by(self, met: list[_Met]) -> bool:
+        """Whether what happens here was located from another stretch, which shares this part of the branch."""
+        here = [point for point in met if self._passes(point.x)]
+        types = Counter(point.type for point in here)
+        differ = self.side != self.other_side
+        peak = self.other_side[changes.FOLD] == 0  # the parameter is largest at the fold
+        folds = sum(point.type == SpecialType.FOLD and (point.slope < 0) == peak for point in here)
+        change = abs(int(self.side[changes.UNSTABLE] - self.other_side[changes.UNSTABLE]))
+        explained = sum(CHANGES[kind] * types[kind] for kind in SpecialType)
+        ends = sum(types[kind] for kind in GaitEnd if kind != GaitEnd.CONTACT)
+        return (
+            (not differ[changes.FOLD] or folds % 2 == 1)
+            and (not differ[changes.BP] or types[SpecialType.BP] % 2 == 1)
+            and (change <= explained and (explained - change) % 2 == 0)
+            and (not differ[changes.CYCLE] or ends % 2 == 1)
+            and (not differ[changes.CONTACT] or differ[changes.CYCLE] or types[GaitEnd.CONTACT] % 2 == 1)
+        )
+
+    def _passes(self, x: Floats) -> bool:
+        """Whether a point is on this part of the branch: on the cubic through its ends with their tangents."""
+        one, other, scale = self.one, self.other, self.curve.scale
+        length = self.curve.norm(other.x - one.x)
+        part = self.curve.dot(x - one.x, other.x - one.x) / length**2
+        if not -1e-9 < part < 1 + 1e-9 or self.curve.norm(x - one.x) > 1.5 * length:
+            return False
+        ends = one.x[None], other.x[None], one.tangent[None], other.tangent[None]
+        fine = np.linspace(0, 1, 101)[:, None]
+        path = value(np.repeat(cubics(*ends, scale), len(fine), axis=0), fine)
+        return bool(self._distance(path, x) < ON_BRANCH * length)
+
+    def _distance(self, path: Floats, x: Floats) -> float:
+        """Distance of a point from a polygon, in terms of the scale."""
+        path, x = path / self.curve.scale, x / self.curve.scale
+        along, away = np.diff(path, axis=0), x - path[:-1]
+        part = np.clip((along * away).sum(axis=1) / np.fmax((along**2).sum(axis=1), 1e-300), 0, 1)
+        return float(np.sqrt(((away - part[:, None] * along) ** 2).sum(axis=1).min()))
+
+    def special_points(
+        self, met: list[_Met]
+    ) -> Iterator[tuple[str, float, float, dict[str, Any], str | None]]:
+        """Type, lower and upper value, other values and reason of each; enters what it locates."""
+        options = ArclengthOptions()
+        found: list[tuple[float, str, Floats, dict[str, Any]]] = []
+        differ = self.side != self.other_side
+        if differ[[changes.FOLD, changes.BP, changes.UNSTABLE]].any():
+            specials = [s for _, s in special_points(self.curve, [self.one, self.other], options)]
+            missing = self._missing({special.type for special in specials})
+            met += [_Met(str(special.type), special.x, special.slope) for special in specials]
+            found += [row for special in specials for row in self._bifurcation(special, options)]
+        else:
+            missing = []
+        if differ[[changes.CYCLE, changes.CONTACT]].any():
+            ends = list(self._ends(options))
+            missing += [] if ends else self._broken()
+            met += [_Met(str(end.type), end.point.x) for end in ends]
+            found += [(self._along(end.point.x), *self._end(end)) for end in ends]
+        for _, kind, x, values in sorted(found, key=lambda row: row[0]):
+            at = float(x[-1])
+            if self.locator.low <= at <= self.locator.high:
+                yield kind, at, at, values, None
+        lower, upper = sorted([float(self.one.x[-1]), float(self.other.x[-1])])
+        for kind in missing:
+            yield kind, lower, upper, {}, NOT_LOCATED
+
+    def _along(self, x: Floats) -> float:
+        return self.curve.dot(x - self.one.x, self.one.tangent)
+
+    # -- bifurcations ----------------------------------------------------------------------------------------
+
+    def _missing(self, found: set[SpecialType]) -> list[str]:
+        """Types of bifurcations that there must be among limit cycles, and that were not located."""
+        if not (self.side[changes.CYCLE] and self.other_side[changes.CYCLE]):
+            return []  # it may lie where there is no limit cycle
+        before, after = tests(self.curve, self.one), tests(self.curve, self.other)
+        crossed = [kind for kind in SpecialType if before[kind] * after[kind] < 0 and kind not in found]
+        more = abs(int(self.side[changes.UNSTABLE] - self.other_side[changes.UNSTABLE]))
+        must = [SpecialType.FOLD, SpecialType.BP]
+        if more and not found:
+            must += [SpecialType.PD] if more == 1 else [SpecialType.NS]
+        return [str(kind) for kind in must if kind in crossed]
+
+    def _bifurcation(
+        self, special: Special, options: ArclengthOptions
+    ) -> Iterator[tuple[float, str, Floats, dict[str, Any]]]:
+        """A bifurcation, if it is one of a limit cycle."""
+        n_rk = max(self.one.n_rk, self.other.n_rk)
+        params = self.curve.equations.point(special.x[-1:])[None]
+        resolution = [min(2 * n_rk, 2 * CYCLE_N_RK[-1])]
+        holds = self.locator.conditions.of_cycles(resolution, special.x[None, :-1], params, 1)
+        if not cycles(holds)[0]:
+            return
+        width = self.curve.chain.width - 1
+        first = np.asarray(special.null, dtype=np.complex128)[:width]
+        largest = first[np.abs(first).argmax()]
+        null = first / largest if largest else first
+        # Towards larger values of the parameter; at a fold, where the curve turns, both ways are one.
+        turned = special.direction < 0 and special.type in (SpecialType.PD, SpecialType.NS)
+        names = self.curve.equations.model.section
+        values = {
+            **self._common(special.x, special.multipliers, special.residual),
+            "gait": bool(holds[GaitEnd.CONTACT][0] > 0),
+            "criticality": self._criticality(special, options),
+            "multiplier_re": special.multiplier.real,
+            "multiplier_im": special.multiplier.imag,
+            "crossing_slope": -special.slope if turned else special.slope,
+            **{f"null_{name}_re": one.real for name, one in zip(names, null.tolist(), strict=True)},
+            **{f"null_{name}_im": one.imag for name, one in zip(names, null.tolist(), strict=True)},
+        }
+        yield self._along(special.x), str(special.type), special.x, values
+
+    def _criticality(self, special: Special, options: ArclengthOptions) -> str | None:
+        if special.type != SpecialType.PD:
+            return None
+        switched = doubled(self.curve, special, options)
+        if switched is None:
+            return None
+        return "supercritical" if supercritical(special, switched) else "subcritical"
+
+    # -- ends ------------------------------------------------------------------------------------------------
+
+    def _ends(self, options: ArclengthOptions) -> Iterator[End]:
+        """Where limit cycles end or begin, and where a foot that is to stay on the ground leaves it."""
+        conditions, points = self.locator.conditions, [self.one, self.other]
+        others = {name: value for name, value in self.held.items() if name != GaitEnd.CONTACT}
+        yield from (end for _, end in gait_ends(self.curve, points, others, conditions, options))
+        if self.side[changes.CONTACT] != self.other_side[changes.CONTACT]:
+            for _, end in gait_ends(self.curve, points, self.held, conditions, options):
+                if end.type == GaitEnd.CONTACT:
+                    yield end
+
+    def _end(self, end: End) -> tuple[str, Floats, dict[str, Any]]:
+        point = end.point
+        return str(end.type), point.x, {**self._common(point.x, point.multipliers, end.residual), "gait": True}
+
+    def _broken(self) -> list[str]:
+        """The type of an end that was not located: the condition that is broken on one side."""
+        broken = [name for name, value in self.held.items() if (value > 0)[0] != (value > 0)[1]]
+        return [str(name) for name in broken[:1]]
+
+    def _common(self, x: Floats, multipliers: Any, residual: float) -> dict[str, Any]:
+        return {"u": x[:-1], "multipliers": multipliers, "residual": residual}
