@@ -55,7 +55,7 @@ if TYPE_CHECKING:
     from stridemap.spec import ModelSpec, Parameter, Quantity
     from stridemap.sweeps.config import SweepConfig, load_config, parse_config
     from stridemap.sweeps.run import Progress, Summary, sweep
-    from stridemap.sweeps.store import read_cells, read_orbits, read_provenance
+    from stridemap.sweeps.store import read_cells, read_orbits, read_provenance, read_special
     from stridemap.units import Units
     from stridemap.views.animation import animate
 

@@ -17,7 +17,7 @@ from stridemap.solver.branches.arclength import CurvePoint
 from stridemap.solver.branches.conditions import GaitConditions, GaitEnd
 from stridemap.solver.branches.cubics import cubics, value
 from stridemap.solver.branches.curve import Curve
-from stridemap.solver.branches.ends import End, gait_ends
+from stridemap.solver.branches.ends import End, conditions_along, gait_ends
 from stridemap.solver.branches.special import CHANGES, Special, SpecialType, special_points, tests
 from stridemap.solver.branches.switching import doubled, supercritical
 from stridemap.solver.cycles.chain import Chain
@@ -332,8 +332,14 @@ class _Piece:
                     yield end
 
     def _end(self, end: End) -> tuple[str, Floats, dict[str, Any]]:
-        point = end.point
-        return str(end.type), point.x, {**self._common(point.x, point.multipliers, end.residual), "gait": True}
+        point, keeps = end.point, self.held[GaitEnd.CONTACT] > 0
+        gait = bool(keeps[0])
+        if end.type == GaitEnd.CONTACT:
+            gait = True
+        elif keeps[0] != keeps[1]:
+            conditions, names = self.locator.conditions, [GaitEnd.CONTACT]
+            gait = bool(conditions_along(self.curve, [point], conditions, names)[GaitEnd.CONTACT][0] > 0)
+        return str(end.type), point.x, {**self._common(point.x, point.multipliers, end.residual), "gait": gait}
 
     def _broken(self) -> list[str]:
         """The type of an end that was not located: the condition that is broken on one side."""

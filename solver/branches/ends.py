@@ -115,7 +115,8 @@ def _located(
             return None
         here = CurvePoint.at(curve, found, one.tangent, n_rk)
         ds, f = low + part * (high - low), value(here)
-        if abs(f) < ROUNDING or high - low < 1e-15 * (1.0 + abs(high)):
+        left = abs(f) * (high - low) / abs(f_low - f_high) if f_low != f_high else 0.0
+        if abs(f) < ROUNDING or (abs(f) < LOCATED and left < SETTLED) or high - low < SETTLED * abs(high):
             break
         if (f > 0) == (f_low > 0):
             low, x_low, f_low = ds, here.x, f
@@ -136,3 +137,6 @@ LOCATE_ITERATIONS = 80
 
 LOCATED, ROUNDING = 1e-11, 1e-14
 """Modulus of a condition that counts as zero, and below which it cannot be brought."""
+
+SETTLED = 1e-14
+"""Arclength by which an end need not be moved any more."""

@@ -25,7 +25,7 @@ from enum import StrEnum
 import numpy as np
 from numpy.typing import NDArray
 
-from stridemap.solver.branches.arclength import CurvePoint, advanced
+from stridemap.solver.branches.arclength import CurvePoint
 from stridemap.solver.branches.curve import Curve
 from stridemap.solver.branches.equations import CycleEquations
 from stridemap.solver.kernels.catalogue import CYCLE_N_RK
@@ -153,8 +153,12 @@ def _middle(
     curve: Curve, one: CurvePoint, other: CurvePoint, options: ArclengthOptions, part: float = 0.5
 ) -> CurvePoint | None:
     """A point of the curve between two."""
-    ds = part * curve.dot(other.x - one.x, one.tangent)
-    return advanced(curve, one, ds, options.max_corrections + 3) if ds > 0 else None
+    if not curve.dot(other.x - one.x, one.tangent) > 0:
+        return None
+    n_rk = max(one.n_rk, other.n_rk)
+    guess = one.x + part * (other.x - one.x)
+    found = curve.corrected(guess, one.tangent, n_rk, options.max_corrections + 3)
+    return CurvePoint.at(curve, found, one.tangent, n_rk) if found.converged else None
 
 
 def located(
@@ -164,7 +168,7 @@ def located(
 
     Newton's method starts from a bracket that is halved until it converges to a point within.
     """
-    sign, growing = tests(curve, one)[kind], 0
+    sign, growing, real = tests(curve, one)[kind], 0, 0
     for _ in range(BISECTIONS):
         guess = _likeliest(curve, kind, one, other)
         special = _SOLVERS[kind](curve, guess)
@@ -175,8 +179,9 @@ def located(
             return None
         largest = max(abs(tests(curve, one)[kind]), abs(tests(curve, other)[kind]))
         growing = growing + 1 if abs(tests(curve, middle)[kind]) > largest else 0
-        if growing == POLE:
-            return None  # the test goes through infinity, where the foot grazes the ground
+        real += kind == SpecialType.NS and not any(p.multipliers.imag.any() for p in (one, middle, other))
+        if POLE in (growing, real):
+            return None  # it goes through infinity, where the foot grazes the ground; or there is no pair
         one, other = (middle, other) if tests(curve, middle)[kind] * sign > 0 else (one, middle)
     return None
 
@@ -421,7 +426,8 @@ BISECTIONS = 24
 """How often the bracket of one special point is halved before Newton's method must succeed."""
 
 POLE = 4
-"""Halvings in a row at which a test function grows, after which it has no zero but a pole."""
+"""Halvings at which a test function grows, after which it has a pole and not a zero; also those at which there
+are real multipliers only, after which two of them have the product 1 and do not make a torus."""
 
 ITERATIONS = 15
 """Newton iterations of one attempt."""

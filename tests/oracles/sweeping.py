@@ -79,9 +79,9 @@ def content(folder):
 
 
 def tables(folder):
-    """Bytes of the two tables of a finished sweep, which has no other files."""
+    """Bytes of the tables of a finished sweep, which has no other files."""
     found = content(folder)
-    assert set(found) == {"orbits.parquet", "cells.parquet"}
+    assert set(found) == {"orbits.parquet", "cells.parquet", "special.parquet"}
     return found
 
 

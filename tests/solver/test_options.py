@@ -105,6 +105,8 @@ BASE = {"model": "compass", "grid": {"omega": [3.0]}}
 
 def other(value):
     """An allowed value that is not the default."""
+    if isinstance(value, bool):
+        return not value
     return value + 1 if isinstance(value, int) else value * 1.01 if value else value
 
 

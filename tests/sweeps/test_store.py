@@ -18,6 +18,7 @@ from stridemap.solver.model.loading import load
 from stridemap.sweeps.config import canonical_json, parse_config
 from stridemap.sweeps.grid import Grid
 from stridemap.sweeps.provenance import DECIDING
+from stridemap.sweeps.special_tables import special_table
 from stridemap.sweeps.store import Store, read_cells, read_orbits, read_provenance
 from stridemap.sweeps.tables import cell_schema, cell_table, orbit_schema, orbit_table
 
@@ -61,6 +62,9 @@ def make_table():
 NONE = orbit_table(CELL[:0], BRANCH[:0], Orbits.empty(MODEL))
 
 
+SPECIAL = special_table(MODEL, GRID, CONFIG.params, [])
+
+
 def make_cells(orbits):
     status = ["ok", "failed", "ok", "ok", "ok", "ok"]
     reason = [None, "no start converged", None, None, None, None]
@@ -70,7 +74,7 @@ def make_cells(orbits):
 def finished(folder, config=CONFIG, provenance=PROVENANCE):
     store = Store.create(folder, config, provenance)
     orbits = make_table()
-    store.finish(orbits, make_cells(orbits))
+    store.finish(orbits, make_cells(orbits), SPECIAL)
     return folder
 
 
@@ -143,7 +147,7 @@ def test_cell_table_counts_orbits():
 @pytest.mark.quick
 def test_tables_come_back_as_written(tmp_path):
     finished(tmp_path / "out")
-    assert sorted(os.listdir(tmp_path / "out")) == ["cells.parquet", "orbits.parquet"]
+    assert sorted(os.listdir(tmp_path / "out")) == ["cells.parquet", "orbits.parquet", "special.parquet"]
     orbits = read_orbits(tmp_path / "out")
     assert orbits[["cell", "period"]].to_numpy().tolist() == [[0, 0.9], [0, 1.2], [2, 1.1], [5, 1.3]]
     assert list(orbits.columns) == orbit_schema(MODEL).names
@@ -166,7 +170,7 @@ def test_tables_come_back_as_written(tmp_path):
 def test_a_sweep_without_any_orbit(tmp_path):
     store = Store.create(tmp_path, CONFIG, PROVENANCE)
     none = NONE
-    store.finish(none, make_cells(none))
+    store.finish(none, make_cells(none), SPECIAL)
     assert len(read_orbits(tmp_path)) == 0
     assert read_orbits(tmp_path)["period"].dtype == float
     assert read_cells(tmp_path)["orbits"].sum() == 0
@@ -190,7 +194,7 @@ def test_bytes_do_not_depend_on_how_the_rows_came(tmp_path):
     for number, row in enumerate(order):
         store.write_part(0, number, orbit_table(CELL[[row]], BRANCH[[row]], make_orbits()[[row]]))
     orbits = pa.concat_tables([store.read_part(0, number) for number in range(len(order))])
-    store.finish(orbits, make_cells(orbits))
+    store.finish(orbits, make_cells(orbits), SPECIAL)
     assert content(tmp_path / "a") == content(tmp_path / "b")
 
 
@@ -200,7 +204,7 @@ def test_equal_periods_are_ordered_by_the_other_columns(tmp_path):
     two.u[1, 0] = 0.05
     for name, order in (("a", [0, 1]), ("b", [1, 0])):
         orbits = orbit_table(np.array([0, 0]), np.array([0, 0]), two[order])
-        Store.create(tmp_path / name, CONFIG, PROVENANCE).finish(orbits, make_cells(orbits))
+        Store.create(tmp_path / name, CONFIG, PROVENANCE).finish(orbits, make_cells(orbits), SPECIAL)
         assert read_orbits(tmp_path / name)["theta1"].tolist() == [0.05, 0.1]
     assert content(tmp_path / "a") == content(tmp_path / "b")
 
@@ -227,7 +231,7 @@ def test_resume_continues_and_knows_when_all_is_done(tmp_path):
     assert not store.finished
     assert store.read_part(0, 0).to_pydict() == {"cell": [1]}
     orbits = make_table()
-    store.finish(orbits, make_cells(orbits))
+    store.finish(orbits, make_cells(orbits), SPECIAL)
     before = content(tmp_path / "out")
     assert Store.resume(tmp_path / "out", CONFIG, PROVENANCE).finished
     assert content(tmp_path / "out") == before
@@ -249,9 +253,11 @@ def test_finish_keeps_what_is_not_ours_and_clears_what_is(tmp_path):
     (tmp_path / "parts" / "notes.txt").write_text("mine")
     (tmp_path / "readme.txt").write_text("mine")
     orbits = NONE
-    store.finish(orbits, make_cells(orbits))
+    store.finish(orbits, make_cells(orbits), SPECIAL)
     names = sorted(path.name for path in tmp_path.rglob("*"))
-    assert names == ["cells.parquet", "notes.txt", "orbits.parquet", "parts", "readme.txt"]
+    assert names == [
+        "cells.parquet", "notes.txt", "orbits.parquet", "parts", "readme.txt", "special.parquet"
+    ]  # fmt: skip
     assert Store.resume(tmp_path, CONFIG, PROVENANCE).finished
 
 
@@ -266,7 +272,7 @@ def test_create_over_a_finished_sweep_keeps_it_until_the_new_one_is_done(tmp_pat
     with pytest.raises(InputError, match=r'not of one sweep .*commit is "newer" there, null here'):
         read_provenance(tmp_path)
     assert not Store.resume(tmp_path, CONFIG, {**PROVENANCE, "commit": "newer"}).finished
-    store.finish(NONE, make_cells(NONE))
+    store.finish(NONE, make_cells(NONE), SPECIAL)
     assert read_provenance(tmp_path)["commit"] == "newer"
 
 
@@ -348,7 +354,7 @@ def test_resume_accepts_another_commit_and_another_compiler(tmp_path):
     store = Store.resume(tmp_path / "a", CONFIG, other)
     assert not store.finished
     assert store.read_part(0, 0).to_pydict() == {"cell": [1]}
-    store.finish(NONE, make_cells(NONE))
+    store.finish(NONE, make_cells(NONE), SPECIAL)
     assert read_provenance(tmp_path / "a")["commit"] == "another"
     assert Store.resume(finished(tmp_path / "b"), CONFIG, other).finished
 
