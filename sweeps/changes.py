@@ -15,6 +15,7 @@ from stridemap.solver.cycles.acceptance import DOUBTFUL, clearly_no_gaits
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 Mask = NDArray[np.bool_]
+Complex = NDArray[np.complex128]
 
 POINTS = 512
 """So many points are looked at in one go: traces are large."""
@@ -63,8 +64,8 @@ class Stretches:
 
 
 FOLD, BP, UNSTABLE, CYCLE, CONTACT = range(5)
-"""Columns of the sides of points: on which side they are of a fold and of a branch point, how many multipliers
-are outside the unit circle, whether it is a limit cycle, and whether that keeps contact.
+"""Columns of the sides of points: on which side they are of a fold and of a branch point, how many
+multipliers are outside the unit circle, whether it is a limit cycle, and whether that keeps contact.
 
 There is none for doublings and tori: these change how many multipliers are outside. The sign of their own
 tests changes elsewhere too, where a multiplier goes through infinity as the foot grazes the ground."""
@@ -97,7 +98,7 @@ def sides_of_guesses(stretches: Stretches, conditions: GaitConditions) -> Ints:
     return out
 
 
-def sides(ahead: Floats, jacobian: Floats, multipliers: Floats, conditions: dict[GaitEnd, Floats]) -> Ints:
+def sides(ahead: Floats, jacobian: Floats, multipliers: Complex, conditions: dict[GaitEnd, Floats]) -> Ints:
     """Sides of points, shape (n, 5).
 
     Parameters

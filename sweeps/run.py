@@ -317,7 +317,9 @@ class _Run:
         orbits = _numbered(orbits, numbers[: len(orbits)])
         axis = self.grid.longest_axis
         width = float(np.ptp(self.grid.axes[axis])) or 1.0
-        special = in_order(self.model, self.grid.names[axis], width, _numbered(special, numbers[len(orbits) :]))
+        special = in_order(
+            self.model, self.grid.names[axis], width, _numbered(special, numbers[len(orbits) :])
+        )
         points = self.grid.points(self.model, self.config.params)
         found = np.bincount(orbits["cell"].to_numpy(), minlength=self.grid.n_cells)
         status, reason = zip(*(self._cell(cell, n) for cell, n in enumerate(found.tolist())), strict=True)
@@ -344,9 +346,7 @@ class _Run:
         folder = self.store.folder
         return self._summary(read_cells(folder), read_special(folder), already_finished=True)
 
-    def _summary(
-        self, cells: pd.DataFrame, special: pd.DataFrame, already_finished: bool = False
-    ) -> Summary:
+    def _summary(self, cells: pd.DataFrame, special: pd.DataFrame, already_finished: bool = False) -> Summary:
         located = special["reason"].isna()
         return Summary(
             self.store.folder,

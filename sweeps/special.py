@@ -5,7 +5,7 @@ and what is between them is located by the systems of `solver.branches.special` 
 as on a branch over one parameter.
 """
 
-from collections import Counter, defaultdict
+from collections import defaultdict
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
@@ -17,7 +17,7 @@ from stridemap.solver.branches.arclength import CurvePoint
 from stridemap.solver.branches.conditions import GaitConditions, GaitEnd
 from stridemap.solver.branches.cubics import cubics, value
 from stridemap.solver.branches.curve import Curve
-from stridemap.solver.branches.ends import End, conditions_along, gait_ends
+from stridemap.solver.branches.ends import End, Search, conditions_along, searches, together
 from stridemap.solver.branches.special import CHANGES, Special, SpecialType, special_points, tests
 from stridemap.solver.branches.switching import doubled, supercritical
 from stridemap.solver.cycles.chain import Chain
@@ -95,25 +95,44 @@ class Locator:
     def special_points(self, stretches: Stretches) -> list[SpecialPoint]:
         """Special points of stretches, in order along them. What two stretches share is there twice."""
         points, held = self._solved(stretches, sides_of_guesses(stretches, self.conditions))
-        out: list[SpecialPoint] = []
-        met: dict[int, list[_Met]] = defaultdict(list)  # by cell: stretches often share a part of a branch
-        for piece in sorted(i for i in points if i + 1 in points and stretches.joined[i]):
-            pair = points[piece], points[piece + 1]
-            curve = self._curve(stretches.params[piece])
-            column = curve.equations.columns[0]
-            place = int(stretches.cell[piece]), int(stretches.branch[piece])
-            if pair[0] is None or pair[1] is None:
-                lower, upper = sorted(stretches.params[[piece, piece + 1], column].tolist())
-                out.append(SpecialPoint(*place, UNKNOWN, lower, upper, {}, NOT_SOLVED))
+        out: dict[int, list[SpecialPoint]] = {}
+        pieces: dict[int, _Piece] = {}
+        met: dict[int, list[_Met]] = defaultdict(list)  # by line: stretches often share a part of a branch
+        for number in sorted(i for i in points if i + 1 in points and stretches.joined[i]):
+            one, other = points[number], points[number + 1]
+            if one is None or other is None:
+                out[number] = [self._not_solved(stretches, number)]
                 continue
-            one, other = pair[0], pair[1]
-            beside = {name: np.array([held[piece][name], held[piece + 1][name]]) for name in held[piece]}
-            side = [self._side(point, held[piece + i]) for i, point in enumerate((one, other))]
-            if changes.changes(side[0][None], side[1][None])[0]:
-                what = _Piece(self, curve, one, other, side[0], side[1], beside)
-                if not what.is_explained_by(met[place[0]]):
-                    out += [SpecialPoint(*place, *rest) for rest in what.special_points(met[place[0]])]
-        return out
+            piece = self._piece(stretches, number, one, other, held)
+            if changes.changes(piece.side[None], piece.other_side[None])[0]:
+                pieces[number] = piece
+                piece.bifurcate(met[int(stretches.cell[number])])
+        searches = [(piece, search) for piece in pieces.values() for search in piece.end_searches()]
+        ends = together([search for _, search in searches], self.conditions)
+        for (piece, _), end in zip(searches, ends, strict=True):
+            piece.take_end(end)
+        for number, piece in pieces.items():
+            out[number] = piece.rows(int(stretches.cell[number]), int(stretches.branch[number]))
+        return [point for number in sorted(out) for point in out[number]]
+
+    def _not_solved(self, stretches: Stretches, i: int) -> SpecialPoint:
+        """That something happens between two points of a branch of which one was not solved for."""
+        column = self.conditions.kernels.model.spec.names.index(self.parameter)
+        lower, upper = sorted(stretches.params[[i, i + 1], column].tolist())
+        place = int(stretches.cell[i]), int(stretches.branch[i])
+        return SpecialPoint(*place, UNKNOWN, lower, upper, {}, NOT_SOLVED)
+
+    def _piece(
+        self,
+        stretches: Stretches,
+        i: int,
+        one: CurvePoint,
+        other: CurvePoint,
+        held: dict[int, dict[GaitEnd, float]],
+    ) -> "_Piece":
+        beside = {name: np.array([held[i][name], held[i + 1][name]]) for name in held[i]}
+        sides_ = self._side(one, held[i]), self._side(other, held[i + 1])
+        return _Piece(self, self._curve(stretches.params[i]), one, other, *sides_, beside)
 
     def _curve(self, params: Floats) -> Curve:
         chain = Chain(self.conditions.kernels, 1)
@@ -124,7 +143,7 @@ class Locator:
     ) -> tuple[dict[int, CurvePoint | None], dict[int, dict[GaitEnd, float]]]:
         """The ends of all pieces on which something happens, and the conditions of a gait there.
 
-        A guess may be on another side than the point for which it stands: then the piece beside it counts too.
+        A guess may be on another side than the point for which it stands: then the piece beside it counts.
         """
         known = (guessed[:, changes.CYCLE] != changes.UNKNOWN) if len(guessed) else np.zeros(0, dtype=bool)
         looked = stretches.joined & known[:-1] & known[1:]
@@ -140,7 +159,9 @@ class Locator:
             for i in new:
                 point = points[i]
                 if point is not None and (self._side(point, held[i]) != guessed[i]).any():
-                    pieces |= {beside for beside in (i - 1, i) if 0 <= beside < len(looked) and looked[beside]}
+                    pieces |= {
+                        beside for beside in (i - 1, i) if 0 <= beside < len(looked) and looked[beside]
+                    }
         return points, held
 
     def _point(self, stretches: Stretches, i: int, n_rk: int) -> CurvePoint | None:
@@ -174,53 +195,98 @@ class Locator:
 
 @dataclass(frozen=True)
 class _Met:
-    """A special point that was located.
+    """A bifurcation that was located.
 
     Parameters
     ----------
-    type : str
+    type : SpecialType
     x : ndarray, shape (nz + 2,)
     slope : float
-        Of a bifurcation. That of a fold says to which side of it there are cycles.
+        That of a fold says to which side of it there are cycles.
     """
 
-    type: str
+    type: SpecialType
     x: Floats
-    slope: float = 0.0
+    slope: float
 
 
-@dataclass(frozen=True)
 class _Piece:
-    """A part of a branch between two of its points, on which something happens."""
+    """A part of a branch between two of its points, on which something happens, and what that is."""
 
-    locator: Locator
-    curve: Curve
-    one: CurvePoint
-    other: CurvePoint
-    side: Ints
-    other_side: Ints
-    held: Conditions
+    def __init__(
+        self,
+        locator: Locator,
+        curve: Curve,
+        one: CurvePoint,
+        other: CurvePoint,
+        side: Ints,
+        other_side: Ints,
+        held: Conditions,
+    ) -> None:
+        self.locator, self.curve, self.one, self.other = locator, curve, one, other
+        self.side, self.other_side, self.held = side, other_side, held
+        self.differ = side != other_side
+        self._found: list[tuple[float, str, Floats, dict[str, Any]]] = []
+        self._lost: list[str] = []
 
-    def is_explained_by(self, met: list[_Met]) -> bool:
-        """Whether what happens here was located from another stretch, which shares this part of the branch."""
+    def bifurcate(self, met: list[_Met]) -> None:
+        """Locate bifurcations, and enter them, but for those that were met on another stretch."""
+        if not self.differ[[changes.FOLD, changes.BP, changes.UNSTABLE]].any() or self._is_explained_by(met):
+            return
+        options = ArclengthOptions()
+        specials = [s for _, s in special_points(self.curve, [self.one, self.other], options)]
+        self._lost += self._missing({special.type for special in specials})
+        met += [_Met(special.type, special.x, special.slope) for special in specials]
+        self._found += [row for special in specials for row in self._bifurcation(special, options)]
+
+    def end_searches(self) -> Iterator[Search]:
+        """Searches for where limit cycles end or begin, and for where a foot leaves the ground."""
+        options, points = ArclengthOptions(), [self.one, self.other]
+        if self.differ[changes.CYCLE]:
+            others = dict(self.held)
+            del others[GaitEnd.CONTACT]
+            yield from (search for _, search in searches(self.curve, points, others, options))
+        if self.differ[changes.CONTACT]:
+            yield from (search for _, search in searches(self.curve, points, self.held, options))
+
+    def take_end(self, end: End | None) -> None:
+        """Enter what a search for an end has found."""
+        if end is None:
+            self._lost += self._broken()
+        elif not any(end.type == kind and (end.point.x == x).all() for _, kind, x, _ in self._found):
+            self._found.append((self._along(end.point.x), *self._end(end)))
+
+    def rows(self, cell: int, branch: int) -> list[SpecialPoint]:
+        """Special points, in order along the branch, on the line of a cell."""
+        out = []
+        for _, kind, x, values in sorted(self._found, key=lambda row: row[0]):
+            at = float(x[-1])
+            if self.locator.low <= at <= self.locator.high:
+                out.append(SpecialPoint(cell, branch, kind, at, at, values))
+        lower, upper = sorted([float(self.one.x[-1]), float(self.other.x[-1])])
+        lost = dict.fromkeys(self._lost)
+        return [*out, *(SpecialPoint(cell, branch, kind, lower, upper, {}, NOT_LOCATED) for kind in lost)]
+
+    def _along(self, x: Floats) -> float:
+        return self.curve.dot(x - self.one.x, self.one.tangent)
+
+    def _is_explained_by(self, met: list[_Met]) -> bool:
+        """Whether what happens here was located on another stretch, which shares this part of the branch."""
         here = [point for point in met if self._passes(point.x)]
-        types = Counter(point.type for point in here)
-        differ = self.side != self.other_side
         peak = self.other_side[changes.FOLD] == 0  # the parameter is largest at the fold
         folds = sum(point.type == SpecialType.FOLD and (point.slope < 0) == peak for point in here)
+        points = sum(point.type == SpecialType.BP for point in here)
         change = abs(int(self.side[changes.UNSTABLE] - self.other_side[changes.UNSTABLE]))
-        explained = sum(CHANGES[kind] * types[kind] for kind in SpecialType)
-        ends = sum(types[kind] for kind in GaitEnd if kind != GaitEnd.CONTACT)
+        explained = sum(CHANGES[point.type] for point in here)
         return (
-            (not differ[changes.FOLD] or folds % 2 == 1)
-            and (not differ[changes.BP] or types[SpecialType.BP] % 2 == 1)
-            and (change <= explained and (explained - change) % 2 == 0)
-            and (not differ[changes.CYCLE] or ends % 2 == 1)
-            and (not differ[changes.CONTACT] or differ[changes.CYCLE] or types[GaitEnd.CONTACT] % 2 == 1)
+            (folds % 2 == 1) == bool(self.differ[changes.FOLD])
+            and (points % 2 == 1) == bool(self.differ[changes.BP])
+            and change <= explained
+            and (explained - change) % 2 == 0
         )
 
     def _passes(self, x: Floats) -> bool:
-        """Whether a point is on this part of the branch: on the cubic through its ends with their tangents."""
+        """Whether a point is on this part of the branch: on the cubic through its ends and their tangents."""
         one, other, scale = self.one, self.other, self.curve.scale
         length = self.curve.norm(other.x - one.x)
         part = self.curve.dot(x - one.x, other.x - one.x) / length**2
@@ -237,36 +303,6 @@ class _Piece:
         along, away = np.diff(path, axis=0), x - path[:-1]
         part = np.clip((along * away).sum(axis=1) / np.fmax((along**2).sum(axis=1), 1e-300), 0, 1)
         return float(np.sqrt(((away - part[:, None] * along) ** 2).sum(axis=1).min()))
-
-    def special_points(
-        self, met: list[_Met]
-    ) -> Iterator[tuple[str, float, float, dict[str, Any], str | None]]:
-        """Type, lower and upper value, other values and reason of each; enters what it locates."""
-        options = ArclengthOptions()
-        found: list[tuple[float, str, Floats, dict[str, Any]]] = []
-        differ = self.side != self.other_side
-        if differ[[changes.FOLD, changes.BP, changes.UNSTABLE]].any():
-            specials = [s for _, s in special_points(self.curve, [self.one, self.other], options)]
-            missing = self._missing({special.type for special in specials})
-            met += [_Met(str(special.type), special.x, special.slope) for special in specials]
-            found += [row for special in specials for row in self._bifurcation(special, options)]
-        else:
-            missing = []
-        if differ[[changes.CYCLE, changes.CONTACT]].any():
-            ends = list(self._ends(options))
-            missing += [] if ends else self._broken()
-            met += [_Met(str(end.type), end.point.x) for end in ends]
-            found += [(self._along(end.point.x), *self._end(end)) for end in ends]
-        for _, kind, x, values in sorted(found, key=lambda row: row[0]):
-            at = float(x[-1])
-            if self.locator.low <= at <= self.locator.high:
-                yield kind, at, at, values, None
-        lower, upper = sorted([float(self.one.x[-1]), float(self.other.x[-1])])
-        for kind in missing:
-            yield kind, lower, upper, {}, NOT_LOCATED
-
-    def _along(self, x: Floats) -> float:
-        return self.curve.dot(x - self.one.x, self.one.tangent)
 
     # -- bifurcations ----------------------------------------------------------------------------------------
 
@@ -321,16 +357,6 @@ class _Piece:
 
     # -- ends ------------------------------------------------------------------------------------------------
 
-    def _ends(self, options: ArclengthOptions) -> Iterator[End]:
-        """Where limit cycles end or begin, and where a foot that is to stay on the ground leaves it."""
-        conditions, points = self.locator.conditions, [self.one, self.other]
-        others = {name: value for name, value in self.held.items() if name != GaitEnd.CONTACT}
-        yield from (end for _, end in gait_ends(self.curve, points, others, conditions, options))
-        if self.side[changes.CONTACT] != self.other_side[changes.CONTACT]:
-            for _, end in gait_ends(self.curve, points, self.held, conditions, options):
-                if end.type == GaitEnd.CONTACT:
-                    yield end
-
     def _end(self, end: End) -> tuple[str, Floats, dict[str, Any]]:
         point, keeps = end.point, self.held[GaitEnd.CONTACT] > 0
         gait = bool(keeps[0])
@@ -339,7 +365,11 @@ class _Piece:
         elif keeps[0] != keeps[1]:
             conditions, names = self.locator.conditions, [GaitEnd.CONTACT]
             gait = bool(conditions_along(self.curve, [point], conditions, names)[GaitEnd.CONTACT][0] > 0)
-        return str(end.type), point.x, {**self._common(point.x, point.multipliers, end.residual), "gait": gait}
+        return (
+            str(end.type),
+            point.x,
+            {**self._common(point.x, point.multipliers, end.residual), "gait": gait},
+        )
 
     def _broken(self) -> list[str]:
         """The type of an end that was not located: the condition that is broken on one side."""

@@ -1,8 +1,8 @@
 """The columns of a sweep's tables, and how limit cycles become tables.
 
-A row of orbits is a limit cycle, a row of cells a grid cell, a row of special points one point of a line. Columns bear the names of the JSON that
-``stridemap orbit`` prints, with state entries, parameters and multipliers as columns of their own; which
-quantities there are says `stridemap.quantities`.
+A row of orbits is a limit cycle, a row of cells a grid cell, a row of special points such a point on a line
+of the grid. Columns bear the names of the JSON that ``stridemap orbit`` prints, with state entries,
+parameters and multipliers as columns of their own; which quantities there are says `stridemap.quantities`.
 """
 
 from collections.abc import Iterable, Sequence

@@ -189,9 +189,7 @@ class _Search:
             tangent[:, -1] *= length
             stretch = count + 2 * followed.branch + followed.ahead
             count += 2 * len(begun)
-            parts.append(
-                (first, begun.branch[followed.branch], stretch, followed.x[:, :-1], params, tangent)
-            )
+            parts.append((first, begun.branch[followed.branch], stretch, followed.x[:, :-1], params, tangent))
         cell, branch, stretch, u, params, tangent = (np.concatenate(c) for c in zip(*parts, strict=True))
         n_rk = self.solver.resolution.branch_n_rk(u[:, -1], self._fastest_modes(cell, params[:, column]))
         return Stretches(cell, branch, stretch, u, params, tangent, n_rk)

@@ -1,6 +1,6 @@
 """Where gaits end along a curve of cycles: points at which one of the conditions of a gait is zero."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Generator, Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from stridemap.solver.branches.arclength import CurvePoint
 from stridemap.solver.branches.conditions import GaitConditions, GaitEnd
-from stridemap.solver.branches.curve import ZeroCurve
+from stridemap.solver.branches.curve import Corrected, ZeroCurve
 from stridemap.solver.kernels.catalogue import CYCLE_N_RK
 from stridemap.solver.options import ArclengthOptions
 
@@ -67,20 +67,93 @@ def gait_ends(
     conditions : GaitConditions
     options : ArclengthOptions
     """
+    found = list(searches(curve, points, values, options))
+    for (number, _), end in zip(found, together([search for _, search in found], conditions), strict=True):
+        if end is not None:
+            yield number, end
+
+
+@dataclass(frozen=True)
+class Trial:
+    """A point at which the value of a condition is asked for."""
+
+    curve: ZeroCurve
+    point: CurvePoint
+    name: GaitEnd
+
+
+Search = Generator[Trial, float, End | None]
+"""A search for an end: it asks for values of conditions, and returns the end, or None where it found none."""
+
+
+def searches(
+    curve: ZeroCurve, points: list[CurvePoint], values: dict[GaitEnd, Array], options: ArclengthOptions
+) -> Iterator[tuple[int, Search]]:
+    """A search for each end of `gait_ends`, with the number of the point before it. Parameters as there."""
     holds = {name: one > 0 for name, one in values.items()}
     gait = np.all(list(holds.values()), axis=0)
     for number in np.flatnonzero(gait[:-1] != gait[1:]).tolist():
         inside = number if gait[number] else number + 1
         outside = 2 * number + 1 - inside
-        broken = [name for name in holds if not holds[name][outside]]
-        pair, found = (points[number], points[number + 1]), []
-        for name in broken:
-            known = tuple(values[name][number : number + 2].tolist())
-            if end := _located(curve, name, pair, known, conditions, options):
-                found.append(end)
-        if found:  # of several that are broken, the one that is met first
-            middle = points[inside].x
-            yield number, min(found, key=lambda end: curve.norm(end.point.x - middle))
+        pair = points[number], points[number + 1]
+        known = {
+            name: tuple(values[name][number : number + 2].tolist())
+            for name in holds
+            if not holds[name][outside]
+        }
+        yield number, _first_met(curve, known, pair, points[inside].x, options)
+
+
+def together(searches_: Sequence[Search], conditions: GaitConditions) -> list[End | None]:
+    """What searches return, which all go on at a time: so conditions are computed for many points at once."""
+    out: list[End | None] = [None] * len(searches_)
+    asked: dict[int, Trial] = {}
+
+    def go_on(i: int, answer: float | None) -> None:
+        try:
+            asked[i] = next(searches_[i]) if answer is None else searches_[i].send(answer)
+        except StopIteration as stop:
+            asked.pop(i, None)
+            out[i] = stop.value
+
+    for i in range(len(searches_)):
+        go_on(i, None)
+    while asked:
+        numbers = list(asked)
+        for i, value in zip(numbers, _values([asked[i] for i in numbers], conditions), strict=True):
+            go_on(i, value)
+    return out
+
+
+def _values(trials: list[Trial], conditions: GaitConditions) -> list[float]:
+    """Values of the conditions that are asked for."""
+    out = np.empty(len(trials))
+    keys = [(trial.name, trial.curve.chain.n_steps) for trial in trials]
+    for name, n_steps in dict.fromkeys(keys):
+        at = [i for i, key in enumerate(keys) if key == (name, n_steps)]
+        some = [trials[i] for i in at]
+        x = [trial.point.x[: trial.curve.equations.n_unknowns] for trial in some]
+        params = [trial.curve.equations.point(trial.curve.values(trial.point.x)) for trial in some]
+        n_rk = [min(2 * trial.point.n_rk, 2 * CYCLE_N_RK[-1]) for trial in some]
+        out[at] = conditions.of_cycles(n_rk, np.array(x), np.array(params), n_steps, [name])[name]
+    values: list[float] = out.tolist()
+    return values
+
+
+def _first_met(
+    curve: ZeroCurve,
+    known: dict[GaitEnd, tuple[float, ...]],
+    pair: tuple[CurvePoint, CurvePoint],
+    inside: Array,
+    options: ArclengthOptions,
+) -> Search:
+    """Of several conditions that are broken on one side, the end at which one is met first from the other."""
+    found = []
+    for name, values in known.items():
+        end = yield from _located(curve, name, pair, values, options)
+        if end is not None:
+            found.append(end)
+    return min(found, key=lambda end: curve.norm(end.point.x - inside), default=None)
 
 
 def _located(
@@ -88,20 +161,16 @@ def _located(
     name: GaitEnd,
     pair: tuple[CurvePoint, CurvePoint],
     known: tuple[float, ...],
-    conditions: GaitConditions,
     options: ArclengthOptions,
-) -> End | None:
+) -> Search:
     """Where a condition is zero between two points: regula falsi (Illinois) on the arclength step.
 
     The condition is `known` at both points.
     """
     one, other = pair
-    n_rk = max(one.n_rk, other.n_rk)
-
-    def value(point: CurvePoint) -> float:
-        return float(conditions_along(curve, [point], conditions, [name])[name][0])
-
-    low, high = 0.0, curve.dot(other.x - one.x, one.tangent)
+    n_rk = min(2 * max(one.n_rk, other.n_rk), CYCLE_N_RK[-1])
+    length = curve.dot(other.x - one.x, one.tangent)
+    low, high = 0.0, length
     x_low, x_high = one.x, other.x
     f_low, f_high = known
     here: CurvePoint | None = None
@@ -109,12 +178,15 @@ def _located(
     for turn in range(LOCATE_ITERATIONS):
         bounded = np.isfinite(f_low) and np.isfinite(f_high) and turn % 6 < 5
         part = f_low / (f_low - f_high) if bounded else 0.5
-        guess = x_low + part * (x_high - x_low)
-        found = curve.corrected(guess, one.tangent, n_rk, options.max_corrections + 3)
+        guess, ds = x_low + part * (x_high - x_low), low + part * (high - low)
+        near = one.matrix + ds / length * (other.matrix - one.matrix)
+        found = curve.corrected(guess, one.tangent, n_rk, options.max_corrections + 3, near)
+        if not found.converged:
+            found = curve.corrected(guess, one.tangent, n_rk, options.max_corrections + 3)
         if not found.converged:
             return None
-        here = CurvePoint.at(curve, found, one.tangent, n_rk)
-        ds, f = low + part * (high - low), value(here)
+        here = CurvePoint(found.x, one.tangent, found.matrix, one.multipliers, n_rk)
+        f = yield Trial(curve, here, name)
         left = abs(f) * (high - low) / abs(f_low - f_high) if f_low != f_high else 0.0
         if abs(f) < ROUNDING or (abs(f) < LOCATED and left < SETTLED) or high - low < SETTLED * abs(high):
             break
@@ -128,8 +200,13 @@ def _located(
             kept = -1
     if here is None or not abs(f) < LOCATED:
         return None
-    closing = float(np.abs(curve.linearised(here.x, here.n_rk)[1]).max())
-    return End(name, here, max(abs(f), closing))
+    matrix, residual = curve.linearised(here.x, n_rk)
+    closing = float(np.abs(residual).max())
+    return End(
+        name,
+        CurvePoint.at(curve, Corrected(here.x, matrix, closing, ()), one.tangent, n_rk),
+        max(abs(f), closing),
+    )
 
 
 LOCATE_ITERATIONS = 80

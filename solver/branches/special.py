@@ -36,6 +36,10 @@ Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
 
+BISECTIONS = 24
+"""How often the bracket of one special point is halved before Newton's method must succeed."""
+
+
 class SpecialType(StrEnum):
     """What happens at a special point."""
 
@@ -131,7 +135,8 @@ def _between(
             *_between(curve, one, middle, options, depth - 1),
             *_between(curve, middle, other, options, depth - 1),
         ]
-    found = [located(curve, kind, one, other, options) for kind in crossed]
+    halvings = BISECTIONS - 2 * (SUBDIVISIONS - depth)
+    found = [located(curve, kind, one, other, options, halvings) for kind in crossed]
     return [special for special in found if special is not None]
 
 
@@ -162,14 +167,19 @@ def _middle(
 
 
 def located(
-    curve: Curve, kind: SpecialType, one: CurvePoint, other: CurvePoint, options: ArclengthOptions
+    curve: Curve,
+    kind: SpecialType,
+    one: CurvePoint,
+    other: CurvePoint,
+    options: ArclengthOptions,
+    halvings: int = BISECTIONS,
 ) -> Special | None:
     """The special point of a type between two points of a curve; None where there is none after all.
 
     Newton's method starts from a bracket that is halved until it converges to a point within.
     """
     sign, growing, real = tests(curve, one)[kind], 0, 0
-    for _ in range(BISECTIONS):
+    for _ in range(halvings):
         guess = _likeliest(curve, kind, one, other)
         special = _SOLVERS[kind](curve, guess)
         if special is not None and _within(curve, one, other, special.x):
@@ -422,19 +432,16 @@ _SOLVERS = {
 SUBDIVISIONS = 8
 """How often a part of a curve is halved in which several things happen at once."""
 
-BISECTIONS = 24
-"""How often the bracket of one special point is halved before Newton's method must succeed."""
-
 POLE = 4
-"""Halvings at which a test function grows, after which it has a pole and not a zero; also those at which there
-are real multipliers only, after which two of them have the product 1 and do not make a torus."""
+"""Halvings at which a test function grows, after which it has a pole and not a zero; also those at which
+there are real multipliers only, after which two of them have the product 1 and do not make a torus."""
 
 ITERATIONS = 15
 """Newton iterations of one attempt."""
 
 RESOLVED, GAIN = 1e-12, 32.0
-"""Error of a special point, in terms of the scale, that needs no finer resolution, and by which factor at least
-it is smaller than what twice the resolution has changed: 256 with a method of order 8."""
+"""Error of a special point, in terms of the scale, that needs no finer resolution, and by which factor at
+least it is smaller than what twice the resolution has changed: 256 with a method of order 8."""
 
 SPECIAL_RESIDUAL, SETTLED = 1e-11, 1e-7
 """Residual of a special point, and the size of a Newton step after which the next one would be lost in

@@ -26,7 +26,7 @@ def sweep(
     ] = None,
     derive_timeout: DeriveTimeoutOption = None,
 ) -> int:
-    """Find all limit cycles of a grid of parameters; writes orbits.parquet, cells.parquet and special.parquet."""
+    """Find all limit cycles of a grid of parameters; writes orbits, cells and special points as tables."""
     from stridemap.cli.progress import show
     from stridemap.sweeps.run import sweep as sweep_
 

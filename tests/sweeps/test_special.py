@@ -1,6 +1,7 @@
 """Special points along the lines of a sweep, against branches over one parameter and published values."""
 
 import dataclasses
+import itertools
 from dataclasses import replace
 
 import numpy as np
@@ -66,7 +67,9 @@ def test_a_line_has_the_special_points_of_the_branches_over_its_parameter(wobbli
     for one in wanted:
         row = special[is_one(special, one.type, {"k": one.value, "period": one.period, **one.state}, 1e-8)]
         assert len(row) == 1, one
-        assert (row.criticality.isna() if one.criticality is None else row.criticality == one.criticality).all()
+        assert (
+            row.criticality.isna() if one.criticality is None else row.criticality == one.criticality
+        ).all()
         if one.multiplier is not None:
             assert abs(row.multiplier_re.item() - one.multiplier.real) < 1e-8
             np.testing.assert_allclose(abs(row.crossing_slope.item()), abs(one.crossing_slope), rtol=1e-6)
@@ -74,7 +77,9 @@ def test_a_line_has_the_special_points_of_the_branches_over_its_parameter(wobbli
                 assert abs(row[f"null_{name}_re"].item() - value.real) < 1e-6
     # None is spurious. (A branch calls a point a gait where both of its neighbours are, a sweep where it is.)
     for _, row in special[special.gait].iterrows():
-        same = [abs(one.value - row.k) < 1e-8 and abs(one.period - row.period) < 1e-8 for one in found.special]
+        same = [
+            abs(one.value - row.k) < 1e-8 and abs(one.period - row.period) < 1e-8 for one in found.special
+        ]
         assert sum(same) == 1, row
     assert special.residual.max() < 1e-11
     assert special.reason.isna().all()
@@ -132,7 +137,7 @@ def holes(orbits, special, vary, values):
     count = lambda branch, v: int(((orbits.branch == branch) & (orbits[vary] == v)).sum())  # noqa: E731
     for branch in orbits.branch.unique():
         own = special[special.branch == branch]
-        for low, high in zip(values[:-1], values[1:], strict=True):
+        for low, high in itertools.pairwise(values):
             change = count(branch, high) - count(branch, low)
             between = own[(own[vary] > low) & (own[vary] <= high)]
             ends = int(between["type"].isin(ENDS).sum())
