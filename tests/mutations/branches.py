@@ -238,8 +238,8 @@ GAITS = (
     ),
     Mutation(
         "solver/branches/ends.py",
-        "yield number, min(found",
-        "yield number, max(found",
+        "return min(found, key",
+        "return max(found, key",
         "of two conditions the one that is met last ends a gait",
         (f"{MAPS}::test_a_gait_ends_at_the_condition_that_is_met_first",),
     ),
@@ -412,4 +412,28 @@ FOLLOWED = (
     ),
 )
 
-MUTATIONS = (*CURVES, *BIFURCATIONS, *GAITS, *FOLLOWED)
+SPECIAL = (
+    Mutation(
+        "solver/branches/special.py",
+        "if not change and (not crossed or _hollow(crossed, one, other)):",
+        "if not crossed or _hollow(crossed, one, other):",
+        "two doublings between two points count as none",
+        (TWO,),
+    ),
+    Mutation(
+        "solver/branches/ends.py",
+        "f_high *= 0.5 if kept == 1 else 1.0",
+        "f_high *= 0.5",
+        "one end of a bracket is halved at every turn, so that secants are no better than bisection",
+        (f"{ENDS}::test_an_end_takes_few_trials",),
+    ),
+    Mutation(
+        "solver/branches/conditions.py",
+        "within: Array = np.minimum(u[:, -1] - shortest, longest - u[:, -1])",
+        "within: Array = np.maximum(u[:, -1] - shortest, longest - u[:, -1])",
+        "one limit of the period is enough",
+        ("tests/sweeps/test_special.py::test_where_the_period_leaves_its_range_it_has_the_limit",),
+    ),
+)
+
+MUTATIONS = (*SPECIAL, *CURVES, *BIFURCATIONS, *GAITS, *FOLLOWED)

@@ -4,6 +4,7 @@ from tests.mutations.mutation import Mutation
 
 CLEAR = "tests/solver/cycles/test_clear_cases.py"
 TILES = "tests/sweeps/test_tiles.py"
+SPECIAL = "tests/sweeps/test_special.py"
 REPORT = "tests/stridemap/views/test_report.py"
 NOTATION = "tests/stridemap/views/test_notation.py"
 CLAIMS = "tests/stridemap/paper/test_claims.py"
@@ -116,6 +117,65 @@ SWEEPS = (
     ),
 )
 
+POINTS = (
+    Mutation(
+        "sweeps/changes.py",
+        "return np.asarray(cycle & differ.any(axis=1))",
+        "return np.asarray(cycle & differ.all(axis=1))",
+        "something happens only where everything happens",
+        (f"{SPECIAL}::test_the_first_doubling_of_the_simplest_walker",),
+    ),
+    Mutation(
+        "sweeps/special_tables.py",
+        "SAME_POINT = 1e-6",
+        "SAME_POINT = 1e-14",
+        "what two tiles have found stands twice",
+        (f"{SPECIAL}::test_the_order_and_what_is_one_point",),
+    ),
+    Mutation(
+        "sweeps/special_tables.py",
+        'lower, "right") - 1, 0)',
+        'lower, "left") - 1, 0)',
+        "a special point in a cell belongs to the cell before",
+        (f"{SPECIAL}::test_the_order_and_what_is_one_point",),
+    ),
+    Mutation(
+        "sweeps/special_tables.py",
+        "return overlap and known",
+        "return known",
+        "a point that was located excuses every other of its family that was not",
+        (f"{SPECIAL}::test_the_order_and_what_is_one_point",),
+    ),
+    Mutation(
+        "sweeps/special.py",
+        "if not cycles(holds)[0]:",
+        "if cycles(holds)[0]:",
+        "bifurcations are those of solutions that are no limit cycles",
+        (f"{SPECIAL}::test_the_first_doubling_of_the_simplest_walker",),
+    ),
+    Mutation(
+        "sweeps/special.py",
+        "del others[GaitEnd.CONTACT]",
+        "others.pop(GaitEnd.GRAZING)",
+        "limit cycles end where the foot loses contact, and not where it grazes the ground",
+        (f"{SPECIAL}::test_a_line_has_the_special_points_of_the_branches_over_its_parameter",),
+    ),
+    Mutation(
+        "sweeps/run.py",
+        "_numbered(special, numbers[len(orbits) :])",
+        "_numbered(special, numbers[: len(special)])",
+        "special points have the families of other cycles",
+        (f"{SPECIAL}::test_no_cycle_vanishes_along_a_line_without_a_special_point",),
+    ),
+    Mutation(
+        "sweeps/tiles.py",
+        "values[0] + s * length",
+        "values[0] + 0.9 * s * length",
+        "special points are sought where the branch is not",
+        (f"{SPECIAL}::test_the_first_doubling_of_the_simplest_walker",),
+    ),
+)
+
 PAGES = (
     Mutation(
         "stridemap/views/report/payload.py",
@@ -192,4 +252,4 @@ STATEMENTS = (
     ),
 )
 
-MUTATIONS = (*SWEEPS, *PAGES, *STATEMENTS)
+MUTATIONS = (*SWEEPS, *POINTS, *PAGES, *STATEMENTS)

@@ -202,6 +202,7 @@ def test_the_order_and_what_is_one_point():
         point(0.5, (0.2, -0.2, 4.0), "pd", branch=4),  # not what was lost: of another family
         replace(lost, lower=0.3),
         point(0.7, (0.1, -0.1, 3.01)),
+        point(0.9, (0.1, -0.1, 3.0), "pd"),  # nor this, which is not between its values
     ]
     table = special_table(model, grid, {}, points)
     rows = in_order(model, "slope", 1.0, table).to_pylist()
@@ -212,6 +213,7 @@ def test_the_order_and_what_is_one_point():
         ("pd", 0.5, 4.0, 1, None),
         ("fold", 0.7, 3.0, 1, None),
         ("fold", 0.7, 3.01, 1, None),
+        ("pd", 0.9, 3.0, 1, None),
     ]
     assert rows[1]["residual"] == 1.0  # the first of those that are one
     assert rows[0]["slope"] is None
