@@ -107,13 +107,27 @@ class Locator:
             if changes.changes(piece.side[None], piece.other_side[None])[0]:
                 pieces[number] = piece
                 piece.bifurcate(met[int(stretches.cell[number])])
-        searches = [(piece, search) for piece in pieces.values() for search in piece.end_searches()]
-        ends = together([search for _, search in searches], self.conditions)
-        for (piece, _), end in zip(searches, ends, strict=True):
-            piece.take_end(end)
+        self._find_ends([(int(stretches.cell[number]), piece) for number, piece in pieces.items()])
         for number, piece in pieces.items():
             out[number] = piece.rows(int(stretches.cell[number]), int(stretches.branch[number]))
         return [point for number in sorted(out) for point in out[number]]
+
+    def _find_ends(self, waiting: list[tuple[int, "_Piece"]]) -> None:
+        """Locate the ends on pieces of lines, many at a time; of pieces that may share one, one comes first."""
+        met: dict[int, list[_MetEnd]] = defaultdict(list)
+        while waiting:
+            now: list[tuple[int, _Piece]] = []
+            later: list[tuple[int, _Piece]] = []
+            for line, piece in waiting:
+                if not piece.has_ends() or piece.ends_are_among(met[line]):
+                    continue
+                shared = any(line == other and piece.is_near(one) for other, one in now)
+                (later if shared else now).append((line, piece))
+            found = [(line, piece, search) for line, piece in now for search in piece.end_searches()]
+            ends = together([search for _, _, search in found], self.conditions)
+            for (line, piece, _), end in zip(found, ends, strict=True):
+                met[line] += piece.take_end(end)
+            waiting = later
 
     def _not_solved(self, stretches: Stretches, i: int) -> SpecialPoint:
         """That something happens between two points of a branch of which one was not solved for."""
@@ -210,6 +224,15 @@ class _Met:
     slope: float
 
 
+@dataclass(frozen=True)
+class _MetEnd:
+    """The end of a limit cycle, or of its contact, that was located; and whether it keeps contact there."""
+
+    type: GaitEnd
+    x: Floats
+    gait: bool
+
+
 class _Piece:
     """A part of a branch between two of its points, on which something happens, and what that is."""
 
@@ -249,12 +272,34 @@ class _Piece:
         if self.differ[changes.CONTACT]:
             yield from (search for _, search in searches(self.curve, points, self.held, options))
 
-    def take_end(self, end: End | None) -> None:
-        """Enter what a search for an end has found."""
+    def take_end(self, end: End | None) -> list[_MetEnd]:
+        """Enter what a search for an end has found, and return it."""
         if end is None:
             self._lost += self._broken()
-        elif not any(end.type == kind and (end.point.x == x).all() for _, kind, x, _ in self._found):
-            self._found.append((self._along(end.point.x), *self._end(end)))
+            return []
+        kind, x, values = self._end(end)
+        self._found.append((self._along(x), kind, x, values))
+        return [_MetEnd(end.type, x, values["gait"])]
+
+    def has_ends(self) -> bool:
+        """Whether a limit cycle ends here, or keeps contact no longer."""
+        return bool(self.differ[[changes.CYCLE, changes.CONTACT]].any())
+
+    def is_near(self, other: "_Piece") -> bool:
+        """Whether another piece is so near that both may be of one part of a branch."""
+        middles = [0.5 * (piece.one.x + piece.other.x) for piece in (self, other)]
+        lengths = [self.curve.norm(piece.other.x - piece.one.x) for piece in (self, other)]
+        return self.curve.norm(middles[0] - middles[1]) < sum(lengths)
+
+    def ends_are_among(self, met: list[_MetEnd]) -> bool:
+        """Whether the ends here were located on another stretch, which shares this part of the branch."""
+        here = [end for end in met if self._passes(end.x)]
+        ends = [end for end in here if end.type != GaitEnd.CONTACT]
+        contacts = (len(here) - len(ends)) % 2
+        if not self.differ[changes.CYCLE]:
+            return not ends and contacts == 1
+        keeps = self.side[changes.CONTACT] or self.other_side[changes.CONTACT]
+        return len(ends) == 1 and (bool(keeps) != ends[0].gait) == bool(contacts)
 
     def rows(self, cell: int, branch: int) -> list[SpecialPoint]:
         """Special points, in order along the branch, on the line of a cell."""

@@ -163,32 +163,70 @@ def _located(
     known: tuple[float, ...],
     options: ArclengthOptions,
 ) -> Search:
-    """Where a condition is zero between two points: regula falsi (Illinois) on the arclength step.
+    """Where a condition is zero between two points, at which it is `known`.
 
-    The condition is `known` at both points.
+    It is found at the resolution of the points first, and then at ever finer ones until it does not change
+    any more.
     """
+    n_rk = max(point.n_rk for point in pair)
+    found = yield from _bracketed(curve, name, pair, known, options, n_rk, ROUGH)
+    if found is not None:
+        found = yield from _refined(curve, name, pair, found, options)
+    if found is None:
+        finest = CYCLE_N_RK[-1]
+        found = yield from _bracketed(curve, name, pair, known, options, finest, SETTLED)
+    if found is None or not abs(found.f) < LOCATED:
+        return None
+    here = found.point
+    matrix, residual = curve.linearised(here.x, here.n_rk)
+    closing = float(np.abs(residual).max())
+    exact = Corrected(here.x, matrix, closing, ())
+    point = CurvePoint.at(curve, exact, pair[0].tangent, here.n_rk)
+    return End(name, point, max(abs(found.f), closing))
+
+
+@dataclass(frozen=True)
+class _Zero:
+    """A point at which a condition is nearly zero: its value f, and the slope of that in the arclength."""
+
+    point: CurvePoint
+    f: float
+    slope: float
+
+
+def _bracketed(
+    curve: ZeroCurve,
+    name: GaitEnd,
+    pair: tuple[CurvePoint, CurvePoint],
+    known: tuple[float, ...],
+    options: ArclengthOptions,
+    n_rk: int,
+    settled: float,
+) -> Generator[Trial, float, _Zero | None]:
+    """Regula falsi (Illinois) on the arclength step, until it changes by less than `settled`."""
     one, other = pair
-    n_rk = min(2 * max(one.n_rk, other.n_rk), CYCLE_N_RK[-1])
     length = curve.dot(other.x - one.x, one.tangent)
     low, high = 0.0, length
     x_low, x_high = one.x, other.x
     f_low, f_high = known
-    here: CurvePoint | None = None
+    last = low, f_low
+    found: _Zero | None = None
     kept = 0  # the side that the last turn kept: 1 for the upper end, -1 for the lower one
     for turn in range(LOCATE_ITERATIONS):
         bounded = np.isfinite(f_low) and np.isfinite(f_high) and turn % 6 < 5
         part = f_low / (f_low - f_high) if bounded else 0.5
         guess, ds = x_low + part * (x_high - x_low), low + part * (high - low)
-        near = one.matrix + ds / length * (other.matrix - one.matrix)
-        found = curve.corrected(guess, one.tangent, n_rk, options.max_corrections + 3, near)
-        if not found.converged:
-            found = curve.corrected(guess, one.tangent, n_rk, options.max_corrections + 3)
-        if not found.converged:
+        here = _corrected(curve, pair, guess, ds / length, n_rk, options)
+        if here is None:
             return None
-        here = CurvePoint(found.x, one.tangent, found.matrix, one.multipliers, n_rk)
         f = yield Trial(curve, here, name)
-        left = abs(f) * (high - low) / abs(f_low - f_high) if f_low != f_high else 0.0
-        if abs(f) < ROUNDING or (abs(f) < LOCATED and left < SETTLED) or high - low < SETTLED * abs(high):
+        before = last if np.isfinite(last[1]) and last[1] != f and last[0] != ds else (high, f_high)
+        slope = (f - before[1]) / (ds - before[0]) if ds != before[0] else np.nan
+        found, last = _Zero(here, f, slope), (ds, f)
+        left = abs(f / slope) if np.isfinite(slope) and slope != 0.0 else np.inf
+        if abs(f) < ROUNDING or (abs(f) < LOCATED and left < settled) or left < 0.01 * settled:
+            break
+        if high - low < settled * abs(high):
             break
         if (f > 0) == (f_low > 0):
             low, x_low, f_low = ds, here.x, f
@@ -198,15 +236,65 @@ def _located(
             high, x_high, f_high = ds, here.x, f
             f_low *= 0.5 if kept == -1 else 1.0
             kept = -1
-    if here is None or not abs(f) < LOCATED:
+        if left < settled and settled == ROUGH:
+            break
+    return found
+
+
+def _refined(
+    curve: ZeroCurve,
+    name: GaitEnd,
+    pair: tuple[CurvePoint, CurvePoint],
+    found: _Zero,
+    options: ArclengthOptions,
+) -> Generator[Trial, float, _Zero | None]:
+    """The same zero at ever finer resolutions, by secants; None where they do not lead there."""
+    one, other = pair
+    length = curve.dot(other.x - one.x, one.tangent)
+    x, slope, n_rk = found.point.x, found.slope, found.point.n_rk
+    x = x - found.f / slope * one.tangent if np.isfinite(slope) and slope else x
+    while n_rk < CYCLE_N_RK[-1]:
+        n_rk, before, last = min(2 * n_rk, CYCLE_N_RK[-1]), x, None
+        for _ in range(SECANTS):
+            if not np.isfinite(slope) or slope == 0.0:
+                return None
+            ds = curve.dot(x - one.x, one.tangent)
+            if not -0.01 * length < ds < 1.01 * length:
+                return None
+            here = _corrected(curve, pair, x, ds / length, n_rk, options)
+            if here is None:
+                return None
+            f = yield Trial(curve, here, name)
+            if last is not None and abs(ds - last[0]) > 1e-11 * length and f != last[1]:
+                slope = (f - last[1]) / (ds - last[0])
+            x, last, found = here.x, (ds, f), _Zero(here, f, slope)
+            if abs(f) < ROUNDING or (abs(f) < LOCATED and abs(f / slope) < SETTLED_FINE):
+                break
+            x = here.x - f / slope * one.tangent
+        else:
+            return None
+        if curve.norm(x - before) < UNCHANGED:
+            break
+    return found
+
+
+def _corrected(
+    curve: ZeroCurve,
+    pair: tuple[CurvePoint, CurvePoint],
+    guess: Array,
+    part: float,
+    n_rk: int,
+    options: ArclengthOptions,
+) -> CurvePoint | None:
+    """The point in the plane through a guess, a part of the way from one point to another."""
+    one, other = pair
+    near = one.matrix + part * (other.matrix - one.matrix)
+    found = curve.corrected(guess, one.tangent, n_rk, options.max_corrections + 3, near)
+    if not found.converged:
+        found = curve.corrected(guess, one.tangent, n_rk, options.max_corrections + 3)
+    if not found.converged:
         return None
-    matrix, residual = curve.linearised(here.x, n_rk)
-    closing = float(np.abs(residual).max())
-    return End(
-        name,
-        CurvePoint.at(curve, Corrected(here.x, matrix, closing, ()), one.tangent, n_rk),
-        max(abs(f), closing),
-    )
+    return CurvePoint(found.x, one.tangent, found.matrix, one.multipliers, n_rk)
 
 
 LOCATE_ITERATIONS = 80
@@ -215,5 +303,13 @@ LOCATE_ITERATIONS = 80
 LOCATED, ROUNDING = 1e-11, 1e-14
 """Modulus of a condition that counts as zero, and below which it cannot be brought."""
 
-SETTLED = 1e-14
-"""Arclength by which an end need not be moved any more."""
+SETTLED, SETTLED_FINE, ROUGH = 1e-14, 1e-13, 1e-7
+"""Arclength by which an end need not be moved any more: by bisection, by secants at a finer resolution, and
+before there are finer ones."""
+
+UNCHANGED = 3e-11
+"""Change of an end at twice the resolution that needs no finer one, in terms of the scale: the next would be a
+hundredth of it, or less."""
+
+SECANTS = 8
+"""Secants at one resolution."""

@@ -422,10 +422,10 @@ SPECIAL = (
     ),
     Mutation(
         "solver/branches/ends.py",
-        "f_high *= 0.5 if kept == 1 else 1.0",
-        "f_high *= 0.5",
-        "one end of a bracket is halved at every turn, so that secants are no better than bisection",
-        (f"{ENDS}::test_an_end_takes_few_trials",),
+        "if curve.norm(x - before) < UNCHANGED:",
+        "if curve.norm(x - before) < np.inf:",
+        "the ends of gaits are those at twice the coarsest resolution",
+        (f"{ENDS}::test_an_end_is_one_at_the_finest_resolution_too",),
     ),
     Mutation(
         "solver/branches/conditions.py",

@@ -167,13 +167,6 @@ POINTS = (
         "special points have the families of other cycles",
         (f"{SPECIAL}::test_no_cycle_vanishes_along_a_line_without_a_special_point",),
     ),
-    Mutation(
-        "sweeps/tiles.py",
-        "values[0] + s * length",
-        "values[0] + 0.9 * s * length",
-        "special points are sought where the branch is not",
-        (f"{SPECIAL}::test_the_first_doubling_of_the_simplest_walker",),
-    ),
 )
 
 PAGES = (
