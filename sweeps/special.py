@@ -113,7 +113,7 @@ class Locator:
         return [point for number in sorted(out) for point in out[number]]
 
     def _find_ends(self, waiting: list[tuple[int, "_Piece"]]) -> None:
-        """Locate the ends on pieces of lines, many at a time; of pieces that may share one, one comes first."""
+        """Locate ends on pieces of lines, many at a time; of pieces that may share one, one comes first."""
         met: dict[int, list[_MetEnd]] = defaultdict(list)
         while waiting:
             now: list[tuple[int, _Piece]] = []

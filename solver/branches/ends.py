@@ -308,8 +308,8 @@ SETTLED, SETTLED_FINE, ROUGH = 1e-14, 1e-13, 1e-7
 before there are finer ones."""
 
 UNCHANGED = 3e-11
-"""Change of an end at twice the resolution that needs no finer one, in terms of the scale: the next would be a
-hundredth of it, or less."""
+"""Change of an end at twice the resolution that needs no finer one, in terms of the scale: the next would be
+a hundredth of it, or less."""
 
 SECANTS = 8
 """Secants at one resolution."""
