@@ -422,9 +422,9 @@ SPECIAL = (
     ),
     Mutation(
         "solver/branches/ends.py",
-        "if curve.norm(x - before) < UNCHANGED:",
-        "if curve.norm(x - before) < np.inf:",
-        "the ends of gaits are those at twice the coarsest resolution",
+        "while n_rk < CYCLE_N_RK[-1]:",
+        "while n_rk < 0:",
+        "the ends of gaits are those at the resolution with which the branch was followed",
         (f"{ENDS}::test_an_end_is_one_at_the_finest_resolution_too",),
     ),
     Mutation(
