@@ -3,9 +3,11 @@
 A compiler that is missing skips its tests, except where the environment variable CI is set: there it fails.
 """
 
+import os
 import re
 import shutil
 import subprocess
+from functools import cache
 
 import numpy as np
 import pytest
@@ -396,17 +398,25 @@ def kernels_main(name):
     return "\n".join([*lines, "    return bad;", "}", ""]), kernels
 
 
+SANITIZED = ["-std=c99", "-O0", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"]
+
+
+@cache
+def has_sanitizers(compiler):
+    """Whether a compiler can link with the sanitizers."""
+    command = [compiler, *SANITIZED, "-x", "c", "-", "-o", os.devnull]
+    return not subprocess.run(
+        command, input="int main(void) { return 0; }\n", text=True, capture_output=True, check=False
+    ).returncode
+
+
 def sanitized(compiler, source, *others, includes, tmp_path):
     """Build with address and undefined-behaviour sanitizers, run, and return what is printed."""
-    flags = ["-std=c99", "-g", "-O0", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"]
-    probe = tmp_path / "probe.c"
-    probe.write_text("int main(void) { return 0; }\n")
-    command = [need(compiler), *flags, probe, "-o", tmp_path / "probe"]
-    if subprocess.run(command, capture_output=True, check=False).returncode:
+    if not has_sanitizers(need(compiler)):
         lacking(f"{compiler} cannot link with the sanitizers")
     (tmp_path / "main.c").write_text(source)
     program = tmp_path / "program"
-    run(compiler, *flags, f"-I{includes}", tmp_path / "main.c", *others, "-lm", "-o", program)
+    run(compiler, *SANITIZED, f"-I{includes}", tmp_path / "main.c", *others, "-lm", "-o", program)
     return run(program).split("\n")[:-1]
 
 
