@@ -21,8 +21,8 @@ TRIED = 300
 """Terms when multiplied out, times different symbols and functions, up to which it is given that form."""
 
 AT_ONCE = 200
-"""Terms times different symbols and functions up to which SymPy seeks identities of other functions than sines
-and cosines: in a larger sum it may try for minutes."""
+"""Terms times different symbols and functions up to which SymPy seeks identities of other functions than
+sines and cosines: in a larger sum it may try for minutes."""
 
 GENERATORS = 14
 """Different symbols and functions up to which it is given that form."""
