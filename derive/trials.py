@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from functools import lru_cache
 from typing import Any
 
 import sympy as sp
@@ -52,6 +53,14 @@ def compiled(
         Of the coordinates, the parameters and a mass that vanishes, which is `LIGHT`.
     """
     light = {} if walker.massless is None else {walker.massless.mass: LIGHT}
-    symbols = [*walker.q, *(a.symbol for a in walker.parameters), *light]
-    function = sp.lambdify(symbols, [sp.sympify(e) for e in expressions], "mpmath", cse=True)
+    symbols = (*walker.q, *(a.symbol for a in walker.parameters), *light)
+    function = _function(symbols, tuple(map(sp.sympify, expressions)))
     return lambda values: function(*({**light, **values}[s] for s in symbols))
+
+
+@lru_cache(64)
+def _function(symbols: tuple[sp.Symbol, ...], expressions: tuple[sp.Expr, ...]) -> Callable[..., list[Any]]:
+    """The function, made once: the same expressions are asked for again with other parameters."""
+    # Stand-ins for all names: a parameter may be called like what the function itself uses.
+    made: Callable[..., list[Any]] = sp.lambdify(symbols, list(expressions), "mpmath", dummify=True, cse=True)
+    return made
