@@ -245,79 +245,12 @@ class AcceptanceOptions(Options):
 
 @dataclass(frozen=True)
 class ContinuationOptions(Options):
-    """Step control of pseudo-arclength continuation.
+    """Step control of pseudo-arclength continuation: of branches, of boundaries, and of sweeps.
 
-    Lengths are measured in a space where 1 is the length of a line of the grid, the half-width of the search
-    box, or the model's scale of time.
-
-    Parameters
-    ----------
-    ds, ds_min, ds_max : float
-        First, shortest and longest arclength step.
-    step_growth, step_shrink : float
-        Factors of the arclength step after one that was easily corrected, and after one that failed.
-    max_steps : int
-        Arclength steps along a branch, failed ones included.
-    max_corrections : int
-        Corrections with one derivative.
-    tolerance : float
-        Length of a correction that is the last: what comes out is a guess, to be converged.
-    max_contraction : float
-        Largest ratio of one correction to the one before.
-    max_correction_ratio : float
-        Largest ratio of the first correction to the arclength step.
-    min_tangent_cosine, easy_tangent_cosine : float
-        Smallest cosine of the angle by which the tangent turns in one arclength step, and that above which
-        the next one may be longer.
-    patience : float
-        Length along which a branch is followed without a gait on it.
-
-    Raises
-    ------
-    InputError
-        For values out of range.
-    """
-
-    ds: float = 0.02
-    ds_min: float = 1e-5
-    ds_max: float = 0.1
-    step_growth: float = 2.0
-    step_shrink: float = 0.4
-    max_steps: int = 600
-    max_corrections: int = 4
-    tolerance: float = 1e-3
-    max_contraction: float = 0.5
-    max_correction_ratio: float = 0.5
-    min_tangent_cosine: float = 0.94
-    easy_tangent_cosine: float = 0.98
-    patience: float = 2.0
-
-    def __post_init__(self) -> None:
-        for name in ("max_steps", "max_corrections"):
-            value = getattr(self, name)
-            whole = isinstance(value, int) and not isinstance(value, bool)
-            self._check(name, whole and 1 <= value <= 10**6, "a whole number from 1 to 1,000,000 is needed")
-        for name in ("ds", "ds_min", "ds_max", "tolerance", "patience"):
-            self._check_number(name, 0.0, np.inf)
-        self._check("ds_min", self.ds_min <= self.ds, f"it must not be above ds = {self.ds:g}")
-        self._check("ds", self.ds <= self.ds_max, f"it must not be above ds_max = {self.ds_max:g}")
-        self._check_number("step_growth", float(np.nextafter(1, 0)), np.inf)  # 1 itself is allowed
-        for name in (
-            "step_shrink",
-            "max_contraction",
-            "max_correction_ratio",
-            "min_tangent_cosine",
-            "easy_tangent_cosine",
-        ):
-            self._check_number(name, 0.0, 1.0)
-
-
-@dataclass(frozen=True)
-class ArclengthOptions(Options):
-    """Step control along a branch over one parameter.
-
-    Lengths are measured in a space where 1 is the length of the parameter's range, of the model's range of
-    periods, or the half-width of its search box.
+    Lengths are measured in a space where 1 is the length of the parameter's range (in a sweep that of a line
+    of the grid), and the half-width of the model's search box; and for the period the model's range of
+    periods (in a sweep its scale of time). Sweeps only need guesses from branches, and have longer steps by
+    default: `IN_SWEEPS`.
 
     Parameters
     ----------
@@ -362,3 +295,17 @@ class ArclengthOptions(Options):
         self._check_number("step_growth", float(np.nextafter(1, 0)), np.inf)
         for name in ("step_shrink", "min_tangent_cosine", "easy_tangent_cosine"):
             self._check_number(name, 0.0, 1.0)
+
+
+IN_SWEEPS = ContinuationOptions(
+    ds=0.02,
+    ds_min=1e-5,
+    ds_max=0.1,
+    step_growth=2.0,
+    step_shrink=0.4,
+    max_steps=600,
+    max_corrections=4,
+    min_tangent_cosine=0.94,
+    easy_tangent_cosine=0.98,
+)
+"""How a sweep follows branches by default."""

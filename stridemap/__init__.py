@@ -45,7 +45,6 @@ if TYPE_CHECKING:
     from stridemap.solver.observables.motion import Motion
     from stridemap.solver.options import (
         AcceptanceOptions,
-        ArclengthOptions,
         ContinuationOptions,
         SearchOptions,
     )

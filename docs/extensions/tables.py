@@ -1,5 +1,6 @@
 """Tables that are made from the source: what rooms there are, and what words a record of options has."""
 
+import functools
 import importlib
 from dataclasses import fields
 from pathlib import Path
@@ -18,9 +19,10 @@ class Options(SphinxDirective):
     required_arguments = 1
 
     def run(self):
-        home, _, name = self.arguments[0].rpartition(".")
-        record = getattr(importlib.import_module(home), name)
-        defaults = {one.name: one.default for one in fields(record)}
+        home, *names = self.arguments[0].split(".")
+        found = functools.reduce(getattr, names, importlib.import_module(home))
+        record = found if isinstance(found, type) else type(found)  # or what a class has by default
+        defaults = {one.name: getattr(found, one.name) for one in fields(record)}
         rows = []
         for entry in ClassDoc(record)["Parameters"]:
             names = entry.name.split(", ")
@@ -28,7 +30,7 @@ class Options(SphinxDirective):
             code = text(", ".join(f"`{name}`" for name in names))
             rows.append((code, text(" ".join(entry.desc)), text(values)))
         if defaults:
-            raise self.error(f"{name} does not document {', '.join(defaults)}")
+            raise self.error(f"{record.__name__} does not document {', '.join(defaults)}")
         return [table(("word", "meaning", "default"), rows)]
 
 

@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stridemap.solver.branches.curve import Corrected, ZeroCurve
-from stridemap.solver.options import ArclengthOptions
+from stridemap.solver.options import ContinuationOptions
 
 Array = NDArray[np.float64]
 
@@ -148,7 +148,7 @@ def at_value(
 
 
 def follow(
-    curve: ZeroCurve, start: CurvePoint, window: Window, options: ArclengthOptions, ds: float | None = None
+    curve: ZeroCurve, start: CurvePoint, window: Window, options: ContinuationOptions, ds: float | None = None
 ) -> tuple[list[CurvePoint], EndReason]:
     """Follow a curve from a point, in the direction of its tangent.
 
@@ -157,7 +157,7 @@ def follow(
     curve : ZeroCurve
     start : CurvePoint
     window : Window
-    options : ArclengthOptions
+    options : ContinuationOptions
     ds : float, optional
         The first arclength step.
 
@@ -192,7 +192,7 @@ def follow(
 
 
 def both_ways(
-    curve: ZeroCurve, start: CurvePoint, window: Window, options: ArclengthOptions
+    curve: ZeroCurve, start: CurvePoint, window: Window, options: ContinuationOptions
 ) -> tuple[list[CurvePoint], tuple[EndReason, EndReason]]:
     """Follow a curve from a point in both directions: see `follow`.
 
@@ -216,7 +216,11 @@ def _strays(curve: ZeroCurve, here: CurvePoint, there: CurvePoint, ds: float) ->
 
 
 def _last_point(
-    curve: ZeroCurve, here: CurvePoint, there: CurvePoint, left: tuple[int, float], options: ArclengthOptions
+    curve: ZeroCurve,
+    here: CurvePoint,
+    there: CurvePoint,
+    left: tuple[int, float],
+    options: ContinuationOptions,
 ) -> list[CurvePoint] | None:
     """The point at the end of a parameter's range that lies between two; none where it is the first.
 

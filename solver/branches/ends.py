@@ -10,7 +10,7 @@ from stridemap.solver.branches.arclength import CurvePoint, advanced
 from stridemap.solver.branches.conditions import GaitConditions, GaitEnd
 from stridemap.solver.branches.curve import ZeroCurve
 from stridemap.solver.kernels.catalogue import CYCLE_N_RK
-from stridemap.solver.options import ArclengthOptions
+from stridemap.solver.options import ContinuationOptions
 
 Array = NDArray[np.float64]
 
@@ -51,7 +51,7 @@ def gait_ends(
     points: list[CurvePoint],
     values: dict[GaitEnd, Array],
     conditions: GaitConditions,
-    options: ArclengthOptions,
+    options: ContinuationOptions,
 ) -> Iterator[tuple[int, End]]:
     """Ends and beginnings of gaits between neighbouring points, each with the number of the point before it.
 
@@ -65,7 +65,7 @@ def gait_ends(
     values : dict of GaitEnd to ndarray
         As from `conditions_along`.
     conditions : GaitConditions
-    options : ArclengthOptions
+    options : ContinuationOptions
     """
     holds = {name: one > 0 for name, one in values.items()}
     gait = np.all(list(holds.values()), axis=0)
@@ -89,7 +89,7 @@ def _located(
     one: CurvePoint,
     other: CurvePoint,
     conditions: GaitConditions,
-    options: ArclengthOptions,
+    options: ContinuationOptions,
 ) -> End | None:
     """Where a condition is zero between two points: regula falsi (Illinois) on the arclength step."""
 

@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 import stridemap.sweeps
 from stridemap.errors import InputError
 from stridemap.solver.model.loading import load
-from stridemap.solver.options import AcceptanceOptions, ContinuationOptions
+from stridemap.solver.options import IN_SWEEPS, AcceptanceOptions
 from stridemap.sweeps.config import Range, canonical_json, load_config, parse_config
 
 pytestmark = pytest.mark.quick
@@ -118,7 +118,7 @@ def test_hash_is_sha256_of_canonical_json():
             "widen": 1.0,
         },
         "acceptance": asdict(AcceptanceOptions()),
-        "continuation": asdict(ContinuationOptions()),
+        "continuation": asdict(IN_SWEEPS),
     }
     assert resolved.canonical() == canonical_json(json.loads(resolved.canonical()))
     assert resolved.config_hash == hashlib.sha256(resolved.canonical().encode()).hexdigest()

@@ -11,12 +11,12 @@ from stridemap.solver.branches.conditions import GaitEnd
 from stridemap.solver.branches.ends import conditions_along, gait_ends
 from stridemap.solver.branches.special import SpecialType, special_points
 from stridemap.solver.branches.switching import crossing, doubled, supercritical
-from stridemap.solver.options import ArclengthOptions
+from stridemap.solver.options import ContinuationOptions
 from tests.oracles.maps import curve, p, x, y
 
 pytestmark = pytest.mark.quick
 
-OPTIONS = ArclengthOptions()
+OPTIONS = ContinuationOptions()
 
 
 def window(low, high):
@@ -155,7 +155,7 @@ def test_a_pitchfork_is_a_branch_point_from_which_both_sides_are_reached():
 def test_two_doublings_between_two_points_are_both_found(apart):
     """Of two maps that know nothing of each other: the test function has the same sign before and after."""
     on = curve(shifted(lambda z: -(1 + p) * z), -(1 + p - apart) * y)
-    coarse = ArclengthOptions(ds=0.3, ds_max=0.3)
+    coarse = ContinuationOptions(ds=0.3, ds_max=0.3)
     points, _ = traced(on, [0.5, 0.0], -0.4, -0.5, 0.5, coarse)
     found = specials(on, points, coarse)
     assert [special.type for special in found] == [SpecialType.PD] * 2
@@ -165,7 +165,7 @@ def test_two_doublings_between_two_points_are_both_found(apart):
 def test_a_fold_and_a_doubling_between_two_points_are_both_found():
     """The fold of one map, and the doubling of another just beside it."""
     on = curve(x + p - x**2, -(1 + x - sp.Rational(1, 100)) * y)
-    coarse = ArclengthOptions(ds=0.05, ds_max=0.2)
+    coarse = ContinuationOptions(ds=0.05, ds_max=0.2)
     points, _ = traced(on, [0.6, 0.0], 0.36, -1.0, 0.8, coarse)
     found = {special.type: special for special in specials(on, points, coarse)}
     assert set(found) == {SpecialType.FOLD, SpecialType.PD}
@@ -208,7 +208,7 @@ def test_second_derivatives_are_differences_of_the_first():
 
 def test_every_point_of_a_branch_closes_to_rounding():
     on = logistic()
-    points, _ = traced(on, 0.6, 2.5, 1.2, 3.9, ArclengthOptions(ds=0.05, ds_max=0.3))
+    points, _ = traced(on, 0.6, 2.5, 1.2, 3.9, ContinuationOptions(ds=0.05, ds_max=0.3))
     assert len(points) > 8
     for point in points:
         assert abs(point.x[0] - (1 - 1 / point.x[-1])) < 2e-14
@@ -222,7 +222,7 @@ def wavy():
 
 def test_the_tangent_turns_little_from_point_to_point():
     on = curve(x + x**2 + p**2 - sp.Rational(1, 4))
-    for options in (OPTIONS, ArclengthOptions(ds=0.1, ds_max=0.4)):
+    for options in (OPTIONS, ContinuationOptions(ds=0.1, ds_max=0.4)):
         points, _ = traced(on, 0.5, 0.0, -1.0, 1.0, options)
         turns = [on.dot(a.tangent, b.tangent) for a, b in itertools.pairwise(points)]
         assert min(turns) >= options.min_tangent_cosine
@@ -236,7 +236,7 @@ def test_a_correction_that_leads_far_is_not_taken():
     there = advanced(on, here, ds, 10)
     assert there.x[-1] == pytest.approx(wave, abs=1e-12)  # so that only its distance speaks against it
     assert on.dot(there.tangent, here.tangent) == pytest.approx(1.0, abs=1e-12)
-    options = ArclengthOptions(ds=ds, ds_max=ds, max_steps=8)
+    options = ContinuationOptions(ds=ds, ds_max=ds, max_steps=8)
     points, _ = follow(on, here, window(-0.6, 0.6), options)
     assert 0 < points[1].x[-1] < 0.2 * wave
 
@@ -290,7 +290,7 @@ def test_a_branch_that_does_not_go_on_stalls():
 
 def test_the_number_of_steps_is_bounded():
     on = curve(x + x - p)
-    options = ArclengthOptions(max_steps=3)
+    options = ContinuationOptions(max_steps=3)
     points, reasons = traced(on, 0.5, 0.5, 0.0, 1.0, options)
     assert reasons == (EndReason.STEPS, EndReason.STEPS)
     assert len(points) == 7
@@ -322,7 +322,7 @@ class Conditions:
 def test_a_gait_ends_at_the_condition_that_is_met_first():
     """Along x = p: both are broken at the next point of the branch, the fall before the friction."""
     on = curve(x + x - p)
-    coarse = ArclengthOptions(ds=0.2, ds_max=0.2)
+    coarse = ContinuationOptions(ds=0.2, ds_max=0.2)
     conditions = Conditions(fall=lambda z, _: 0.5 - z, friction=lambda z, _: np.exp(0.52 - z) - 1)
     for back in (False, True):
         points, _ = traced(on, 0.11, 0.11, 0.0, 1.0, coarse)
