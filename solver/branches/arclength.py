@@ -172,7 +172,8 @@ def follow(
         here = points[-1]
         there = advanced(curve, here, ds, options.max_corrections)
         turn = -1.0 if there is None else curve.dot(there.tangent, here.tangent)
-        if there is None or turn < options.min_tangent_cosine or _strays(curve, here, there, ds):
+        astray = there is None or _strays(curve, here, there, ds) or _jumps(curve, here, there)
+        if there is None or astray or turn < options.min_tangent_cosine:
             ds *= options.step_shrink
             if ds < options.ds_min:
                 return points, EndReason.STALLED
@@ -213,6 +214,19 @@ def both_ways(
 def _strays(curve: ZeroCurve, here: CurvePoint, there: CurvePoint, ds: float) -> bool:
     """Whether the corrections led far from where the tangent pointed, perhaps onto another curve."""
     return curve.norm(there.x - here.x - ds * here.tangent) > MAX_CORRECTION * ds
+
+
+def _jumps(curve: ZeroCurve, here: CurvePoint, there: CurvePoint) -> bool:
+    """Whether two points are beside each other rather than one after the other.
+
+    The way along a smooth curve is, up to third order, its length times the mean of the tangents at both
+    ends. What is added by a step onto a curve that runs beside this one, where the tangents hardly differ,
+    is the distance of the two.
+    """
+    way = there.x - here.x
+    mean = (here.tangent + there.tangent) / 2
+    length = curve.norm(way)
+    return curve.norm(way - length * mean) > MAX_SIDESTEP * length
 
 
 def _last_point(
@@ -257,6 +271,9 @@ def _ended(curve: ZeroCurve, points: list[CurvePoint], window: Window) -> EndRea
 
 MAX_CORRECTION = 0.3
 """Largest correction, as a part of the arclength step."""
+
+MAX_SIDESTEP = 0.004
+"""Largest part of the way between two points that the tangents at both do not account for."""
 
 FARTHEST = 4.0
 """Distance from the middle of the search box, in half-widths, beyond which nothing walks."""

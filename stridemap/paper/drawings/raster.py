@@ -5,7 +5,7 @@ import string
 import numpy as np
 from scipy.ndimage import distance_transform_edt, label
 
-from stridemap.solver.branches.plane import Plane
+from stridemap.solver.branches.plane import Plane, middle_edges
 
 SMALLEST = 0.004
 """Share of the map's area below which a patch of one group is not lettered."""
@@ -13,10 +13,7 @@ SMALLEST = 0.004
 
 def extent(plane: Plane) -> tuple[float, float, float, float]:
     """Left, right, bottom and top of the cells, whose middles are the values; these are evenly spaced."""
-    (left, right), (bottom, top) = (
-        (v[0] - (v[1] - v[0]) / 2, v[-1] + (v[-1] - v[-2]) / 2) for v in (plane.x, plane.y)
-    )
-    return float(left), float(right), float(bottom), float(top)
+    return (*middle_edges(plane.x), *middle_edges(plane.y))
 
 
 def letters(plane: Plane, aspect: float) -> list[tuple[str, float, float]]:

@@ -1,0 +1,206 @@
+"""The regions into which curves cut a map, their classes, and their outlines as polygons.
+
+The map is cut at many heights. Between two curves that are neighbours at one height and again at the next
+lies one region; where curves cross, end or turn back, regions begin and end. A region is of the class that
+the cells in it are of, or, where it is so narrow that it holds none, of the class that is computed there.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from stridemap.solver.branches.plane import Plane
+
+Array = NDArray[np.float64]
+Index = NDArray[np.int64]
+
+HEIGHTS = 600
+"""Heights at which the map is cut, at least."""
+
+UNKNOWN = -1
+"""Class of a region that is too narrow to be seen and holds no cell."""
+
+NARROWEST = 2e-4
+"""Width of such a region, as a part of the map's."""
+
+LEFT, RIGHT = -1, -2
+"""In the place of a curve: the sides of the map."""
+
+
+@dataclass(frozen=True)
+class Cut:
+    """What a map is cut into at one height.
+
+    Parameters
+    ----------
+    y : float
+        The height.
+    x : ndarray, shape (n + 1,)
+        Where the curves cross it, ascending, between the left and the right side.
+    curve : ndarray of int, shape (n + 1,)
+        Their numbers.
+    region : ndarray of int, shape (n,)
+        The region between each and the next.
+    """
+
+    y: float
+    x: Array
+    curve: Index
+    region: Index
+
+
+@dataclass(frozen=True)
+class Regions:
+    """The regions of a map.
+
+    Parameters
+    ----------
+    cuts : list of Cut
+        By height.
+    count : int
+        Number of regions.
+    """
+
+    cuts: list[Cut]
+    count: int
+
+    @classmethod
+    def between(cls, lines: list[Array], plane: Plane, sides: tuple[float, float, float, float]) -> "Regions":
+        """The regions between curves.
+
+        Parameters
+        ----------
+        lines : list of ndarray, shape (m, 2)
+        plane : Plane
+            Its rows are among the heights.
+        sides : (float, float, float, float)
+            Left, right, bottom and top of the map.
+        """
+        left, right, bottom, top = sides
+        rising = [piece for line in lines for piece in _rising(line)]
+        heights = _heights(rising, plane.y, bottom, top)
+        level, x, number = _crossings(rising, heights)
+        inside = (x > left) & (x < right)
+        level, x, number = level[inside], x[inside], number[inside]
+        order = np.lexsort((x, level))
+        level, x, number = level[order], x[order], number[order]
+        ends = np.searchsorted(level, np.arange(len(heights) + 1))
+        cuts, known, count = [], {}, 0
+        for i, y in enumerate(heights.tolist()):
+            part = slice(ends[i], ends[i + 1])
+            curve = np.concatenate([[LEFT], number[part], [RIGHT]])
+            now = {}
+            for pair in zip(curve[:-1].tolist(), curve[1:].tolist(), strict=True):
+                if pair not in known:
+                    known[pair], count = count, count + 1
+                now[pair] = known[pair]
+            region = np.array(list(now.values()), dtype=np.int64)
+            cuts.append(Cut(y, np.concatenate([[left], x[part], [right]]), curve, region))
+            known = now
+        return cls(cuts, count)
+
+    def of_cells(self, plane: Plane) -> Index:
+        """The region in which the middle of each cell lies, shape (rows, columns)."""
+        return np.array(
+            [cut.region[np.searchsorted(cut.x, plane.x) - 1] for cut in self._at(plane.y)], dtype=np.int64
+        )
+
+    def classes(self, plane: Plane, elsewhere: Callable[[Array, Array], Index]) -> Index:
+        """The class of every region, shape (count,).
+
+        Parameters
+        ----------
+        plane : Plane
+        elsewhere : callable
+            Takes points, as x and y, of regions without a cell; returns their classes.
+        """
+        region = self.of_cells(plane)
+        votes = np.zeros((self.count, 3), dtype=np.int64)
+        np.add.at(votes, (region.ravel(), plane.classes.ravel()), 1)
+        out = np.where(votes.any(axis=1), votes.argmax(axis=1), UNKNOWN)
+        x, y, width = self._widest
+        asked = np.flatnonzero((out == UNKNOWN) & (width > NARROWEST))
+        if len(asked):
+            out[asked] = elsewhere(x[asked], y[asked])
+        return out
+
+    @cached_property
+    def _widest(self) -> tuple[Array, Array, Array]:
+        """Where each region is widest: the middle in x, y, and the width as a part of the map's."""
+        best = np.zeros((3, self.count))
+        for cut in self.cuts:
+            width = np.diff(cut.x)
+            wider = width > best[2, cut.region]
+            at = cut.region[wider]
+            best[:, at] = (cut.x[:-1] + width / 2)[wider], np.full(len(at), cut.y), width[wider]
+        best[2] /= self.cuts[0].x[-1] - self.cuts[0].x[0]
+        return best[0], best[1], best[2]
+
+    def _at(self, y: Array) -> list[Cut]:
+        """The cuts at some of their heights."""
+        heights = np.array([cut.y for cut in self.cuts])
+        return [self.cuts[i] for i in np.searchsorted(heights, y)]
+
+    def polygons(self, classes: Index, wanted: int) -> list[Array]:
+        """Outlines of all regions of one class, neighbours in one piece, shape (m, 2) each."""
+        done: list[Array] = []
+        open_: dict[tuple[int, int], list[tuple[float, float, float]]] = {}
+        for cut in self.cuts:
+            now = {}
+            for first, last in _runs(classes[cut.region] == wanted):
+                sides = int(cut.curve[first]), int(cut.curve[last])
+                spans = open_.pop(sides, [])
+                spans.append((cut.y, float(cut.x[first]), float(cut.x[last])))
+                now[sides] = spans
+            done += [_outline(spans) for spans in open_.values() if len(spans) > 1]
+            open_ = now
+        return done + [_outline(spans) for spans in open_.values() if len(spans) > 1]
+
+
+def _rising(line: Array) -> list[Array]:
+    """Pieces of a line on which y rises or falls throughout, each from its lowest point upwards."""
+    up = np.sign(np.diff(line[:, 1]))
+    turns = np.flatnonzero(up[1:] != up[:-1]) + 1
+    ends = [0, *turns.tolist(), len(line) - 1]
+    pieces = [line[i : j + 1] for i, j in zip(ends[:-1], ends[1:], strict=True) if j > i]
+    pieces = [one for one in pieces if one[0, 1] != one[-1, 1]]
+    return [one if one[-1, 1] > one[0, 1] else one[::-1] for one in pieces]
+
+
+def _heights(pieces: list[Array], rows: Array, bottom: float, top: float) -> Array:
+    """Where to cut: evenly, along the rows of cells, and just inside the ends of every piece."""
+    just = 1e-7 * (top - bottom)
+    ends = np.array([(one[0, 1] + just, one[-1, 1] - just) for one in pieces]).ravel()
+    even = np.linspace(bottom, top, HEIGHTS)
+    heights = np.unique(np.concatenate([even, rows, ends]))
+    return heights[(heights >= bottom) & (heights <= top)]
+
+
+def _crossings(pieces: list[Array], heights: Array) -> tuple[Index, Array, Index]:
+    """Where pieces cross heights: number of the height, x, number of the piece."""
+    levels, xs, numbers = [], [], []
+    for number, piece in enumerate(pieces):
+        first, last = np.searchsorted(heights, [piece[0, 1], piece[-1, 1]])
+        at = np.arange(first, last)
+        levels.append(at)
+        xs.append(np.interp(heights[at], piece[:, 1], piece[:, 0]))
+        numbers.append(np.full(len(at), number))
+    if not levels:
+        return np.empty(0, dtype=np.int64), np.empty(0), np.empty(0, dtype=np.int64)
+    return np.concatenate(levels), np.concatenate(xs), np.concatenate(numbers)
+
+
+def _runs(inside: NDArray[np.bool_]) -> list[tuple[int, int]]:
+    """First crossing and last crossing of each run of neighbouring parts that are inside."""
+    change = np.diff(np.concatenate([[0], inside.astype(int), [0]]))
+    first, last = np.flatnonzero(change > 0), np.flatnonzero(change < 0)
+    return list(zip(first.tolist(), last.tolist(), strict=True))
+
+
+def _outline(spans: list[tuple[float, float, float]]) -> Array:
+    """The polygon of spans between a left and a right end, by height."""
+    y, left, right = np.array(spans).T
+    return np.vstack([np.column_stack([left, y]), np.column_stack([right, y])[::-1]])
