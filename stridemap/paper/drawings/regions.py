@@ -127,6 +127,11 @@ class Regions:
             out[asked] = elsewhere(x[asked], y[asked])
         return out
 
+    def on_the_other_side(self, plane: Plane, classes: Index) -> Index:
+        """Row and column of the cells that are not of the class of their region, shape (m, 2)."""
+        region = classes[self.of_cells(plane)]
+        return np.argwhere((region != plane.classes) & (region != UNKNOWN))
+
     @cached_property
     def _widest(self) -> tuple[Array, Array, Array]:
         """Where each region is widest: the middle in x, y, and the width as a part of the map's."""

@@ -27,8 +27,8 @@ class CurveLayer {
     this.shown = boundaries.filter((curve) => liesIn(curve, across, up, indices));
   }
 
-  // Draw them into a frame of the map, with its two scales.
-  draw(scales, { left, top, width, height }) {
+  // Draw them into a frame of the map, with its two scales; letters [text, x, y] stand above them.
+  draw(scales, { left, top, width, height }, letters) {
     if (!this.shown) return;
     this.svg.replaceChildren();
     if (!this.on || !this.shown.length) return;
@@ -37,16 +37,16 @@ class CurveLayer {
     const order = [...this.shown].sort((a, b) => a.stable - b.stable);
     for (const halo of [true, false]) {
       for (const curve of order) {
-        const thick = curve.stable ? 2.2 : 1.2;
+        const thick = curve.stable ? 2 : 1.1;
         const look = report.looks[curve.type];
         group.append(svg("path", {
           d: this.path(curve, scales, { left, top, width, height }),
           "data-type": curve.type,
-          ...(halo ? { class: "halo", "stroke-width": thick + 1.6 } : { stroke: look.colour, "stroke-width": thick, "stroke-dasharray": dashesOf(curve.type, thick) }),
+          ...(halo ? { class: "halo", "stroke-width": thick + 1.2 } : { stroke: look.colour, "stroke-width": thick, "stroke-dasharray": dashesOf(curve.type, thick) }),
         }));
       }
     }
-    this.svg.append(group);
+    this.svg.append(group, ...letters.map(([text, x, y]) => svg("text", { x, y, class: "letter" }, text)));
   }
 
   path(curve, scales, { left, top, width, height }) {

@@ -116,7 +116,8 @@ def _check(table: pd.DataFrame, names: list[str], source: str) -> None:
 def _varying(table: pd.DataFrame, names: list[str], source: str) -> tuple[str, str]:
     """The two parameters that change along boundaries."""
     groups = table.groupby("boundary")[names]
-    found = [name for name in names if (groups[name].max() > groups[name].min()).any()]
+    changes = (groups.max() > groups.min()).any()
+    found = [name for name in names if changes[name]]
     if len(found) != 2:
         raise InputError(
             f"along {source} {len(found)} parameters change ({', '.join(found) or 'none'}); a map shows "

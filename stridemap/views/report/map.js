@@ -100,11 +100,12 @@ class GridMap {
     this.frame(pen, width, height);
     this.marks(pen);
     const { left, right, top, bottom } = INSET;
-    this.curves.draw(this.scales, { left, top, width: width - left - right, height: height - top - bottom });
+    this.curves.draw(this.scales, { left, top, width: width - left - right, height: height - top - bottom }, this.lettered);
   }
 
   // One letter for each connected patch of cells of a group that is large enough to hold it.
   letters(pen) {
+    this.lettered = [];
     const seen = this.looks.map((row) => row.map(() => false));
     pen.font = `600 13px ${styled("font")}`;
     pen.textAlign = "center";
@@ -127,6 +128,7 @@ class GridMap {
         pen.fillStyle = styled("map-letter");
         pen.strokeText(letter, x, y);
         pen.fillText(letter, x, y);
+        this.lettered.push([letter, x, y]);
       }
     }
   }

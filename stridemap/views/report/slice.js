@@ -65,6 +65,8 @@ class Slice {
       segment(pen, INSET.left, y(this.level), right, y(this.level));
     }
     this.axis(pen, right, bottom);
+    // Many cells leave little room: marks are smaller, so that the lines between them can be seen.
+    this.size = (right - INSET.left) / this.columns.values.length < 6 ? 1.6 : 3;
     this.boundaries(pen, right, bottom);
     this.lines(pen, width, height);
     for (const [column, row] of this.rows) this.dot(pen, this.locate(column, row, width, height), row);
@@ -76,7 +78,7 @@ class Slice {
       const unit = this.columns.unitOf(value);
       if (!(unit >= 0 && unit <= 1)) continue;
       const x = INSET.left + unit * (right - INSET.left);
-      pen.strokeStyle = report.looks[type].colour;
+      pen.strokeStyle = type === "fold" ? styled("ink-soft") : report.looks[type].colour;
       pen.lineWidth = 1;
       pen.setLineDash(report.looks[type].dashes.map((d) => 1.5 * d));
       segment(pen, x, SLICE.top, x, bottom);
@@ -118,7 +120,7 @@ class Slice {
   dot(pen, { x, y, beyond, missing }, row) {
     if (missing) return;
     const [stable, chosen] = [stableColumn[row] === 1, row === this.chosen];
-    const size = chosen ? 6 : 3;
+    const size = chosen ? 6 : this.size;
     pen.beginPath();
     if (beyond) {
       pen.moveTo(x, y - beyond * (size + 2));
