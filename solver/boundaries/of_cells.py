@@ -118,10 +118,15 @@ class CellSurvey(BoundarySurvey):
         for u in self.orbits.u[rows]:
             start = at_value(curve, np.append(u, here), here, ahead, 10)
             if start is not None:
-                length = abs(there - here) / width
-                options = replace(survey.options, ds=length / 4, ds_max=length / 2, max_steps=40)
+                ds = abs(there - here) / width / 4
+                options = replace(survey.options, ds=ds, ds_max=max(2 * ds, WAY), max_steps=WAY_STEPS)
                 points, reason = follow(curve, start, survey.window, options)
                 yield survey._measured(curve, points, (reason, reason), None)
+
+
+WAY, WAY_STEPS = 0.02, 200
+"""Longest arclength step from one cell to the next, where the cycle may change much more than the parameter, and
+how many."""
 
 
 def crosses(points: Array, here: Array, there: Array) -> NDArray[np.bool_]:

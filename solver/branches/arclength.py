@@ -219,14 +219,12 @@ def _strays(curve: ZeroCurve, here: CurvePoint, there: CurvePoint, ds: float) ->
 def _jumps(curve: ZeroCurve, here: CurvePoint, there: CurvePoint) -> bool:
     """Whether two points are beside each other rather than one after the other.
 
-    The way along a smooth curve is, up to third order, its length times the mean of the tangents at both
-    ends. What is added by a step onto a curve that runs beside this one, where the tangents hardly differ,
-    is the distance of the two.
+    The way along an arc points, up to third order, where the mean of the tangents at both ends does. A step
+    onto a curve that runs beside this one, where the tangents hardly differ, goes aside by the distance of the
+    two.
     """
-    way = there.x - here.x
-    mean = (here.tangent + there.tangent) / 2
-    length = curve.norm(way)
-    return curve.norm(way - length * mean) > MAX_SIDESTEP * length
+    way, mean = there.x - here.x, here.tangent + there.tangent
+    return curve.norm(way / curve.norm(way) - mean / curve.norm(mean)) > MAX_SIDESTEP
 
 
 def _last_point(
@@ -273,7 +271,7 @@ MAX_CORRECTION = 0.3
 """Largest correction, as a part of the arclength step."""
 
 MAX_SIDESTEP = 0.004
-"""Largest part of the way between two points that the tangents at both do not account for."""
+"""Largest angle, in radians, by which the way between two points differs from the mean of their tangents."""
 
 FARTHEST = 4.0
 """Distance from the middle of the search box, in half-widths, beyond which nothing walks."""

@@ -10,6 +10,9 @@ from stridemap.solver.branches.plane import Plane, middle_edges
 SMALLEST = 0.004
 """Share of the map's area below which a patch of one group is not lettered."""
 
+APART = 0.07
+"""Least distance of two letters, as a part of the map's width."""
+
 
 def extent(plane: Plane) -> tuple[float, float, float, float]:
     """Left, right, bottom and top of the cells, whose middles are the values; these are evenly spaced."""
@@ -25,8 +28,10 @@ def letters(plane: Plane, aspect: float) -> list[tuple[str, float, float]]:
     aspect : float
         Height of the map on paper over its width.
     """
-    out = []
+    out: list[tuple[str, float, float]] = []
     cell = aspect / len(plane.y), 1 / len(plane.x)
+    free = np.ones(plane.groups.shape, dtype=bool)
+    rows, columns = np.indices(free.shape)
     for group in range(int(plane.groups.max()) + 1):
         patches, count = label(plane.groups == group)
         sizes = np.bincount(patches.ravel(), minlength=count + 1)[1:]
@@ -34,6 +39,10 @@ def letters(plane: Plane, aspect: float) -> list[tuple[str, float, float]]:
             continue
         patch = np.pad(patches == 1 + sizes.argmax(), 1)  # the map's own edge bounds a patch too
         room = distance_transform_edt(patch, sampling=cell)[1:-1, 1:-1]
+        room = np.where(free, room, 0.0)
+        if not room.any():
+            continue
         row, column = np.unravel_index(room.argmax(), room.shape)
+        free &= np.hypot((rows - row) * cell[0], (columns - column) * cell[1]) > APART
         out.append((string.ascii_uppercase[group], float(plane.x[column]), float(plane.y[row])))
     return out

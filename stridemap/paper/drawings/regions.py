@@ -20,6 +20,9 @@ Index = NDArray[np.int64]
 HEIGHTS = 600
 """Heights at which the map is cut, at least."""
 
+HALVINGS = 7
+"""How often the distance of two heights is halved between which curves cross, begin or end."""
+
 UNKNOWN = -1
 """Class of a region that is too narrow to be seen and holds no cell."""
 
@@ -82,23 +85,21 @@ class Regions:
         left, right, bottom, top = sides
         rising = [piece for line in lines for piece in _rising(line)]
         heights = _heights(rising, plane.y, bottom, top)
-        level, x, number = _crossings(rising, heights)
-        inside = (x > left) & (x < right)
-        level, x, number = level[inside], x[inside], number[inside]
-        order = np.lexsort((x, level))
-        level, x, number = level[order], x[order], number[order]
-        ends = np.searchsorted(level, np.arange(len(heights) + 1))
+        for _ in range(HALVINGS):
+            rows = _crossed(rising, heights, left, right)
+            changed = [
+                i for i in range(len(rows) - 1) if not np.array_equal(rows[i].curve, rows[i + 1].curve)
+            ]
+            heights = np.unique(np.append(heights, [(heights[i] + heights[i + 1]) / 2 for i in changed]))
         cuts, known, count = [], {}, 0
-        for i, y in enumerate(heights.tolist()):
-            part = slice(ends[i], ends[i + 1])
-            curve = np.concatenate([[LEFT], number[part], [RIGHT]])
-            now = {}
+        for y, row in zip(heights.tolist(), _crossed(rising, heights, left, right), strict=True):
+            curve, now = row.curve, {}
             for pair in zip(curve[:-1].tolist(), curve[1:].tolist(), strict=True):
                 if pair not in known:
                     known[pair], count = count, count + 1
                 now[pair] = known[pair]
             region = np.array(list(now.values()), dtype=np.int64)
-            cuts.append(Cut(y, np.concatenate([[left], x[part], [right]]), curve, region))
+            cuts.append(Cut(y, row.x, curve, region))
             known = now
         return cls(cuts, count)
 
@@ -178,24 +179,41 @@ def _rising(line: Array) -> list[Array]:
 def _heights(pieces: list[Array], rows: Array, bottom: float, top: float) -> Array:
     """Where to cut: evenly, along the rows of cells, and just inside the ends of every piece."""
     just = 1e-7 * (top - bottom)
-    ends = np.array([(one[0, 1] + just, one[-1, 1] - just) for one in pieces]).ravel()
+    ends = np.array([one[i, 1] + side * just for one in pieces for i in (0, -1) for side in (-1, 1)])
     even = np.linspace(bottom, top, HEIGHTS)
     heights = np.unique(np.concatenate([even, rows, ends]))
     return heights[(heights >= bottom) & (heights <= top)]
 
 
-def _crossings(pieces: list[Array], heights: Array) -> tuple[Index, Array, Index]:
-    """Where pieces cross heights: number of the height, x, number of the piece."""
-    levels, xs, numbers = [], [], []
+@dataclass(frozen=True)
+class _Row:
+    """Where curves cross one height, between the sides of the map, and their numbers, shape (n + 1,)."""
+
+    x: Array
+    curve: Index
+
+
+def _crossed(pieces: list[Array], heights: Array, left: float, right: float) -> list[_Row]:
+    """Where pieces cross each height."""
+    levels, xs, numbers = [np.empty(0, dtype=np.int64)], [np.empty(0)], [np.empty(0, dtype=np.int64)]
     for number, piece in enumerate(pieces):
         first, last = np.searchsorted(heights, [piece[0, 1], piece[-1, 1]])
         at = np.arange(first, last)
         levels.append(at)
         xs.append(np.interp(heights[at], piece[:, 1], piece[:, 0]))
         numbers.append(np.full(len(at), number))
-    if not levels:
-        return np.empty(0, dtype=np.int64), np.empty(0), np.empty(0, dtype=np.int64)
-    return np.concatenate(levels), np.concatenate(xs), np.concatenate(numbers)
+    level, x, number = np.concatenate(levels), np.concatenate(xs), np.concatenate(numbers)
+    order = np.lexsort((x, level))
+    order = order[(x[order] > left) & (x[order] < right)]
+    ends = np.searchsorted(level[order], np.arange(len(heights) + 1))
+    parts = [order[i:j] for i, j in zip(ends[:-1], ends[1:], strict=True)]
+    return [
+        _Row(
+            np.concatenate([[left], x[part], [right]]),
+            np.concatenate([[LEFT], number[part], [RIGHT]]).astype(np.int64),
+        )
+        for part in parts
+    ]
 
 
 def _runs(inside: NDArray[np.bool_]) -> list[tuple[int, int]]:
