@@ -30,8 +30,10 @@ def letters(plane: Plane, aspect: float) -> list[tuple[str, float, float]]:
     """
     out: list[tuple[str, float, float]] = []
     cell = aspect / len(plane.y), 1 / len(plane.x)
-    free = np.ones(plane.groups.shape, dtype=bool)
-    rows, columns = np.indices(free.shape)
+    rows, columns = np.indices(plane.groups.shape)
+    sides = [(rows + 0.5) * cell[0], aspect - (rows + 0.5) * cell[0]]
+    sides += [(columns + 0.5) * cell[1], 1 - (columns + 0.5) * cell[1]]
+    free = np.min(sides, axis=0) > APART / 2
     for group in range(int(plane.groups.max()) + 1):
         patches, count = label(plane.groups == group)
         sizes = np.bincount(patches.ravel(), minlength=count + 1)[1:]

@@ -2,7 +2,7 @@
 
 The map is cut at many heights. Between two curves that are neighbours at one height and again at the next
 lies one region; where curves cross, end or turn back, regions begin and end. A region is of the class that
-the cells in it are of, or, where it is so narrow that it holds none, of the class that is computed there.
+its cells are of, or, where it is so narrow that it holds none, of the class that is computed there.
 """
 
 from collections.abc import Callable
@@ -28,6 +28,12 @@ UNKNOWN = -1
 
 NARROWEST = 2e-4
 """Width of such a region, as a part of the map's."""
+
+SHARE = 0.1
+"""Part of the cells of a region that must be of a class for the region to be of it."""
+
+FLAT = 1e-5
+"""How far a point may lie beside a line to be left out, as a part of the width of what is drawn."""
 
 LEFT, RIGHT = -1, -2
 """In the place of a curve: the sides of the map."""
@@ -110,7 +116,9 @@ class Regions:
         )
 
     def classes(self, plane: Plane, elsewhere: Callable[[Array, Array], Index]) -> Index:
-        """The class of every region, shape (count,).
+        """The class of every region, shape (count,): the highest that a tenth of its cells are of.
+
+        A search may miss a gait, and then the class of a cell is too low; it does not make one up.
 
         Parameters
         ----------
@@ -121,7 +129,8 @@ class Regions:
         region = self.of_cells(plane)
         votes = np.zeros((self.count, 3), dtype=np.int64)
         np.add.at(votes, (region.ravel(), plane.classes.ravel()), 1)
-        out = np.where(votes.any(axis=1), votes.argmax(axis=1), UNKNOWN)
+        enough = (votes > 0) & (votes >= SHARE * votes.sum(axis=1, keepdims=True))
+        out = np.where(votes.any(axis=1), 2 - enough[:, ::-1].argmax(axis=1), UNKNOWN)
         x, y, width = self._widest
         asked = np.flatnonzero((out == UNKNOWN) & (width > NARROWEST))
         if len(asked):
@@ -226,4 +235,25 @@ def _runs(inside: NDArray[np.bool_]) -> list[tuple[int, int]]:
 def _outline(spans: list[tuple[float, float, float]]) -> Array:
     """The polygon of spans between a left and a right end, by height."""
     y, left, right = np.array(spans).T
-    return np.vstack([np.column_stack([left, y]), np.column_stack([right, y])[::-1]])
+    return np.vstack([_simplified(left, y), _simplified(right, y)[::-1]])
+
+
+def _simplified(x: Array, y: Array) -> Array:
+    """A side of a polygon without the points that lie on the line between others (Douglas and Peucker)."""
+    kept = np.zeros(len(y), dtype=bool)
+    kept[[0, -1]] = True
+    parts = [(0, len(y) - 1)]
+    tolerance = FLAT * max(float(np.ptp(x)), 1e-12)
+    while parts:
+        first, last = parts.pop()
+        if last - first < 2:
+            continue
+        between = slice(first + 1, last)
+        chord = x[first] + (x[last] - x[first]) * (y[between] - y[first]) / (y[last] - y[first])
+        away = np.abs(x[between] - chord)
+        worst = int(away.argmax())
+        if away[worst] > tolerance:
+            middle = first + 1 + worst
+            kept[middle] = True
+            parts += [(first, middle), (middle, last)]
+    return np.column_stack([x[kept], y[kept]])
