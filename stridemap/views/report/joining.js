@@ -24,10 +24,13 @@ class States {
 function joined(rows) {
   if (!orbits.has("branch") || rows.length < 2) return [];
   const branch = orbits.numbers("branch");
-  const states = new States(rows.map(([, row]) => row));
+  return joinedBy(rows, (row) => branch[row], new States(rows.map(([, row]) => row)));
+}
+
+function joinedBy(rows, branchOf, states) {
   const places = new Map();
   for (const [column, row] of rows) {
-    const key = `${branch[row]}:${column}`;
+    const key = `${branchOf(row)}:${column}`;
     if (!places.has(key)) places.set(key, []);
     places.get(key).push(row);
   }

@@ -307,5 +307,5 @@ matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
 });
 
 // For scripts and for tests: the tables, the equations, and the page itself.
-window.stridemap = { report, orbits, cells, grid, equations, evaluate, Path, map, slice, curves, stage, state, choose };
+window.stridemap = { report, orbits, cells, grid, equations, evaluate, Path, map, slice, curves, joinedBy, stage, state, choose };
 document.documentElement.dataset.ready = "yes";
