@@ -2,9 +2,9 @@
 
     python -m benchmarks.map_sides --cells 200
 
-The boundaries cut the map into regions; in each, all cells must be of one class: without a gait, with unstable
-gaits only, or with a stable one. This is asked of all cells of the sweep, and, independently of the sweep, of
-random cells that are searched anew from many starts, as are the cells that disagree.
+The boundaries cut the map into regions; in each, all cells must be of one class: without a gait, with
+unstable gaits only, or with a stable one. This is asked of all cells of the sweep; and, independently of it,
+of random cells that are searched anew from many starts, as are the cells that disagree.
 """
 
 import argparse
@@ -28,13 +28,10 @@ WORDS = {NONE: "none", UNSTABLE: "unstable only", STABLE: "stable", UNKNOWN: "un
 def searched(k: float, alpha: float, starts: int) -> int:
     """The class of a point, from a search of its own."""
     found = stridemap.find_orbits(
-        "wobbling", k=float(k), alpha=float(alpha), **PLANE_REST, options={"starts": starts}
+        "wobbling", k=float(k), alpha=float(alpha), omega=PLANE["omega"], options={"starts": starts}
     )
     gaits = found[is_physical_gait(found)]
     return NONE if not len(gaits) else STABLE if gaits.known_stable.any() else UNSTABLE
-
-
-PLANE_REST = {"omega": PLANE["omega"]}
 
 
 def main() -> None:
@@ -48,12 +45,14 @@ def main() -> None:
     plane, _, regions, classes = mapped(Material(paper_sweeps(given.sweeps)))
     side = classes[regions.of_cells(plane)]
     wrong = regions.on_the_other_side(plane, classes)
-    print(f"cells of the sweep on the side that the boundaries say: {side.size - len(wrong):,} of {side.size:,}")
+    print(
+        f"cells of the sweep on the side that the boundaries say: {side.size - len(wrong):,} of {side.size:,}"
+    )
     for i, j in wrong.tolist():
         anew = searched(plane.x[j], plane.y[i], given.starts)
         print(
-            f"  k = {plane.x[j]:g}, alpha = {plane.y[i]:g}: sweep {WORDS[int(plane.classes[i, j])]}, boundaries "
-            f"{WORDS[int(side[i, j])]}, searched from {given.starts:,} starts {WORDS[anew]}"
+            f"  k = {plane.x[j]:g}, alpha = {plane.y[i]:g}: sweep {WORDS[int(plane.classes[i, j])]}, "
+            f"boundaries {WORDS[int(side[i, j])]}, searched from {given.starts:,} starts {WORDS[anew]}"
         )
     rng = np.random.default_rng(given.seed)
     counted: Counter[str] = Counter()
@@ -66,7 +65,9 @@ def main() -> None:
                 f"  k = {plane.x[j]:g}, alpha = {plane.y[i]:g}: boundaries {WORDS[int(side[i, j])]}, "
                 f"searched {WORDS[anew]}"
             )
-    print(f"random cells that a search of their own puts on that side: {counted['agree']:,} of {given.cells:,}")
+    print(
+        f"random cells that a search of their own puts on that side: {counted['agree']:,} of {given.cells:,}"
+    )
 
 
 if __name__ == "__main__":

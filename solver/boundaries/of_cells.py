@@ -1,4 +1,4 @@
-"""Boundaries of a map that a sweep made: seeds between cells of different classes, each boundary followed once.
+"""Boundaries in the plane of a sweep: seeds between cells of different classes, each followed once.
 
 A survey that knows nothing of its plane follows branches right across it. Where a sweep has been, its cells
 say where boundaries are: between two neighbours of different classes there must be one, unless what is known
@@ -83,7 +83,7 @@ class CellSurvey(BoundarySurvey):
         return gaps
 
     def _separated(self, points: Array, gait: Mask, stable: Mask, gap: Gap) -> bool:
-        """Whether a line passes between two cells where it is a boundary of gaits of the inner cell's class."""
+        """Whether a line passes between two cells where it limits gaits of the inner cell's class."""
         here, there = (
             np.array([self.plane.x[column], self.plane.y[row]]) for row, column in (gap.inside, gap.outside)
         )
@@ -125,8 +125,8 @@ class CellSurvey(BoundarySurvey):
 
 
 WAY, WAY_STEPS = 0.02, 200
-"""Longest arclength step from one cell to the next, where the cycle may change much more than the parameter, and
-how many."""
+"""Longest arclength step from one cell to the next, and how many: the cycle may change much more than the
+parameter."""
 
 
 def crosses(points: Array, here: Array, there: Array) -> NDArray[np.bool_]:

@@ -1,4 +1,4 @@
-"""Boundaries as lines that are fine enough to be drawn: cubic pieces between the points that were followed."""
+"""Boundaries as lines that are fine enough to be drawn: cubic pieces between their points."""
 
 from dataclasses import dataclass
 
@@ -55,7 +55,7 @@ class SmoothLine:
 
 
 def _between(value: Array, parts: int) -> Array:
-    """A value at the points of a smooth line by linear interpolation; where it is infinite, the nearer one."""
+    """A value at the points of a smooth line by linear interpolation; if it is infinite, the nearer one."""
     at = np.arange((len(value) - 1) * parts + 1) / parts
     low = np.minimum(at.astype(int), len(value) - 2) if len(value) > 1 else np.zeros(1, dtype=int)
     if len(value) == 1:

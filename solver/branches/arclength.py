@@ -220,8 +220,8 @@ def _jumps(curve: ZeroCurve, here: CurvePoint, there: CurvePoint) -> bool:
     """Whether two points are beside each other rather than one after the other.
 
     The way along an arc points, up to third order, where the mean of the tangents at both ends does. A step
-    onto a curve that runs beside this one, where the tangents hardly differ, goes aside by the distance of the
-    two.
+    onto a curve that runs beside this one, where the tangents hardly differ, goes aside by the distance of
+    the two.
     """
     way, mean = there.x - here.x, here.tangent + there.tangent
     return curve.norm(way / curve.norm(way) - mean / curve.norm(mean)) > MAX_SIDESTEP

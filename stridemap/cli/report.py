@@ -60,8 +60,8 @@ def report(
         summary = write_report(folder, out, claims, model, curves)
     elif curves is not None:
         raise InputError(
-            "--curves is for the sweep in SWEEP_DIR; give that folder, or leave --curves out: the paper's map "
-            "has its own"
+            "--curves is for the sweep in SWEEP_DIR; give that folder, or leave --curves out: the paper's "
+            "map has its own"
         )
     elif model is not None:
         raise InputError("--model is for the sweep in SWEEP_DIR; give that folder, or leave --model out")

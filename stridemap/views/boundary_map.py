@@ -15,6 +15,7 @@ if TYPE_CHECKING:
 SIZE = (6.2, 4.2)
 """Width and height in inches."""
 
+
 def boundary_map(boundaries: Boundaries, *, gaits_only: bool = True, stable_only: bool = False) -> "Figure":
     """Draw boundaries in the plane of their two parameters.
 

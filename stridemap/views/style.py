@@ -17,7 +17,16 @@ from matplotlib.figure import Figure
 
 from stridemap.errors import InputError
 from stridemap.views.palette import (
-    BLACK, BLUE, DARK, GREEN, GREY, PALE, PURPLE, SKY, VERMILION, WHITE,
+    BLACK,
+    BLUE,
+    DARK,
+    GREEN,
+    GREY,
+    PALE,
+    PURPLE,
+    SKY,
+    VERMILION,
+    WHITE,
 )  # fmt: skip
 
 __all__ = [

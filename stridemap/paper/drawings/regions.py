@@ -5,6 +5,7 @@ lies one region; where curves cross, end or turn back, regions begin and end. A 
 its cells are of, or, where it is so narrow that it holds none, of the class that is computed there.
 """
 
+import itertools
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
@@ -179,8 +180,8 @@ def _rising(line: Array) -> list[Array]:
     """Pieces of a line on which y rises or falls throughout, each from its lowest point upwards."""
     up = np.sign(np.diff(line[:, 1]))
     turns = np.flatnonzero(up[1:] != up[:-1]) + 1
-    ends = [0, *turns.tolist(), len(line) - 1]
-    pieces = [line[i : j + 1] for i, j in zip(ends[:-1], ends[1:], strict=True) if j > i]
+    ends: list[int] = [0, *turns.tolist(), len(line) - 1]
+    pieces = [line[i : j + 1] for i, j in itertools.pairwise(ends) if j > i]
     pieces = [one for one in pieces if one[0, 1] != one[-1, 1]]
     return [one if one[-1, 1] > one[0, 1] else one[::-1] for one in pieces]
 
@@ -205,17 +206,17 @@ class _Row:
 def _crossed(pieces: list[Array], heights: Array, left: float, right: float) -> list[_Row]:
     """Where pieces cross each height."""
     levels, xs, numbers = [np.empty(0, dtype=np.int64)], [np.empty(0)], [np.empty(0, dtype=np.int64)]
-    for number, piece in enumerate(pieces):
+    for which, piece in enumerate(pieces):
         first, last = np.searchsorted(heights, [piece[0, 1], piece[-1, 1]])
         at = np.arange(first, last)
         levels.append(at)
         xs.append(np.interp(heights[at], piece[:, 1], piece[:, 0]))
-        numbers.append(np.full(len(at), number))
+        numbers.append(np.full(len(at), which))
     level, x, number = np.concatenate(levels), np.concatenate(xs), np.concatenate(numbers)
     order = np.lexsort((x, level))
     order = order[(x[order] > left) & (x[order] < right)]
     ends = np.searchsorted(level[order], np.arange(len(heights) + 1))
-    parts = [order[i:j] for i, j in zip(ends[:-1], ends[1:], strict=True)]
+    parts = [order[i:j] for i, j in itertools.pairwise(ends)]
     return [
         _Row(
             np.concatenate([[left], x[part], [right]]),

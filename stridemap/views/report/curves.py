@@ -1,6 +1,7 @@
 """Boundaries for the map of the page: read from a table that anybody may have written, and encoded."""
 
 import base64
+import itertools
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -143,6 +144,6 @@ def _pieces(one: pd.DataFrame, pair: tuple[str, str]) -> list[dict[str, Any]]:
             "stable": bool(look[first] == 2),
             "points": base64.b64encode(points[first : last + 1].astype("<f8").tobytes()).decode("ascii"),
         }
-        for first, last in zip(edges[:-1], edges[1:], strict=True)
+        for first, last in itertools.pairwise(edges.tolist())
         if look[first]
     ]

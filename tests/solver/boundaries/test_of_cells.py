@@ -47,14 +47,15 @@ def boundaries(survey):
 
 def test_there_is_a_boundary_between_cells_of_different_classes(survey, boundaries):
     classes = survey.plane.classes
-    assert len(survey.unexplained([])) == (classes[:, 1:] != classes[:, :-1]).sum() + (
-        classes[1:] != classes[:-1]
-    ).sum()
+    assert (
+        len(survey.unexplained([]))
+        == (classes[:, 1:] != classes[:, :-1]).sum() + (classes[1:] != classes[:-1]).sum()
+    )
     assert survey.unexplained(boundaries) == []
 
 
 def test_boundaries_pass_where_branches_have_their_special_points(survey, boundaries):
-    """Between the rows of cells, the lines lie where Newton's method finds folds and doublings on branches."""
+    """Between the rows of cells, lines lie where Newton's method finds special points on branches."""
     low, high = survey.low[0], survey.high[0]
     found = stridemap.branches(
         "wobbling", vary="k", range=(low, high), params={"alpha": BETWEEN, "omega": 3.0}, seeds=3
@@ -74,7 +75,9 @@ def test_each_is_followed_once(boundaries):
         for other in boundaries[:number]:
             if one.type == other.type:
                 ends = one.cycles[[0, -1]]
-                apart = np.linalg.norm((ends[:, None] - other.cycles[None]) / one.curve.equations.scale, axis=2)
+                apart = np.linalg.norm(
+                    (ends[:, None] - other.cycles[None]) / one.curve.equations.scale, axis=2
+                )
                 assert apart.min(axis=1).max() > 1e-4
 
 
@@ -88,7 +91,9 @@ def test_smooth_lines_pass_through_their_points_and_between_them(boundaries):
         one, other = boundary.points[i], boundary.points[i + 1]
         found = curve.corrected((one.x + other.x) / 2, one.tangent, one.n_rk, 10)
         assert found.converged
-        nearest = np.linalg.norm((SmoothLine.of(boundary, 50).points - found.x[-2:]) / [60.0, 1.0], axis=1).min()
+        nearest = np.linalg.norm(
+            (SmoothLine.of(boundary, 50).points - found.x[-2:]) / [60.0, 1.0], axis=1
+        ).min()
         assert nearest < 2e-4
 
 

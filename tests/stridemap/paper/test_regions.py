@@ -79,7 +79,7 @@ def test_a_cell_on_the_other_side_is_found():
 
 
 def test_a_region_without_a_cell_is_asked_for_where_it_is_widest():
-    """Between x = 0.503 and 0.507 there is no middle of a cell; the sliver beside it is too narrow to be seen."""
+    """Between x = 0.503 and 0.507 there is no middle of a cell; the sliver beside it cannot be seen."""
     plane = plane_of(lambda x, y: np.where(x < 0.5, STABLE, NONE))
     lines = [np.array([[at, -0.1], [at, 1.1]]) for at in (0.503, 0.507, 0.50701)]
     asked = []

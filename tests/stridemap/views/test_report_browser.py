@@ -369,7 +369,9 @@ def ellipse(boundary, kind, gait, n=60):
     preset = load("wobbling").preset
     table = pd.DataFrame({"k": 8.25 + 2 * np.cos(angle), "alpha": 0.25 + 0.04 * np.sin(angle)})
     known = {"boundary": boundary, "type": kind, "gait": gait, "borders_stable": angle < np.pi}
-    return table.assign(**known, **{name: v for name, v in preset.items() if name not in table} | {"omega": 3.0})
+    return table.assign(
+        **known, **{name: v for name, v in preset.items() if name not in table} | {"omega": 3.0}
+    )
 
 
 @pytest.fixture(scope="module")
@@ -403,8 +405,8 @@ def test_boundaries_lie_where_their_cells_are(lined, open_page):
     table, inside = ellipse(0, "pd", True), 0
     wanted = [
         page.evaluate(
-            """([k, alpha]) => { const { map, grid } = stridemap; const near = (axis, v) => axis.values.indexOf(v);
-            const column = near(grid.axes[0], k), row = near(grid.axes[1], alpha);
+            """([k, alpha]) => { const { map, grid } = stridemap;
+            const column = grid.axes[0].values.indexOf(k), row = grid.axes[1].values.indexOf(alpha);
             const box = map.box(column, row); return [box.x + box.width / 2, box.y + box.height / 2]; }""",
             [k, alpha],
         )
@@ -447,7 +449,7 @@ def test_the_slice_is_crossed_where_the_ellipse_is(lined, open_page):
 
 
 def test_lines_join_cycles_of_one_branch(lined, open_page):
-    """Each pair lies in neighbouring columns of one branch; where there is one cycle on either side, it is joined."""
+    """Each pair is in neighbouring columns of one branch; single cycles on either side are joined."""
     page, orbits = open_page(lined), stridemap.read_orbits(lined / "out")
     joined = 0
     for row, alpha in enumerate(FINE["alpha"]):
@@ -465,7 +467,11 @@ def test_lines_join_cycles_of_one_branch(lined, open_page):
         for number, branch in line.groupby("branch"):
             alone = {k: rows.index[0] for k, rows in branch.groupby("k") if len(rows) == 1}
             for k, after in zip(FINE["k"][:-1], FINE["k"][1:], strict=True):
-                if k in alone and after in alone and abs(branch.period[alone[k]] - branch.period[alone[after]]) < 0.02:
+                if (
+                    k in alone
+                    and after in alone
+                    and abs(branch.period[alone[k]] - branch.period[alone[after]]) < 0.02
+                ):
                     assert [int(alone[k]), int(alone[after])] in pairs, (number, k)
                     joined += 1
     assert joined > 10
@@ -478,9 +484,10 @@ def test_both_sides_of_a_fold_are_two_lines(lined, open_page):
         for (let c = 0; c < 6; c++) columns.push(c);
         const s = (c) => Math.sqrt(6 - c) / 3;
         const rows = []; const state = [];
-        for (const c of columns) for (const side of [1, -1]) { rows.push([c, state.length]); state.push(side * s(c)); }
-        rows.push([8, state.length]); state.push(0.1);
-        rows.push([9, state.length]); state.push(0.12);
+        const add = (c, value) => { rows.push([c, state.length]); state.push(value); };
+        for (const c of columns) for (const side of [1, -1]) add(c, side * s(c));
+        add(8, 0.1);
+        add(9, 0.12);
         const fake = { distance: (a, b) => Math.abs(state[a] - state[b]) };
         return stridemap.joinedBy(rows, () => 0, fake); })()"""
     pairs = page.evaluate(script)

@@ -42,9 +42,7 @@ def test_parts_that_are_no_gaits_are_left_out_and_stable_ones_are_marked():
     assert (thick["stable"], thin["stable"]) == (True, False)
     assert thick["names"] == ["k", "alpha"]
     assert thick["at"] == {"omega": 3.0}
-    assert looks([thick, thin]) == {
-        "fold": {"name": "fold", "colour": palette.DARK, "dashes": []}
-    }
+    assert looks([thick, thin]) == {"fold": {"name": "fold", "colour": palette.DARK, "dashes": []}}
 
 
 def test_every_type_has_a_name_and_a_line_of_its_own():
@@ -56,7 +54,10 @@ def test_every_type_has_a_name_and_a_line_of_its_own():
     ("given", "said"),
     [
         (table().drop(columns="gait"), "lack the column gait"),
-        (table(alpha=[0.2, np.nan, 0.3, 0.3, 0.3]), "the column alpha of the boundaries must hold finite numbers"),
+        (
+            table(alpha=[0.2, np.nan, 0.3, 0.3, 0.3]),
+            "the column alpha of the boundaries must hold finite numbers",
+        ),
         (table(k=["a"] * 5), "the column k of the boundaries must hold finite numbers"),
         (table(type="</script>"), "have the type '</script>', not one of fold, pd,"),
         (table(omega=np.linspace(2, 3, 5)), "3 parameters change (k, alpha, omega)"),
@@ -94,7 +95,9 @@ def test_a_file_is_read_and_one_that_is_none_is_refused(tmp_path, name):
 def test_a_page_without_boundaries_has_none(done):
     write_report(done / "out", done / "page.html")
     page = (done / "page.html").read_text(encoding="utf-8")
-    data = json.loads(re.search(r'<script type="application/json" id="data">(.*?)</script>', page, re.DOTALL)[1])
+    data = json.loads(
+        re.search(r'<script type="application/json" id="data">(.*?)</script>', page, re.DOTALL)[1]
+    )
     assert data["curves"] == []
     assert data["looks"] == {}
 
