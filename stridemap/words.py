@@ -77,7 +77,7 @@ OPTION_WORDS = frozenset(
     "friction_limit group help json lines magnify model only out period_n plot range rate resume search "
     "search_box seeds set show size start starts state steps sweeps target thin trajectory vary workers "
     # arguments of public functions
-    "data executor options orbit orbits params path progress ranges samples say source tile_cells "
+    "data executor options orbit orbits params path progress ranges samples source tile_cells "
     "titles".split()
 )
 """Options of commands and arguments of public functions, which also take parameters by name."""

@@ -32,8 +32,10 @@ class CurveLayer {
     if (!this.shown) return;
     this.svg.replaceChildren();
     if (!this.on || !this.shown.length) return;
-    this.svg.append(svg("clipPath", { id: "curves-frame" }, svg("rect", { x: left, y: top, width, height })));
-    const group = svg("g", { "clip-path": "url(#curves-frame)" });
+    // The picture is as large as the frame, and so cuts off what leaves it.
+    Object.assign(this.svg.style, { left: `${left}px`, top: `${top}px`, width: `${width}px`, height: `${height}px` });
+    this.svg.setAttribute("viewBox", `${left} ${top} ${width} ${height}`);
+    const group = svg("g");
     const order = [...this.shown].sort((a, b) => a.stable - b.stable);
     for (const halo of [true, false]) {
       for (const curve of order) {
