@@ -60,6 +60,29 @@ def refined(
     return Plane(plane.names, cells.x, cells.y, cells.classes, cells.groups)
 
 
+def classes_at(
+    solver: Solver, plane: Plane, orbits: Orbits, x: Array, y: Array, options: SearchOptions | None = None
+) -> Index:
+    """Classes of points of a map, found from all cycles of the cells around each, shape (m,).
+
+    Parameters
+    ----------
+    solver, plane, orbits, options
+        As for `refined`.
+    x, y : ndarray, shape (m,)
+    """
+    cells = _Cells(solver, plane, orbits, (options or SearchOptions()).resolved_for(solver.model))
+    row, column = (
+        np.abs(np.asarray(at)[:, None] - axis).argmin(axis=1) for at, axis in ((y, plane.y), (x, plane.x))
+    )
+    points = np.repeat(cells.point, len(row), axis=0)
+    points[:, cells.columns] = np.column_stack([x, y])
+    own, guesses = cells.around(row, column, with_own=True)
+    at, found = cells.solved(points, own, guesses)
+    gaits = np.flatnonzero(is_physical_gait(found))
+    return classified(at[gaits], found.take(gaits), len(row))[0]
+
+
 class _Cells:
     """Cells of a plane: what they are, which of them were computed, and the cycles of these.
 
@@ -91,16 +114,17 @@ class _Cells:
         row, column = np.nonzero(wanted)
         points = np.repeat(self.point, len(row), axis=0)
         points[:, self.columns] = np.column_stack([self.x[column], self.y[row]])
-        at, orbits = self._solved(points, *self._around(row, column))
+        at, orbits = self.solved(points, *self.around(row, column))
         gaits = np.flatnonzero(is_physical_gait(orbits))
         at, orbits = at[gaits], orbits.take(gaits)
         self.classes[row, column], self.groups[row, column] = classified(at, orbits, len(row))
         self.known[row, column] = True
         self._add(row[at] * len(self.x) + column[at], orbits.u)
 
-    def _around(self, row: Index, column: Index) -> tuple[Index, Array]:
+    def around(self, row: Index, column: Index, with_own: bool = False) -> tuple[Index, Array]:
         """Guesses for m cells from the cycles of their neighbours: number of the cell (0 to m - 1), cycle."""
-        rows, columns = row[:, None] + NEIGHBOURS[:, 0], column[:, None] + NEIGHBOURS[:, 1]
+        places = np.vstack([NEIGHBOURS, np.zeros((1, 2), dtype=int)]) if with_own else NEIGHBOURS
+        rows, columns = row[:, None] + places[:, 0], column[:, None] + places[:, 1]
         inside = (rows >= 0) & (rows < len(self.y)) & (columns >= 0) & (columns < len(self.x))
         at, _ = np.nonzero(inside)
         cell = rows[inside] * len(self.x) + columns[inside]
@@ -109,7 +133,7 @@ class _Cells:
         within = np.arange(count.sum()) - np.repeat(np.cumsum(count) - count, count)
         return np.repeat(at, count), self.u[np.repeat(first, count) + within]
 
-    def _solved(self, points: Array, at: Index, guesses: Array) -> tuple[Index, Orbits]:
+    def solved(self, points: Array, at: Index, guesses: Array) -> tuple[Index, Orbits]:
         """Limit cycles at m points, from guesses for some of them, and the number of each one's point."""
         u, closed = self.solver.search(guesses, points[at])
         at, u = distinct(at[closed], u[closed], scale=Scales.of(self.solver.model).unknowns)
