@@ -7,14 +7,15 @@ from typing import TYPE_CHECKING, Any, Self
 import numpy as np
 from numpy.typing import NDArray
 
-from stridemap.errors import InputError
+from stridemap.errors import InputError, short
 
 if TYPE_CHECKING:
     from stridemap.solver.model.model import Model
 
-STARTS_MAX = 1_000_000
+STARTS_MAX, MANY = 1_000_000, 10**15
 STARTS_PER_SECOND = 5_000
-"""Assumed speed of the search, used only to say what too many starts would cost."""
+"""The most starts that are allowed, how many may be quoted digit by digit, and the assumed speed of the
+search, used only to say what too many starts would cost."""
 
 
 class Options:
@@ -42,7 +43,7 @@ class Options:
     def _check(self, name: str, allowed: bool, what: str) -> None:
         """Refuse a value of an option."""
         if not allowed:
-            raise InputError(f"{name} = {getattr(self, name)!r} is not allowed: {what}")
+            raise InputError(f"{name} = {short(getattr(self, name))} is not allowed: {what}")
 
     def _check_number(self, name: str, low: float, high: float) -> None:
         """Refuse what is not a number between two ends, themselves excluded."""
@@ -99,19 +100,23 @@ class SearchOptions(Options):
     def __post_init__(self) -> None:
         whole = all(isinstance(n, int) and not isinstance(n, bool) for n in (self.starts, self.seed))
         if not whole:
-            raise InputError(f"starts = {self.starts!r} and seed = {self.seed!r} must be whole numbers")
+            raise InputError(
+                f"starts = {short(self.starts)} and seed = {short(self.seed)} must be whole numbers"
+            )
         if self.max_starts is not None:
             number = isinstance(self.max_starts, int) and not isinstance(self.max_starts, bool)
-            needed = f"a whole number from starts = {self.starts} to {STARTS_MAX:,} is needed"
+            needed = f"a whole number from starts = {short(self.starts)} to {STARTS_MAX:,} is needed"
             self._check("max_starts", number and self.starts <= self.max_starts <= STARTS_MAX, needed)
         self._check_number("widen", 0.0, np.inf)
         object.__setattr__(self, "search_box", _box(self.search_box))
         self._check("starts", self.starts >= 1, "at least 1 start is needed")
         if self.starts > STARTS_MAX:
-            hours = self.starts / STARTS_PER_SECOND / 3600
+            hours = min(self.starts, MANY) / STARTS_PER_SECOND / 3600
+            number = f"{self.starts:,}" if self.starts <= MANY else short(self.starts)
             raise InputError(
-                f"starts = {self.starts:,} is not allowed: at most {STARTS_MAX:,} (so many would take about "
-                f"{hours:.2g} hours per point); a few hundred find nearly every cycle"
+                f"starts = {number} is not allowed: at most {STARTS_MAX:,} (so many would take "
+                f"{'about' if self.starts <= MANY else 'more than'} {hours:.2g} hours per point); "
+                "a few hundred find nearly every cycle"
             )
         self._check("seed", 0 <= self.seed < 2**32, "a whole number from 0 to 4,294,967,295 is needed")
         for name in ("period_min", "period_max"):
@@ -149,7 +154,7 @@ class SearchOptions(Options):
         for name in given:
             if name not in model.section:
                 raise InputError(
-                    f"search_box names {name!r}, which is not an entry of the section of {model.name}: "
+                    f"search_box names {short(name)}, which is not an entry of the section of {model.name}: "
                     f"{', '.join(model.section)}"
                 )
         rows = []
@@ -185,7 +190,7 @@ def _box(given: Any) -> tuple[tuple[str, tuple[float, float]], ...]:
     entries = dict(given) if isinstance(given, Mapping | tuple) else None
     if entries is None:
         raise InputError(
-            f"search_box = {given!r} is not allowed: a mapping of names to two numbers is needed"
+            f"search_box = {short(given)} is not allowed: a mapping of names to two numbers is needed"
         )
     out = []
     for name, ends in sorted(entries.items()):
@@ -193,7 +198,8 @@ def _box(given: Any) -> tuple[tuple[str, tuple[float, float]], ...]:
         numbers = all(isinstance(end, int | float) and not isinstance(end, bool) for end in pair)
         if len(pair) != 2 or not numbers or not (-np.inf < pair[0] < pair[1] < np.inf):
             raise InputError(
-                f"search_box of {name} = {ends!r} is not allowed: two finite numbers, the lower one first"
+                f"search_box of {name} = {short(ends)} is not allowed: two finite numbers, the lower one "
+                "first"
             )
         out.append((str(name), (float(pair[0]), float(pair[1]))))
     return tuple(out)

@@ -182,3 +182,20 @@ def test_characters_that_steer_terminals_are_not_printed(run):
     assert status == 2
     one_sentence(err)
     assert err.rstrip("\n").isprintable()
+
+
+@pytest.mark.parametrize("digits", [17, 400, 4000])
+def test_starts_of_many_digits(refused, digits):
+    refused(["orbit", "--model", "compass", "--starts", "9" * digits], "starts", "at most 1,000,000")
+
+
+def test_options_that_cannot_even_be_printed():
+    for name in ("starts", "seed", "max_starts"):
+        with pytest.raises(InputError, match=name):
+            stridemap.SearchOptions(**{name: 10**5000})
+
+
+def test_a_state_whose_other_entries_are_too_large(refused):
+    state = ["theta1=-1e308", "dtheta1=-0.2", "dtheta2=0"]
+    words = [word for entry in state for word in ("--state", entry)]
+    refused(["simulate", "--model", "compass", *words, "--steps", "1"], "too large to be numbers")
