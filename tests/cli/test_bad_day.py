@@ -171,6 +171,11 @@ def test_numbers_that_would_take_for_ever(refused, done, monkeypatch, line, word
 def test_messages_quote_little():
     assert len(str(StridemapError("x" * 1_000_000))) <= 300
     assert len(str(InputError("word " * 1_000_000))) <= 800
+    quoted = str(InputError(f"--set {'word ' * 100_000!r} is not understood; write --set NAME=VALUE"))
+    assert len(quoted) <= 300
+    assert quoted.endswith("d ' is not understood; write --set NAME=VALUE")
+    two = f"a walker's spring, {'x ' * 40}, and another walker's spring, {'y ' * 90}"
+    assert str(InputError(two)) == two  # no quotation begins within a word
     assert str(InputError("a short sentence, as it is")) == "a short sentence, as it is"
     assert bounded("a" * 250) == "a" * 250
     assert short("a\nb\x1b") == "'a\\nb\\x1b'"
