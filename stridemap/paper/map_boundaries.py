@@ -22,7 +22,7 @@ from stridemap.solver.branches.survey import Survey
 from stridemap.solver.cycles.orbits import Orbits
 from stridemap.solver.cycles.solver import Solver
 from stridemap.solver.model.loading import load
-from stridemap.solver.options import ArclengthOptions, SearchOptions
+from stridemap.solver.options import ContinuationOptions, SearchOptions
 
 NAMES = ("k", "alpha")
 """The two parameters of the map."""
@@ -30,7 +30,7 @@ NAMES = ("k", "alpha")
 FORMAT = 1
 """Of the file in which boundaries are kept; it rises when what is computed changes."""
 
-STEPS = ArclengthOptions(ds_max=0.2, min_tangent_cosine=0.97, easy_tangent_cosine=0.995)
+STEPS = ContinuationOptions(ds_max=0.2, min_tangent_cosine=0.97, easy_tangent_cosine=0.995)
 """Longer steps than those of `stridemap boundary`: between them the lines are drawn along their tangents."""
 
 

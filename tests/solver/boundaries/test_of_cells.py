@@ -13,7 +13,7 @@ from stridemap.solver.cycles.gait import is_physical_gait
 from stridemap.solver.cycles.search import find_all
 from stridemap.solver.cycles.solver import Solver
 from stridemap.solver.model.loading import load
-from stridemap.solver.options import ArclengthOptions, SearchOptions
+from stridemap.solver.options import ContinuationOptions, SearchOptions
 
 K, ALPHA = np.linspace(5.5, 12.5, 8), np.array([0.24, 0.26, 0.28])
 BETWEEN = 0.25
@@ -31,7 +31,7 @@ def survey():
     plane = Plane.of_orbits(gaits, ("k", "alpha"), K, ALPHA)
     (left, right), (bottom, top) = middle_edges(K), middle_edges(ALPHA)
     along = Survey(
-        solver, points[0], "k", left, right, 1, 0, 1, SearchOptions(), ArclengthOptions(),
+        solver, points[0], "k", left, right, 1, 0, 1, SearchOptions(), ContinuationOptions(),
         GaitConditions(solver.kernels, None), lambda _: None,
     )  # fmt: skip
     return CellSurvey(
