@@ -112,9 +112,9 @@ class SearchOptions(Options):
         self._check("starts", self.starts >= 1, "at least 1 start is needed")
         if self.starts > STARTS_MAX:
             hours = min(self.starts, MANY) / STARTS_PER_SECOND / 3600
-            number = f"{self.starts:,}" if self.starts <= MANY else short(self.starts)
+            quoted = f"{self.starts:,}" if self.starts <= MANY else short(self.starts)
             raise InputError(
-                f"starts = {number} is not allowed: at most {STARTS_MAX:,} (so many would take "
+                f"starts = {quoted} is not allowed: at most {STARTS_MAX:,} (so many would take "
                 f"{'about' if self.starts <= MANY else 'more than'} {hours:.2g} hours per point); "
                 "a few hundred find nearly every cycle"
             )
