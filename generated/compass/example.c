@@ -12,13 +12,13 @@
 int main(void)
 {
     /* the preset: omega, beta, Kp, Kd, S, gamma */
-    const double p[6] = {3.0, 0.15, 10.0, 0.6, 0.18, 0.18};
-    const double u[1] = {0.0};
+    const stridemap_real p[6] = {3.0, 0.15, 10.0, 0.6, 0.18, 0.18};
+    const stridemap_real u[1] = {0};
     /* a state just after touchdown: theta1, dtheta1, dtheta2 */
-    const double z[3] = {0.105, -0.05, 0.033};
-    const double t = 0.0, dt = 1e-3;
-    double q[2], v[2], M[4], dq[2], dv[2], kinetic[1], potential[1];
-    double force[2], q_plus[2], v_plus[2];
+    const stridemap_real z[3] = {0.105, -0.05, 0.033};
+    const stridemap_real t = 0, dt = 1e-3;
+    stridemap_real q[2], v[2], M[4], dq[2], dv[2], kinetic[1], potential[1];
+    stridemap_real force[2], q_plus[2], v_plus[2];
     int i, j;
 
     compass_section_state(z, p, q, v);

@@ -12,13 +12,13 @@
 int main(void)
 {
     /* the preset: mu, beta, slope */
-    const double p[3] = {2.0, 1.0, 0.05};
-    const double *u = 0; /* there are no motors */
+    const stridemap_real p[3] = {2.0, 1.0, 0.05};
+    const stridemap_real *u = 0; /* there are no motors */
     /* a state just after touchdown: theta1, dtheta1, dtheta2 */
-    const double z[3] = {0.3, -0.217, 0.083};
-    const double t = 0.0, dt = 1e-3;
-    double q[2], v[2], M[4], dq[2], dv[2], kinetic[1], potential[1];
-    double force[2], q_plus[2], v_plus[2];
+    const stridemap_real z[3] = {0.3, -0.217, 0.083};
+    const stridemap_real t = 0, dt = 1e-3;
+    stridemap_real q[2], v[2], M[4], dq[2], dv[2], kinetic[1], potential[1];
+    stridemap_real force[2], q_plus[2], v_plus[2];
     int i, j;
 
     goswami_compass_section_state(z, p, q, v);

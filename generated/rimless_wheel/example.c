@@ -12,13 +12,13 @@
 int main(void)
 {
     /* the preset: slope, spokes, lambda2 */
-    const double p[3] = {0.2, 6.0, 0.6666666666666666};
-    const double *u = 0; /* there are no motors */
+    const stridemap_real p[3] = {0.2, 6.0, 0.6666666666666666};
+    const stridemap_real *u = 0; /* there are no motors */
     /* a state just after touchdown: theta, dtheta */
-    const double z[2] = {-0.417, 0.667};
-    const double t = 0.0, dt = 1e-3;
-    double q[1], v[1], M[1], dq[1], dv[1], kinetic[1], potential[1];
-    double force[2], q_plus[1], v_plus[1];
+    const stridemap_real z[2] = {-0.417, 0.667};
+    const stridemap_real t = 0, dt = 1e-3;
+    stridemap_real q[1], v[1], M[1], dq[1], dv[1], kinetic[1], potential[1];
+    stridemap_real force[2], q_plus[1], v_plus[1];
     int i, j;
 
     rimless_wheel_section_state(z, p, q, v);

@@ -12,13 +12,13 @@
 int main(void)
 {
     /* the preset: hip_mass, leg_mass, inertia, com_distance, com_offset, radius, slope */
-    const double p[7] = {1.0, 0.5, 0.02, 0.5, 0.0, 0.2, 0.01};
-    const double *u = 0; /* there are no motors */
+    const stridemap_real p[7] = {1.0, 0.5, 0.02, 0.5, 0.0, 0.2, 0.01};
+    const stridemap_real *u = 0; /* there are no motors */
     /* a state just after touchdown: q1, dq1, dq2 */
-    const double z[3] = {0.233, -0.25, 0.067};
-    const double t = 0.0, dt = 1e-3;
-    double q[2], v[2], M[4], dq[2], dv[2], kinetic[1], potential[1];
-    double force[2], q_plus[2], v_plus[2];
+    const stridemap_real z[3] = {0.233, -0.25, 0.067};
+    const stridemap_real t = 0, dt = 1e-3;
+    stridemap_real q[2], v[2], M[4], dq[2], dv[2], kinetic[1], potential[1];
+    stridemap_real force[2], q_plus[2], v_plus[2];
     int i, j;
 
     round_feet_section_state(z, p, q, v);

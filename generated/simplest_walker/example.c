@@ -12,13 +12,13 @@
 int main(void)
 {
     /* the preset: slope */
-    const double p[1] = {0.009};
-    const double *u = 0; /* there are no motors */
+    const stridemap_real p[1] = {0.009};
+    const stridemap_real *u = 0; /* there are no motors */
     /* a state just after touchdown: theta, dtheta */
-    const double z[2] = {0.25, -0.15};
-    const double t = 0.0, dt = 1e-3;
-    double q[2], v[2], M[4], dq[2], dv[2], kinetic[1], potential[1];
-    double force[2], q_plus[2], v_plus[2];
+    const stridemap_real z[2] = {0.25, -0.15};
+    const stridemap_real t = 0, dt = 1e-3;
+    stridemap_real q[2], v[2], M[4], dq[2], dv[2], kinetic[1], potential[1];
+    stridemap_real force[2], q_plus[2], v_plus[2];
     int i, j;
 
     simplest_walker_section_state(z, p, q, v);

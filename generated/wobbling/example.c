@@ -12,13 +12,13 @@
 int main(void)
 {
     /* the preset: k, alpha, omega, beta, Kp, Kd, S, gamma */
-    const double p[8] = {6.0, 0.25, 3.0, 0.15, 10.0, 0.6, 0.18, 0.18};
-    const double u[1] = {0.0};
+    const stridemap_real p[8] = {6.0, 0.25, 3.0, 0.15, 10.0, 0.6, 0.18, 0.18};
+    const stridemap_real u[1] = {0};
     /* a state just after touchdown: theta1, dtheta1, dtheta2, x, dx */
-    const double z[5] = {0.105, -0.05, 0.033, 0.025, 0.25};
-    const double t = 0.0, dt = 1e-3;
-    double q[3], v[3], M[9], dq[3], dv[3], kinetic[1], potential[1];
-    double force[2], q_plus[3], v_plus[3];
+    const stridemap_real z[5] = {0.105, -0.05, 0.033, 0.025, 0.25};
+    const stridemap_real t = 0, dt = 1e-3;
+    stridemap_real q[3], v[3], M[9], dq[3], dv[3], kinetic[1], potential[1];
+    stridemap_real force[2], q_plus[3], v_plus[3];
     int i, j;
 
     wobbling_section_state(z, p, q, v);

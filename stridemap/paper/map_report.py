@@ -10,7 +10,7 @@ from stridemap.paper.evaluate import evaluate
 from stridemap.paper.map_boundaries import map_boundaries
 from stridemap.paper.sweeps import paper_sweeps
 from stridemap.sweeps.run import Progress
-from stridemap.views.report.write import ReportSummary, write_report
+from stridemap.views.report.write import ReportSummary, check_out, write_report
 
 
 def report(
@@ -46,6 +46,7 @@ def report(
     InputError
         As for `claims` and `stridemap.views.write_report`.
     """
+    check_out(out)
     paper = paper_sweeps(sweeps, params, thin, workers=workers, executor=executor, progress=progress)
     verdicts = claims or [claim.to_dict() for claim in evaluate(cycle_tables(paper))]
     curves = map_boundaries(paper, say)

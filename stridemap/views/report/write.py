@@ -167,8 +167,19 @@ def _page(**parts: str) -> str:
     return re.sub(r"\{\{(\w+)\}\}", lambda match: parts[match[1]], template)
 
 
-def _write(path: Path, page: bytes) -> None:
-    """Write the file whole or not at all."""
+def check_out(out: str | Path) -> None:
+    """Try whether a page can be written, before hours are spent on what it shows.
+
+    Raises
+    ------
+    InputError
+        When it cannot.
+    """
+    _write(Path(out), None)
+
+
+def _write(path: Path, page: bytes | None) -> None:
+    """Write the file whole or not at all; without a page, only try."""
     if os.path.isdir(path):
         raise InputError(
             f"{path} is a folder; give the name of a file to write, such as {path / 'report.html'}"
@@ -180,6 +191,8 @@ def _write(path: Path, page: bytes) -> None:
         path.parent.mkdir(parents=True, exist_ok=True)
         handle, temporary = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
         with open(handle, "wb") as file:
+            if page is None:
+                return
             file.write(page)
         mask = os.umask(0)
         os.umask(mask)

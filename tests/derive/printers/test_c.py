@@ -220,7 +220,7 @@ def example_by_python(name):
     """What example.c prints, from the Python module."""
     model = load(name)
     text = (folder(name) / "example.c").read_text()
-    p, z = (np.array(eval(f"[{m}]")) for m in re.findall(r"double [pz]\[\d+\] = \{([^}]*)\}", text))
+    p, z = (np.array(eval(f"[{m}]")) for m in re.findall(r"_real [pz]\[\d+\] = \{([^}]*)\}", text))
     np.testing.assert_array_equal(p, model.point({}))
     at = {"t": 0.0, "p": p, **model.evaluate("section_state", z=z)}
     energy = model.evaluate("kinetic_energy", **at)["kinetic"]
@@ -247,6 +247,16 @@ def test_the_example_prints_what_python_computes(name, compiler, tmp_path):
     assert len(printed) == len(expected)
     np.testing.assert_allclose(printed, expected, rtol=0, atol=5.1e-7)  # it prints 6 digits and more
     assert len(set(np.abs(printed))) > len(printed) / 2, "a dull example"
+
+
+@all_models
+@both_compilers
+def test_the_example_is_right_in_single_precision(name, compiler, tmp_path):
+    sources = [folder(name) / "example.c", folder(name) / f"{name}.c"]
+    run(need(compiler), *STRICT, "-DSTRIDEMAP_FLOAT", *sources, "-lm", "-o", tmp_path / "example")
+    expected = example_by_python(name)
+    printed = numbers(run(tmp_path / "example"))
+    np.testing.assert_allclose(printed, expected, rtol=0, atol=1e-4 * np.abs(expected).max())
 
 
 @all_models

@@ -306,6 +306,14 @@ def test_where_it_cannot_be_written(done, refused):
     refused("report", "Missing option '--out'")
 
 
+def test_the_papers_report_tries_its_file_before_it_sweeps(tmp_path, refused):
+    (tmp_path / "a file").touch()
+    refused(
+        ["report", "--out", tmp_path / "a file" / "report.html", "--sweeps", tmp_path / "sweeps"], "a file"
+    )
+    assert not (tmp_path / "sweeps").exists()
+
+
 def test_a_failed_write_leaves_what_was_there(done, monkeypatch):
     (done / "page.html").write_text("before")
     monkeypatch.setattr(
