@@ -71,8 +71,8 @@ CURVES = (
     ),
     Mutation(
         "solver/branches/arclength.py",
-        "turn < options.min_tangent_cosine or",
-        "turn < -2 or",
+        "or astray or turn < options.min_tangent_cosine:",
+        "or astray or turn < -2:",
         "the tangent may turn by any angle in one step",
         (f"{MAPS}::test_the_tangent_turns_little_from_point_to_point",),
     ),
