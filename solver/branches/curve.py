@@ -31,6 +31,10 @@ class ZeroCurve(ABC):
     def linearised(self, x: Array, n_rk: int) -> tuple[Array, Array]:
         """Derivative of F, shape (M, M + 1), and F, shape (M,), with `n_rk` RK steps per walking step."""
 
+    def nearly_linearised(self, x: Array, n_rk: int, near: Array) -> tuple[Array, Array]:
+        """As `linearised`, but what is costly of the derivative may be taken from that at a point near x."""
+        return self.linearised(x, n_rk)
+
     @abstractmethod
     def n_rk(self, x: Array) -> int:
         """RK steps per walking step that solutions near x need."""
@@ -68,7 +72,9 @@ class ZeroCurve(ABC):
         """Scalar product in terms of the scale."""
         return float((x * y / self.scale**2).sum())
 
-    def corrected(self, x: Array, across: Array, n_rk: int, iterations: int) -> "Corrected":
+    def corrected(
+        self, x: Array, across: Array, n_rk: int, iterations: int, near: Array | None = None
+    ) -> "Corrected":
         """Newton's method from x in the plane across a direction.
 
         It stops where neither the residual nor the last correction can become smaller.
@@ -81,11 +87,17 @@ class ZeroCurve(ABC):
         n_rk : int
         iterations : int
             Largest number of corrections.
+        near : ndarray, shape (M, M + 1), optional
+            The derivative at a point near by, for `nearly_linearised`: then the one that comes with the
+            result is not exact.
         """
         x = x.copy()
         sizes: list[float] = []
         for _ in range(iterations + 1):
-            matrix, residual = self.linearised(x, n_rk)
+            if near is None:
+                matrix, residual = self.linearised(x, n_rk)
+            else:
+                matrix, residual = self.nearly_linearised(x, n_rk, near)
             error = float(np.abs(residual).max())
             if not np.isfinite(error) or not np.isfinite(matrix).all():
                 break
@@ -134,6 +146,13 @@ class Curve(ZeroCurve):
     def linearised(self, x: Array, n_rk: int) -> tuple[Array, Array]:
         """Derivative of the residual with respect to x, shape (N, N + 1), and the residual, shape (N,)."""
         return self.equations.linearised(x, n_rk)
+
+    def nearly_linearised(self, x: Array, n_rk: int, near: Array) -> tuple[Array, Array]:
+        """As `linearised`, with the parameter's column of the derivative at a point near x."""
+        size = self.equations.n_unknowns
+        params = self.equations.point(x[size:])
+        jacobian, residual = self.chain.jacobian(n_rk, x[None, :size], params[None])
+        return np.column_stack([jacobian[0], near[:, size:]]), residual[0]
 
     def second(self, x: Array, v: Array, n_rk: int) -> Array:
         """Derivative of ``DR[v]`` with respect to x, shape (N, N + 1): see `CycleEquations.second`."""

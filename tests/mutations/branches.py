@@ -238,10 +238,17 @@ GAITS = (
     ),
     Mutation(
         "solver/branches/ends.py",
-        "yield number, min(found",
-        "yield number, max(found",
+        "return min(found, key",
+        "return max(found, key",
         "of two conditions the one that is met last ends a gait",
         (f"{MAPS}::test_a_gait_ends_at_the_condition_that_is_met_first",),
+    ),
+    Mutation(
+        "solver/branches/ends.py",
+        "while n_rk < CYCLE_N_RK[-1]:",
+        "while n_rk < 0:",
+        "the ends of gaits are those at the resolution with which the branch was followed",
+        (f"{ENDS}::test_an_end_is_one_at_the_finest_resolution_too",),
     ),
     Mutation(
         "solver/branches/ends.py",

@@ -5,7 +5,7 @@ import pytest
 
 import stridemap
 from stridemap.solver.branches.conditions import GaitConditions, GaitEnd
-from stridemap.solver.branches.ends import conditions_along, gait_ends
+from stridemap.solver.branches.ends import conditions_along, gait_ends, searches
 from stridemap.solver.cycles.search import find_all
 from stridemap.solver.cycles.solver import Solver
 from stridemap.solver.model.loading import load
@@ -77,6 +77,38 @@ def test_where_a_gait_ends_it_begins_the_other_way():
         ((_, begins),) = gait_ends(branch.curve, back, values, conditions, ContinuationOptions())
         ((_, ends),) = branch.ends
         assert begins.point.x == pytest.approx(ends.point.x, rel=0, abs=1e-10)
+
+
+def test_an_end_is_one_at_the_finest_resolution_too():
+    """At the resolution at which the branch is followed it is at 17.73935299, 2e-7 beside its place."""
+    given = {"alpha": 0.25, "omega": 3.0}
+    found = stridemap.branches("wobbling", "k", (17.4, 18.0), given, seeds=2)
+    curve = found[0].curve
+    conditions = GaitConditions(curve.chain.kernels)
+    ends = [end for branch in found for _, end in branch.ends]
+    assert len(ends) == 1
+    x = ends[0].point.x
+    assert np.abs(curve.linearised(x, 384)[1]).max() < 1e-12
+    params = curve.equations.point(x[-1:])[None]
+    assert abs(conditions.of_cycles([768], x[None, :-1], params, 1)[ends[0].type][0]) < 1e-12
+
+
+def test_an_end_takes_few_trials():
+    """Bisection from a bracket of 0.05 to 1e-14 would take more than forty at each resolution."""
+    found = stridemap.branches("simplest_walker", "slope", (0.005, 0.015), seeds=1, friction_limit=0.2)
+    conditions = GaitConditions(Solver.for_model(load("simplest_walker")).kernels, 0.2)
+    for branch in found:
+        points = branch.points[:: len(branch.points) - 1]  # a long bracket
+        values = conditions_along(branch.curve, points, conditions)
+        ((_, search),) = searches(branch.curve, points, values, ContinuationOptions())
+        trial, count = next(search), 1
+        with pytest.raises(StopIteration) as stop:
+            while True:
+                at = conditions_along(branch.curve, [trial.point], conditions, [trial.name])
+                trial, count = search.send(float(at[trial.name][0])), count + 1
+        assert stop.value.value.residual < 1e-11
+        assert stop.value.value.point.x == pytest.approx(branch.ends[0][1].point.x, rel=0, abs=1e-10)
+        assert count <= 20
 
 
 def test_a_gait_ends_where_the_foot_touches_down_early():

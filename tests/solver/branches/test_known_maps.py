@@ -383,15 +383,16 @@ def test_an_oscillator_grazes_a_wall(wall):
     on = curve(*(steady + sp.Matrix(flow) * (z - steady)))
     middle = 1.3 * wall * size
     points, _ = traced(on, [middle / size, 0.1], middle, 0.5 * wall * size, 1.6 * wall * size)
-    motion = np.array([[0, 1], [-k, -c]])
+    modes, vectors = np.linalg.eig(np.array([[0, 1], [-k, -c]]))
 
     def largest(state, amplitude):
         """The largest excursion along an oscillation from a state."""
         start = amplitude / size * np.array([np.cos(lag), w * np.sin(lag)])
+        apart = np.linalg.solve(vectors, state - start)
 
         def at(t):
             forced = amplitude / size * np.array([np.cos(w * t - lag), -w * np.sin(w * t - lag)])
-            return forced + expm(motion * t) @ (state - start)
+            return forced + np.real(vectors @ (np.exp(modes * t) * apart))
 
         times = np.linspace(0, 2 * np.pi / w, 17)
         rates = [at(t)[1] for t in times]
