@@ -20,7 +20,7 @@ class Options(SphinxDirective):
 
     def run(self):
         home, *names = self.arguments[0].split(".")
-        found = functools.reduce(entry, names, importlib.import_module(home))
+        found = functools.reduce(named, names, importlib.import_module(home))
         record = found if isinstance(found, type) else type(found)  # or what a class has by default
         defaults = {one.name: getattr(found, one.name) for one in fields(record)}
         rows = []
@@ -52,7 +52,7 @@ class Rooms(SphinxDirective):
         return [table(("room", "files", "lines", "imports"), rows)]
 
 
-def entry(owner, name):
+def named(owner, name):
     """What an owner has by a name, or by default under it."""
     usual = getattr(owner, "model_fields", {}).get(name)
     return getattr(owner, name) if usual is None else usual.default
