@@ -16,8 +16,8 @@ from stridemap.paper.drawings.raster import extent, letters
 from stridemap.paper.drawings.regions import Regions
 from stridemap.paper.map_boundaries import NAMES
 from stridemap.paper.points import PLANE
+from stridemap.solver.branches.classes import classes_at
 from stridemap.solver.branches.plane import NONE, STABLE, UNSTABLE, Plane
-from stridemap.solver.branches.refinement import classes_at
 from stridemap.solver.cycles.orbits import Orbits
 from stridemap.solver.cycles.solver import Solver
 from stridemap.solver.model.loading import load
