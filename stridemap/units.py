@@ -284,7 +284,7 @@ def critical_damping(model: Any, params: Mapping[str, float] | None = None, **ke
     Raises
     ------
     InputError
-        For an unknown model or parameter, a value that the model does not allow, and a model without a spring.
+        For an unknown model or parameter, a value that the model does not allow, or a model without a spring.
 
     Notes
     -----

@@ -5,8 +5,8 @@ import pytest
 
 import stridemap
 
-# Cost of transport at alpha = .205, omega = 3 of a walker declared by hand with a damper, to three digits. The damper is
-# 0, 1, 2.5 and 5 % of what is critical at k = 6.28.
+# Cost of transport at alpha = .205, omega = 3 of a walker declared by hand with a damper, to three digits.
+# The damper is 0, 1, 2.5 and 5 % of what is critical at k = 6.28.
 COSTS = {5.25: (0.281, 0.301, 0.321, 0.342), 6.28: (0.299, 0.303, 0.308, 0.316)}
 
 
