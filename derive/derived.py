@@ -10,6 +10,7 @@ from functools import cached_property
 
 import sympy as sp
 
+from stridemap.derive import given
 from stridemap.derive.declaration import Declaration
 from stridemap.derive.normal_form import normal_form
 from stridemap.derive.parts import STANCE_FOOT, TIME
@@ -115,7 +116,14 @@ class Derived(Declaration):
 
     def _standing(self, value: sp.Expr | sp.Matrix) -> sp.Expr | sp.Matrix:
         """`value` with the stance foot where it is in the swing phase."""
-        return sp.sympify(value).subs(dict(zip(STANCE_FOOT, self.standing, strict=True)))
+        if not isinstance(value, sp.MatrixBase):
+            value = given.expression(value, "what jacobian or rate was given")
+        elif value.cols != 1:
+            raise InputError(
+                f"jacobian or rate was given a matrix of shape {value.shape}; "
+                "give an expression or a single column"
+            )
+        return value.subs(dict(zip(STANCE_FOOT, self.standing, strict=True)))
 
     @cached_property
     def _inertia(self) -> sp.Matrix:
@@ -165,8 +173,12 @@ def solve(matrix: sp.Matrix, right: sp.Matrix, name: str = "") -> sp.Matrix:
     Raises
     ------
     InputError
-        When a column is zero, or the shapes do not fit.
+        When a column is zero, the shapes do not fit, or one is not a matrix.
     """
+    matrix, right = (
+        given.matrix(matrix, "what solve was given first"),
+        given.matrix(right, "what solve was given"),
+    )
     rows, columns = matrix.shape
     if rows != columns or right.rows != rows:
         raise InputError(

@@ -7,8 +7,10 @@ from typing import Any, Literal
 import sympy as sp
 
 from stridemap import spec
+from stridemap.derive import given
 from stridemap.derive.terms import mapped
 from stridemap.errors import InputError
+from stridemap.errors import short as shown
 from stridemap.spec import UnitNames
 
 STANCE_FOOT = sp.Matrix(sp.symbols("stance_x stance_y", real=True))
@@ -167,9 +169,11 @@ class Motor:
         for one in bodies:
             if not isinstance(one, Body):
                 raise InputError(
-                    f"motor {name}: {one!r} is not a Body; give the bodies themselves, or an angle as drives"
+                    f"motor {name}: {shown(one)} is not a Body; "
+                    "give the bodies themselves, or an angle as drives"
                 )
-        drives = sp.sympify(body.angle) - (sp.S.Zero if other is None else sp.sympify(other.angle))
+        angles = [given.expression(one.angle, f"the angle of the body {one.name}") for one in bodies]
+        drives = angles[0] - (sp.S.Zero if other is None else angles[1])
         return cls(name, torque, drives, bodies=bodies, kind="torque", **options)
 
 
@@ -307,7 +311,14 @@ def rolling_arc(radius: sp.Expr, angle: sp.Expr) -> sp.Matrix:
     Returns
     -------
     sympy.Matrix, shape (2, 1)
+
+    Raises
+    ------
+    InputError
+        When one of them is not a single expression.
     """
+    radius = given.expression(radius, "the radius of rolling_arc")
+    angle = given.expression(angle, "the angle of rolling_arc")
     return sp.Matrix([-radius * angle, radius])
 
 

@@ -9,6 +9,7 @@ that the result is the same on every machine.
 from math import comb
 
 import sympy as sp
+from sympy.functions.elementary.hyperbolic import HyperbolicFunction
 
 from stridemap.derive.normal_form import normal_form
 from stridemap.derive.terms import Term
@@ -20,7 +21,8 @@ TRIED = 300
 """Terms when multiplied out, times different symbols and functions, up to which it is given that form."""
 
 AT_ONCE = 200
-"""Terms times different symbols and functions up to which SymPy shortens sines and cosines in a whole sum."""
+"""Terms times different symbols and functions up to which SymPy seeks identities of other functions than
+sines and cosines: in a larger sum it may try for minutes."""
 
 GENERATORS = 14
 """Different symbols and functions up to which it is given that form."""
@@ -91,27 +93,24 @@ def _effort(expanded: sp.Expr) -> int:
 
 def _readable(expr: sp.Expr) -> sp.Expr:
     expanded = sp.expand(expr)
-    reduced = sp.trigsimp(expanded) if _effort(expanded) <= AT_ONCE else _trigsimp(expanded)
-    candidates = [expr, expanded, reduced, sp.factor(reduced)]
-    for symbol in sorted(reduced.free_symbols, key=lambda s: s.name):
-        candidates += [sp.collect(expanded, symbol), sp.collect(reduced, symbol)]
+    whole = _reduced(expr, expanded)
+    reduced = sp.expand(whole)
+    base = min(reduced, expanded, key=sp.count_ops)
+    candidates = [expr, expanded, whole, reduced, sp.factor(reduced)]
+    candidates += [sp.collect(base, s) for s in sorted(base.free_symbols, key=lambda s: s.name)]
     candidates = list(dict.fromkeys(candidates))
     return _shortest([*candidates, *map(sp.factor_terms, candidates)])
 
 
-def _trigsimp(expanded: sp.Expr) -> sp.Expr:
-    """SymPy's `trigsimp` for the coefficient of each product of symbols and rates by itself.
+def _reduced(expr: sp.Expr, expanded: sp.Expr) -> sp.Expr:
+    """What is left of an expression when identities of sines and cosines have been used.
 
-    Identities of sines and cosines hold within each of them. On the whole sum at once SymPy tries so many
-    combinations that it takes minutes instead of a second, whenever its sets come in an unlucky order.
+    Its normal form has it all, in milliseconds; identities of other functions are left to SymPy.
     """
-    coefficients: dict[sp.Expr, list[sp.Expr]] = {}
-    for term in sp.Add.make_args(expanded):
-        factors = sp.Mul.make_args(term)
-        product = sp.Mul(*(f for f in factors if not f.is_number and not f.has(sp.sin, sp.cos)))
-        rest = sp.Mul(*(f for f in factors if f.is_number or f.has(sp.sin, sp.cos)))
-        coefficients.setdefault(product, []).append(rest)
-    return sp.Add(*(product * sp.trigsimp(sp.Add(*parts)) for product, parts in coefficients.items()))
+    found = None if expr.has(sp.tan, HyperbolicFunction) else normal_form(expr, PRODUCTS)
+    if found is not None:
+        return found
+    return sp.trigsimp(expanded) if _effort(expanded) <= AT_ONCE else expanded
 
 
 def _shortest(candidates: list[sp.Expr]) -> sp.Expr:

@@ -13,6 +13,10 @@ from typing import Any
 
 import sympy as sp
 
+from stridemap.derive import given
+from stridemap.errors import InputError
+from stridemap.errors import short as shown
+
 DEEP = 20
 """Terms in a row beyond which they are treated from the first to the last instead of by recursion."""
 
@@ -26,9 +30,15 @@ class Term(sp.Symbol):
     Parameters
     ----------
     name : str
-        What it is called in generated code, where nothing else is called so; "" if any name will do.
+        What it is called in generated code, where nothing else is called so; "" if any name will do. Letters
+        without accents, digits and underscores, the first a letter.
     definition : sympy.Expr
         What it stands for. A number, a symbol and another term stay what they are.
+
+    Raises
+    ------
+    InputError
+        When the name cannot be one, or the definition is not a single expression.
     """
 
     definition: sp.Expr
@@ -39,7 +49,12 @@ class Term(sp.Symbol):
 
     def __new__(cls, name: str, definition: Any, **_: Any) -> Any:
         """A term, or the definition itself where it is a number, a symbol or another term."""
-        definition = sp.sympify(definition)
+        if not isinstance(name, str) or (name and not _is_name(name)):
+            raise InputError(
+                f"a Term has the name {shown(name)}, which cannot stand in generated code; "
+                "take letters, digits and underscores, a letter first"
+            )
+        definition = given.expression(definition, f"what the Term {shown(name)} stands for")
         if definition.is_Number or definition.is_Symbol:
             return definition
         return _interned(name, definition)
@@ -106,6 +121,10 @@ class Term(sp.Symbol):
     def _eval_evalf(self, prec: int) -> sp.Expr | None:
         value = self.definition._eval_evalf(prec)
         return value if value is not None and not value.free_symbols else self
+
+
+def _is_name(name: str) -> bool:
+    return name.isascii() and name.isidentifier() and not name.startswith("_")
 
 
 @cache

@@ -1,7 +1,9 @@
 """Positions at which what a declaration says is tried out in numbers."""
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from functools import lru_cache
+from typing import Any
 
 import sympy as sp
 
@@ -9,6 +11,9 @@ from stridemap.derive.declaration import Declaration
 
 TRIES = 12
 """Number of positions."""
+
+LIGHT = 0.1
+"""What a mass that vanishes is while a declaration is tried out."""
 
 
 def trial_points(walker: Declaration, values: Mapping[sp.Symbol, float]) -> Iterator[dict[sp.Symbol, float]]:
@@ -34,3 +39,28 @@ def trial_points(walker: Declaration, values: Mapping[sp.Symbol, float]) -> Iter
             spread = math.modf(i * 0.6180339887498949 + j * 0.7548776662466927)[0]
             position[symbol] = middle + width * (2 * spread - 1) * 0.5 + 1e-3 * (j + 1)
         yield position
+
+
+def compiled(
+    walker: Declaration, expressions: Iterable[sp.Expr]
+) -> Callable[[Mapping[sp.Symbol, Any]], list[Any]]:
+    """A function from coordinates and parameters to the values of expressions: much faster than `subs`.
+
+    Parameters
+    ----------
+    walker : Walker
+    expressions : iterable of sympy.Expr
+        Of the coordinates, the parameters and a mass that vanishes, which is `LIGHT`.
+    """
+    light = {} if walker.massless is None else {walker.massless.mass: LIGHT}
+    symbols = (*walker.q, *(a.symbol for a in walker.parameters), *light)
+    function = _function(symbols, tuple(map(sp.sympify, expressions)))
+    return lambda values: function(*({**light, **values}[s] for s in symbols))
+
+
+@lru_cache(64)
+def _function(symbols: tuple[sp.Symbol, ...], expressions: tuple[sp.Expr, ...]) -> Callable[..., list[Any]]:
+    """The function, made once: the same expressions are asked for again with other parameters."""
+    # Stand-ins for all names: a parameter may be called like what the function itself uses.
+    made: Callable[..., list[Any]] = sp.lambdify(symbols, list(expressions), "mpmath", dummify=True, cse=True)
+    return made

@@ -6,7 +6,7 @@ else (mass matrix, impact, ground force, ...) follows in `mechanics`.
 """
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from typing import Any
 
 import sympy as sp
@@ -178,4 +178,9 @@ class Walker(Derived):
 
     def with_(self, **changes: Any) -> "Walker":
         """A copy with some fields changed, checked like any other declaration."""
+        unknown = sorted(changes.keys() - {field.name for field in fields(self)})
+        if unknown:
+            refuse(
+                self, f"with_ was given {unknown[0]}, which a Walker does not have; see the fields of Walker"
+            )
         return replace(self, **changes)

@@ -7,14 +7,15 @@ from typing import TYPE_CHECKING, Any, Self
 import numpy as np
 from numpy.typing import NDArray
 
-from stridemap.errors import InputError
+from stridemap.errors import InputError, short
 
 if TYPE_CHECKING:
     from stridemap.solver.model.model import Model
 
-STARTS_MAX = 1_000_000
+STARTS_MAX, MANY = 1_000_000, 10**15
 STARTS_PER_SECOND = 5_000
-"""Assumed speed of the search, used only to say what too many starts would cost."""
+"""The most starts that are allowed, how many may be quoted digit by digit, and the assumed speed of the
+search, used only to say what too many starts would cost."""
 
 
 class Options:
@@ -42,7 +43,7 @@ class Options:
     def _check(self, name: str, allowed: bool, what: str) -> None:
         """Refuse a value of an option."""
         if not allowed:
-            raise InputError(f"{name} = {getattr(self, name)!r} is not allowed: {what}")
+            raise InputError(f"{name} = {short(getattr(self, name))} is not allowed: {what}")
 
     def _check_number(self, name: str, low: float, high: float) -> None:
         """Refuse what is not a number between two ends, themselves excluded."""
@@ -99,19 +100,23 @@ class SearchOptions(Options):
     def __post_init__(self) -> None:
         whole = all(isinstance(n, int) and not isinstance(n, bool) for n in (self.starts, self.seed))
         if not whole:
-            raise InputError(f"starts = {self.starts!r} and seed = {self.seed!r} must be whole numbers")
+            raise InputError(
+                f"starts = {short(self.starts)} and seed = {short(self.seed)} must be whole numbers"
+            )
         if self.max_starts is not None:
             number = isinstance(self.max_starts, int) and not isinstance(self.max_starts, bool)
-            needed = f"a whole number from starts = {self.starts} to {STARTS_MAX:,} is needed"
+            needed = f"a whole number from starts = {short(self.starts)} to {STARTS_MAX:,} is needed"
             self._check("max_starts", number and self.starts <= self.max_starts <= STARTS_MAX, needed)
         self._check_number("widen", 0.0, np.inf)
         object.__setattr__(self, "search_box", _box(self.search_box))
         self._check("starts", self.starts >= 1, "at least 1 start is needed")
         if self.starts > STARTS_MAX:
-            hours = self.starts / STARTS_PER_SECOND / 3600
+            hours = min(self.starts, MANY) / STARTS_PER_SECOND / 3600
+            quoted = f"{self.starts:,}" if self.starts <= MANY else short(self.starts)
             raise InputError(
-                f"starts = {self.starts:,} is not allowed: at most {STARTS_MAX:,} (so many would take about "
-                f"{hours:.2g} hours per point); a few hundred find nearly every cycle"
+                f"starts = {quoted} is not allowed: at most {STARTS_MAX:,} (so many would take "
+                f"{'about' if self.starts <= MANY else 'more than'} {hours:.2g} hours per point); "
+                "a few hundred find nearly every cycle"
             )
         self._check("seed", 0 <= self.seed < 2**32, "a whole number from 0 to 4,294,967,295 is needed")
         for name in ("period_min", "period_max"):
@@ -149,7 +154,7 @@ class SearchOptions(Options):
         for name in given:
             if name not in model.section:
                 raise InputError(
-                    f"search_box names {name!r}, which is not an entry of the section of {model.name}: "
+                    f"search_box names {short(name)}, which is not an entry of the section of {model.name}: "
                     f"{', '.join(model.section)}"
                 )
         rows = []
@@ -185,7 +190,7 @@ def _box(given: Any) -> tuple[tuple[str, tuple[float, float]], ...]:
     entries = dict(given) if isinstance(given, Mapping | tuple) else None
     if entries is None:
         raise InputError(
-            f"search_box = {given!r} is not allowed: a mapping of names to two numbers is needed"
+            f"search_box = {short(given)} is not allowed: a mapping of names to two numbers is needed"
         )
     out = []
     for name, ends in sorted(entries.items()):
@@ -193,7 +198,8 @@ def _box(given: Any) -> tuple[tuple[str, tuple[float, float]], ...]:
         numbers = all(isinstance(end, int | float) and not isinstance(end, bool) for end in pair)
         if len(pair) != 2 or not numbers or not (-np.inf < pair[0] < pair[1] < np.inf):
             raise InputError(
-                f"search_box of {name} = {ends!r} is not allowed: two finite numbers, the lower one first"
+                f"search_box of {name} = {short(ends)} is not allowed: two finite numbers, the lower one "
+                "first"
             )
         out.append((str(name), (float(pair[0]), float(pair[1]))))
     return tuple(out)
@@ -245,83 +251,12 @@ class AcceptanceOptions(Options):
 
 @dataclass(frozen=True)
 class ContinuationOptions(Options):
-    """Step control of pseudo-arclength continuation.
+    """Step control of pseudo-arclength continuation: of branches, of boundaries, and of sweeps.
 
-    Lengths are measured in a space where 1 is the length of a line of the grid, the half-width of the search
-    box, or the model's scale of time.
-
-    Parameters
-    ----------
-    ds, ds_min, ds_max : float
-        First, shortest and longest arclength step.
-    step_growth, step_shrink : float
-        Factors of the arclength step after one that was easily corrected, and after one that failed.
-    max_steps : int
-        Arclength steps along a branch, failed ones included.
-    max_corrections : int
-        Corrections with one derivative.
-    tolerance : float
-        Length of a correction that is the last: what comes out is a guess, to be converged.
-    max_contraction : float
-        Largest ratio of one correction to the one before.
-    max_correction_ratio : float
-        Largest ratio of the first correction to the arclength step.
-    min_tangent_cosine, easy_tangent_cosine : float
-        Smallest cosine of the angle by which the tangent turns in one arclength step, and that above which
-        the next one may be longer.
-    patience : float
-        Length along which a branch is followed without a gait on it.
-    special_points : bool
-        Whether special points of the branches are located.
-
-    Raises
-    ------
-    InputError
-        For values out of range.
-    """
-
-    ds: float = 0.02
-    ds_min: float = 1e-5
-    ds_max: float = 0.1
-    step_growth: float = 2.0
-    step_shrink: float = 0.4
-    max_steps: int = 600
-    max_corrections: int = 4
-    tolerance: float = 1e-3
-    max_contraction: float = 0.5
-    max_correction_ratio: float = 0.5
-    min_tangent_cosine: float = 0.94
-    easy_tangent_cosine: float = 0.98
-    patience: float = 2.0
-    special_points: bool = True
-
-    def __post_init__(self) -> None:
-        for name in ("max_steps", "max_corrections"):
-            value = getattr(self, name)
-            whole = isinstance(value, int) and not isinstance(value, bool)
-            self._check(name, whole and 1 <= value <= 10**6, "a whole number from 1 to 1,000,000 is needed")
-        for name in ("ds", "ds_min", "ds_max", "tolerance", "patience"):
-            self._check_number(name, 0.0, np.inf)
-        self._check("ds_min", self.ds_min <= self.ds, f"it must not be above ds = {self.ds:g}")
-        self._check("ds", self.ds <= self.ds_max, f"it must not be above ds_max = {self.ds_max:g}")
-        self._check("special_points", isinstance(self.special_points, bool), "true or false is needed")
-        self._check_number("step_growth", float(np.nextafter(1, 0)), np.inf)  # 1 itself is allowed
-        for name in (
-            "step_shrink",
-            "max_contraction",
-            "max_correction_ratio",
-            "min_tangent_cosine",
-            "easy_tangent_cosine",
-        ):
-            self._check_number(name, 0.0, 1.0)
-
-
-@dataclass(frozen=True)
-class ArclengthOptions(Options):
-    """Step control along a branch over one parameter.
-
-    Lengths are measured in a space where 1 is the length of the parameter's range, of the model's range of
-    periods, or the half-width of its search box.
+    Lengths are measured in a space where 1 is the length of the parameter's range (in a sweep that of a line
+    of the grid), and the half-width of the model's search box; and for the period the model's range of
+    periods (in a sweep its scale of time). Sweeps only need guesses from branches, and have longer steps by
+    default: `IN_SWEEPS`.
 
     Parameters
     ----------
@@ -366,3 +301,17 @@ class ArclengthOptions(Options):
         self._check_number("step_growth", float(np.nextafter(1, 0)), np.inf)
         for name in ("step_shrink", "min_tangent_cosine", "easy_tangent_cosine"):
             self._check_number(name, 0.0, 1.0)
+
+
+IN_SWEEPS = ContinuationOptions(
+    ds=0.02,
+    ds_min=1e-5,
+    ds_max=0.1,
+    step_growth=2.0,
+    step_shrink=0.4,
+    max_steps=600,
+    max_corrections=4,
+    min_tangent_cosine=0.94,
+    easy_tangent_cosine=0.98,
+)
+"""How a sweep follows branches by default."""

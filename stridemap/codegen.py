@@ -132,7 +132,12 @@ def into_folder(walker: Walker, folder: Path) -> Path:
         When the folder cannot be written, or files in it that are not of this model would be lost.
     """
     names = ("README.md", "example.c", MANIFEST)  # those that do not bear the model's name
-    present = [name for name in names if (folder / name).exists()]
+    try:
+        present = [name for name in names if (folder / name).exists()]
+    except OSError as error:  # a name that is longer than the file system allows, for instance
+        raise InputError(
+            f"cannot write {folder} ({error.strerror}); give --out a folder that can be written"
+        ) from error
     if present and _manifest_in(folder).get("name") != walker.name:
         raise InputError(
             f"{folder / present[0]} does not belong to the model {walker.name} and would be overwritten; "

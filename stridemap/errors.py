@@ -1,5 +1,7 @@
 """Errors that every room may raise. A leaf: importing it costs nothing."""
 
+import re
+
 
 def short(value: object, most: int = 100) -> str:
     """A value as a message quotes it: on one line, whatever its characters, and of bounded length."""
@@ -12,7 +14,11 @@ def short(value: object, most: int = 100) -> str:
 
 
 LONGEST_WORD, LONGEST = 250, 800
-"""Characters of a word and of a sentence: what was given is quoted, but not a whole file of it."""
+"""Characters of a word or quotation, and of a sentence: what was given is quoted, not a whole file of it."""
+
+
+_QUOTED = re.compile(r"""(?<!\w)(['"]).*?\1(?!\w)""", re.DOTALL)
+"""What stands in quotation marks; an apostrophe within a word is none."""
 
 
 class StridemapError(Exception):
@@ -26,8 +32,9 @@ class StridemapError(Exception):
 
 
 def bounded(sentence: str) -> str:
-    """A sentence whose words, and which itself, are cut in the middle where they are too long."""
+    """A sentence; it, its words and its quotations are cut in the middle where they are too long."""
     if len(sentence) > LONGEST_WORD:
+        sentence = _QUOTED.sub(lambda quoted: _cut(quoted[0], LONGEST_WORD), sentence)
         words = (_cut(word, LONGEST_WORD) for word in sentence.split(" ", 10 * LONGEST))
         sentence = _cut(" ".join(words), LONGEST)
     return sentence

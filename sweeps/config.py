@@ -14,6 +14,7 @@ import math
 import os
 import tomllib
 from collections.abc import Iterable, Mapping
+from dataclasses import asdict
 from decimal import Context, Decimal, localcontext
 from pathlib import Path
 from typing import Annotated, Any, Literal, TypeVar
@@ -25,6 +26,7 @@ from stridemap.solver.model.files import contents
 from stridemap.solver.model.loading import available, load
 from stridemap.solver.model.model import Model
 from stridemap.solver.options import (
+    IN_SWEEPS,
     STARTS_MAX,
     AcceptanceOptions,
     ContinuationOptions,
@@ -153,6 +155,7 @@ class _File(BaseModel):
     search: dict[str, Any] = Field({}, description="a table, [search]")
     acceptance: dict[str, Any] = Field({}, description="a table, [acceptance]")
     continuation: dict[str, Any] = Field({}, description="a table, [continuation]")
+    special_points: bool = Field(True, description="true or false")
     max_cells: int = Field(
         2_000_000, ge=1, le=MAX_COUNT, description=f"a whole number from 1 to {MAX_COUNT:,}"
     )
@@ -176,6 +179,8 @@ class SweepConfig(BaseModel):
         What a solution must satisfy to be accepted as a limit cycle.
     continuation : ContinuationOptions
         Step control with which branches are followed through the grid.
+    special_points : bool
+        Whether bifurcations and ends of gaits along the lines of the grid are located.
     """
 
     model_config = _STRICT
@@ -186,7 +191,8 @@ class SweepConfig(BaseModel):
     grid: dict[str, tuple[float, ...]]
     search: Search
     acceptance: AcceptanceOptions = AcceptanceOptions()
-    continuation: ContinuationOptions = ContinuationOptions()
+    continuation: ContinuationOptions = IN_SWEEPS
+    special_points: bool = True
 
     @property
     def loaded(self) -> Model:
@@ -314,16 +320,21 @@ def parse_config(data: Mapping[str, Any], source: str = "configuration") -> Swee
         grid=grid,
         search=search,
         acceptance=_record(AcceptanceOptions, file.acceptance, f"{source}: [acceptance]"),
-        continuation=_record(ContinuationOptions, file.continuation, f"{source}: [continuation]"),
+        continuation=_record(
+            ContinuationOptions, file.continuation, f"{source}: [continuation]", asdict(IN_SWEEPS)
+        ),
+        special_points=file.special_points,
     )
     config._loaded = model
     return config
 
 
-def _record(cls: type[_Options], values: Mapping[str, Any], where: str) -> _Options:
-    """A record of options from its table."""
+def _record(
+    cls: type[_Options], values: Mapping[str, Any], where: str, usual: Mapping[str, Any] | None = None
+) -> _Options:
+    """A record of options from its table; what that leaves out is as usual."""
     try:
-        return cls.from_mapping(values)
+        return cls.from_mapping({**(usual or {}), **values})
     except InputError as error:
         raise InputError(f"{where} {error}") from None
 

@@ -72,6 +72,7 @@ class _Configuration(BaseModel):
     search: dict[Word, Setting]
     acceptance: dict[Word, Setting] = {}
     continuation: dict[Word, Setting] = {}
+    special_points: bool = True
 
 
 class _Provenance(BaseModel):

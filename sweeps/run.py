@@ -232,6 +232,7 @@ class _Run:
             search=self.options,
             acceptance=self.config.acceptance,
             continuation=self.config.continuation,
+            special_points=self.config.special_points,
             backend=self.backend,
             round=round_,
             tile=tile,

@@ -23,7 +23,7 @@ from stridemap.solver.branches.switching import doubled, supercritical
 from stridemap.solver.cycles.chain import Chain
 from stridemap.solver.kernels.catalogue import CYCLE_N_RK
 from stridemap.solver.kernels.resolution import Resolution
-from stridemap.solver.options import ArclengthOptions
+from stridemap.solver.options import ContinuationOptions
 from stridemap.sweeps import changes
 from stridemap.sweeps.changes import Stretches, cycles, sides, sides_of_guesses
 
@@ -256,7 +256,7 @@ class _Piece:
         """Locate bifurcations, and enter them, but for those that were met on another stretch."""
         if not self.differ[[changes.FOLD, changes.BP, changes.UNSTABLE]].any() or self._is_explained_by(met):
             return
-        options = ArclengthOptions()
+        options = ContinuationOptions()
         specials = [s for _, s in special_points(self.curve, [self.one, self.other], options)]
         self._lost += self._missing({special.type for special in specials})
         met += [_Met(special.type, special.x, special.slope) for special in specials]
@@ -264,7 +264,7 @@ class _Piece:
 
     def end_searches(self) -> Iterator[Search]:
         """Searches for where limit cycles end or begin, and for where a foot leaves the ground."""
-        options, points = ArclengthOptions(), [self.one, self.other]
+        options, points = ContinuationOptions(), [self.one, self.other]
         if self.differ[changes.CYCLE]:
             others = dict(self.held)
             del others[GaitEnd.CONTACT]
@@ -364,7 +364,7 @@ class _Piece:
         return [str(kind) for kind in must if kind in crossed]
 
     def _bifurcation(
-        self, special: Special, options: ArclengthOptions
+        self, special: Special, options: ContinuationOptions
     ) -> Iterator[tuple[float, str, Floats, dict[str, Any]]]:
         """A bifurcation, if it is one of a limit cycle."""
         n_rk = max(self.one.n_rk, self.other.n_rk)
@@ -392,7 +392,7 @@ class _Piece:
         }
         yield self._along(special.x), str(special.type), special.x, values
 
-    def _criticality(self, special: Special, options: ArclengthOptions) -> str | None:
+    def _criticality(self, special: Special, options: ContinuationOptions) -> str | None:
         if special.type != SpecialType.PD:
             return None
         switched = doubled(self.curve, special, options)

@@ -27,6 +27,8 @@ class Task:
     params : dict of str to float
         Parameters that are not on an axis of the grid.
     search, acceptance, continuation : SearchOptions, AcceptanceOptions, ContinuationOptions
+    special_points : bool
+        Whether they are located.
     backend : Backend
         What runs the kernels.
     round, tile : int
@@ -48,6 +50,7 @@ class Task:
     search: SearchOptions
     acceptance: AcceptanceOptions
     continuation: ContinuationOptions
+    special_points: bool
     backend: Backend
     round: int
     tile: int

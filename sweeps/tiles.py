@@ -155,7 +155,7 @@ class _Search:
 
     def special(self) -> list[SpecialPoint]:
         """Special points on what was followed along lines."""
-        if not self._followed or not self.task.continuation.special_points:
+        if not self._followed or not self.task.special_points:
             return []
         grid, axis = self.task.grid, self.task.grid.longest_axis
         conditions = GaitConditions(self.solver.kernels, None, self.task.search.period_range)

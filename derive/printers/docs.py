@@ -4,7 +4,7 @@ from collections.abc import Iterable
 
 from stridemap.derive.declaration import Declaration
 from stridemap.derive.motors import record
-from stridemap.derive.printers.c import banner, signature
+from stridemap.derive.printers.c import REAL, banner, signature
 from stridemap.derive.printers.printer import Equations
 from stridemap.derive.program import Program
 
@@ -24,10 +24,10 @@ def example(equations: Equations) -> str:
     names = ", ".join(a.name for a in walker.parameters)
     parameters = [
         f"    /* the preset: {names} */",
-        f"    const double p[{len(walker.parameters)}] = {{{preset}}};",
+        f"    const {REAL} p[{len(walker.parameters)}] = {{{preset}}};",
     ]
     if not walker.parameters:
-        parameters = ["    const double *p = 0; /* there are no parameters */"]
+        parameters = [f"    const {REAL} *p = 0; /* there are no parameters */"]
     start = [_inside(walker.search_box[s]) for s in walker.section_names]
 
     def call(function: str, *outputs: str) -> str:
@@ -48,10 +48,10 @@ def example(equations: Equations) -> str:
         *parameters,
         *_torques_of_example(walker),
         f"    /* a state just after touchdown: {', '.join(walker.section_names)} */",
-        f"    const double z[{len(walker.section_names)}] = {{{', '.join(f'{v:g}' for v in start)}}};",
-        "    const double t = 0.0, dt = 1e-3;",
-        f"    double q[{n}], v[{n}], M[{n * n}], dq[{n}], dv[{n}], kinetic[1], potential[1];",
-        f"    double force[2], q_plus[{n}], v_plus[{n}];",
+        f"    const {REAL} z[{len(walker.section_names)}] = {{{', '.join(f'{v:g}' for v in start)}}};",
+        f"    const {REAL} t = 0, dt = 1e-3;",
+        f"    {REAL} q[{n}], v[{n}], M[{n * n}], dq[{n}], dv[{n}], kinetic[1], potential[1];",
+        f"    {REAL} force[2], q_plus[{n}], v_plus[{n}];",
         "    int i, j;",
         "",
         call("section_state", "q", "v"),
@@ -89,9 +89,9 @@ def example(equations: Equations) -> str:
 
 def _torques_of_example(walker: Declaration) -> list[str]:
     if not walker.actuators:
-        return ["    const double *u = 0; /* there are no motors */"]
+        return [f"    const {REAL} *u = 0; /* there are no motors */"]
     # Only functions of given torques read them.
-    return [f"    const double u[{len(walker.actuators)}] = {{0.0}};"]
+    return [f"    const {REAL} u[{len(walker.actuators)}] = {{0}};"]
 
 
 def readme(equations: Equations) -> str:

@@ -12,6 +12,7 @@ import sympy as sp
 
 from stridemap.derive.declaration import Declaration
 from stridemap.derive.parts import STANCE_FOOT
+from stridemap.derive.trials import compiled
 from stridemap.derive.validate.mechanics import TOLERANCE, touchdowns
 from stridemap.derive.validate.refusal import refuse
 
@@ -97,11 +98,11 @@ def _moved(walker: Declaration) -> dict[sp.Symbol, float]:
 def _feet(walker: Declaration, values: Values) -> list[tuple[float, float]]:
     """Where the swing foot is from the stance foot, at some touchdowns."""
     places = dict(zip(STANCE_FOOT, walker.stance, strict=True))
-    foot = (sp.Matrix(walker.swing_foot).subs(places) - walker.stance).subs(values)
+    foot = compiled(walker, sp.Matrix(walker.swing_foot).subs(places) - walker.stance)
     feet = []
     for before in islice(touchdowns(walker, values), TOUCHDOWNS if walker.rise == 0 else None):
         try:
-            x, y = (float(e.subs(before).evalf()) for e in foot)
+            x, y = map(float, foot({**values, **before}))
         except TypeError:
             continue
         feet.append((x, y))

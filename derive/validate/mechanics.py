@@ -4,14 +4,16 @@ Whether the mass matrix has an inverse and whether relabelling, touchdown and se
 at some points, with the parameters' defaults.
 """
 
-from collections.abc import Iterator, Mapping
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import islice
 
 import mpmath
 import sympy as sp
 
 from stridemap.derive.declaration import Declaration
 from stridemap.derive.parts import STANCE_FOOT
-from stridemap.derive.trials import trial_points
+from stridemap.derive.trials import compiled, trial_points
 from stridemap.derive.validate.refusal import refuse
 
 TOLERANCE = 1e-9
@@ -70,7 +72,6 @@ def _masses(walker: Declaration, values: Mapping[sp.Symbol, float]) -> None:
 def _inertia(walker: Declaration, values: Mapping[sp.Symbol, float]) -> None:
     """Every coordinate moves a mass, and no two move all of them alike."""
     q = list(walker.q)
-    massless = walker.massless
     parts = [(body.mass, _on_stance(walker, body.position).jacobian(q)) for body in walker.bodies]
     parts += [(body.inertia, sp.Matrix([body.angle]).jacobian(q)) for body in walker.bodies]
     for j, coordinate in enumerate(walker.coordinates):
@@ -81,14 +82,14 @@ def _inertia(walker: Declaration, values: Mapping[sp.Symbol, float]) -> None:
                 f"the coordinate {coordinate.name} has no inertia: no body moves with it; give a body that "
                 "does a mass, or take the coordinate out",
             )
-    if massless is not None:
-        values = {**values, massless.mass: 0.1}
-    known = [(sp.sympify(mass).subs(values).evalf(), jacobian.subs(values)) for mass, jacobian in parts]
+    entries = [e for mass, jacobian in parts for e in (mass, *jacobian)]
+    at = compiled(walker, entries)
     phase = walker.coordinates.index(walker.phase) if walker.phase else None
     for position in trial_points(walker, values):
-        matrix = mpmath.zeros(len(q))
-        for mass, jacobian in known:
-            rows = mpmath.matrix(jacobian.subs(position).evalf().tolist())
+        matrix, numbers = mpmath.zeros(len(q)), iter(at({**values, **position}))
+        for _, jacobian in parts:
+            mass = next(numbers)
+            rows = mpmath.matrix([list(islice(numbers, jacobian.cols)) for _ in range(jacobian.rows)])
             matrix += mpmath.mpf(mass) * (rows.T * rows)
         if phase is not None:
             matrix[phase, phase] += 1
@@ -151,24 +152,27 @@ def _zeros(
     Found by Newton's method along the condition's gradient.
     """
     q = list(walker.q)
-    guard, region = walker.guard.subs(values), walker.touchdown.region.subs(values)
-    condition = sp.lambdify(q, guard, "mpmath")
-    gradient = sp.lambdify(q, list(sp.Matrix([guard]).jacobian(q)), "mpmath")
-    side = sp.lambdify(q, region, "mpmath")
-    back = _before(walker)
+    gradient = sp.Matrix([walker.guard]).jacobian(q)
+    condition = compiled(walker, [walker.guard, *gradient])
+    side = compiled(walker, [walker.touchdown.region])
+    back = compiled(walker, _before(walker))
     for after in trial_points(walker, values):
         # Starts lie around the state just after touchdown; before it, the legs had each other's names.
-        position = [float(e.subs({**values, **after}).evalf()) for e in back]
         try:
+            position = [float(x) for x in back({**values, **after})]
             for _ in range(60):
-                slope = gradient(*position)
-                step = condition(*position) / sum(s * s for s in slope)
-                position = [x - step * s for x, s in zip(position, slope, strict=True)]
-            found, admissible = abs(condition(*position)) < 1e-12, bool(side(*position) < 0)
+                now = position
+                rest, *slope = condition({**values, **dict(zip(q, now, strict=True))})
+                step = rest / sum(s * s for s in slope)
+                position = [x - step * s for x, s in zip(now, slope, strict=True)]
+                if position == now:
+                    break
+            there = {**values, **dict(zip(q, map(float, position), strict=True))}
+            found, admissible = abs(condition(there)[0]) < 1e-12, bool(side(there)[0] < 0)
         except (ZeroDivisionError, ValueError, OverflowError, TypeError):  # the last: complex numbers
             continue
         if found:
-            yield dict(zip(q, position, strict=True)), admissible
+            yield {s: there[s] for s in q}, admissible
 
 
 def _before(walker: Declaration) -> list[sp.Expr]:
@@ -181,29 +185,28 @@ def _before(walker: Declaration) -> list[sp.Expr]:
 def _after_touchdown(walker: Declaration, values: Mapping[sp.Symbol, float]) -> None:
     """The condition, and what the section fixes of the coordinates, hold just after touchdown."""
     found = False
-    # Parameters are put in once and coordinates at every position, which takes a fraction of the time.
-    guard, (centre, foot) = walker.guard.subs(values), (m.subs(values) for m in _centre_and_foot(walker))
+    fixed = {s: e for s, e in walker.section.items() if s in set(walker.q)}
+    relabelled = compiled(walker, walker.relabel.values())
+    at = compiled(walker, [walker.guard, *_centre_and_foot(walker), *fixed.values()])
     for before in touchdowns(walker, values):
         found = True
         everything = {**values, **before}
-        after = {s: float(sp.sympify(e).subs(everything).evalf()) for s, e in walker.relabel.items()}
-        rest = float(guard.subs(after).evalf())
-        if abs(rest) > TOLERANCE:
+        after = dict(zip(walker.relabel, map(float, relabelled(everything)), strict=True))
+        was, now = ([float(x) for x in at({**values, **position})] for position in (before, after))
+        if abs(now[0]) > TOLERANCE:
             refuse(
                 walker,
-                f"the touchdown's condition is {rest:.6g} just after touchdown and must be zero, because the "
-                f"old stance foot is still on the ground; {_condition_remedy(walker, everything, after)}",
+                f"the touchdown's condition is {now[0]:.6g} just after touchdown and must be zero, because "
+                f"the old stance foot is still on the ground; {_condition_remedy(walker, everything, after)}",
             )
-        _same_position(walker, centre, foot, before, after)
-        for symbol, value in walker.section.items():
-            if symbol in after:
-                wanted = float(sp.sympify(value).subs({**values, **after}).evalf())
-                if abs(after[symbol] - wanted) > TOLERANCE:
-                    refuse(
-                        walker,
-                        f"section fixes {symbol} = {value}, but just after touchdown {symbol} can be "
-                        f"{after[symbol]:.6g} where that is {wanted:.6g}; correct it or leave {symbol} free",
-                    )
+        _same_position(walker, was[1:5], now[1:5])
+        for (symbol, value), wanted in zip(fixed.items(), now[5:], strict=True):
+            if abs(after[symbol] - wanted) > TOLERANCE:
+                refuse(
+                    walker,
+                    f"section fixes {symbol} = {value}, but just after touchdown {symbol} can be "
+                    f"{after[symbol]:.6g} where that is {wanted:.6g}; correct it or leave {symbol} free",
+                )
     if not found:
         if next(_zeros(walker, values), None) is None:
             refuse(
@@ -233,28 +236,22 @@ def _condition_remedy(
     return "write a condition that is zero with both feet on the ground, whichever is in front"
 
 
-def _centre_and_foot(walker: Declaration) -> tuple[sp.Matrix, sp.Matrix]:
-    """Centre of mass and swing foot, from the stance foot."""
+def _centre_and_foot(walker: Declaration) -> list[sp.Expr]:
+    """Centre of mass and swing foot, from the stance foot: x and y of each."""
     mass = sum(body.mass for body in walker.bodies)
     centre = sum((body.mass * body.position for body in walker.bodies), sp.zeros(2, 1)) / mass
-    if walker.massless is not None:
-        centre = centre.subs(walker.massless.mass, 0.1)
     origin = dict.fromkeys(STANCE_FOOT, 0)
-    return centre.subs(origin), sp.Matrix(walker.swing_foot).subs(origin)
+    return [*centre.subs(origin), *sp.Matrix(walker.swing_foot).subs(origin)]
 
 
-def _same_position(
-    walker: Declaration,
-    centre: sp.Matrix,
-    foot: sp.Matrix,
-    before: Mapping[sp.Symbol, float],
-    after: Mapping[sp.Symbol, float],
-) -> None:
-    """The centre of mass stays where it is when the legs swap names and the other foot is the stance foot."""
-    was, landed = (m.subs(before) for m in (centre, foot))
-    now = landed + centre.subs(after)
-    moved = float((now - was).evalf().norm())
-    if moved > TOLERANCE * (1 + float(was.evalf().norm())):
+def _same_position(walker: Declaration, before: Sequence[float], after: Sequence[float]) -> None:
+    """The centre of mass stays where it is when the legs swap names and the other foot is the stance foot.
+
+    Both are centre of mass and swing foot, as `_centre_and_foot` has them.
+    """
+    x, y, landed_x, landed_y = before
+    moved = math.hypot(landed_x + after[0] - x, landed_y + after[1] - y)
+    if moved > TOLERANCE * (1 + math.hypot(x, y)):
         refuse(
             walker,
             f"swapping the legs moves the centre of mass by {moved:.6g}: the coordinates in relabel do not "

@@ -16,9 +16,11 @@ from stridemap.derive.parts import (
     Coordinate,
     Parameter,
 )
+from stridemap.derive.terms import Term
 from stridemap.derive.validate.refusal import refuse
 from stridemap.derive.validate.reserved import FILES, better, in_code, meaning
 from stridemap.derive.validate.smooth import validate_smooth
+from stridemap.errors import short
 from stridemap.quantities import KINDS
 from stridemap.spec import REDUCTIONS
 from stridemap.words import ATTRIBUTES
@@ -269,6 +271,13 @@ def _symbols(walker: Declaration) -> None:
         "spring_mode": parameters,
         "expression": parameters | q | v | {TIME},
     }
+    damping = walker.dissipation
+    if damping != 0 and not damping.has(Term) and not damping.free_symbols & v:
+        refuse(
+            walker,
+            f"the dissipation {short(damping)} has no rate in it, so it damps nothing; write half the "
+            "power that is lost, such as c * rate**2 / 2, or leave it out",
+        )
     checked = []
     for what, value in _scalars(walker):
         kind = next(k for k in allowed if what.removeprefix("the ").startswith(k))

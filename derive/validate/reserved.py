@@ -18,7 +18,11 @@ C = frozenset(
     "constinit const_cast decltype delete dynamic_cast explicit export false friend mutable namespace new "
     "noexcept not_eq nullptr operator or_eq private protected public reinterpret_cast requires "
     "static_assert static_cast template this thread_local throw true try typeid typename using virtual "
-    "wchar_t xor xor_eq and_eq "
+    "wchar_t xor xor_eq and_eq char8_t char16_t char32_t co_await co_return co_yield "
+    # macros that compilers define unless they are told -std=c99
+    "linux unix i386 "
+    # the type of numbers in the generated C, and the switch of its precision
+    "stridemap_real STRIDEMAP_FLOAT "
     # math.h and complex.h
     "acos acosh asin asinh atan atan2 atanh cbrt ceil copysign cos cosh erf erfc exp exp2 expm1 fabs fdim "
     "floor fma fmax fmin fmod frexp hypot ilogb isfinite isinf isnan isnormal ldexp lgamma log log10 "

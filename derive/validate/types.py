@@ -17,8 +17,10 @@ import sympy as sp
 from sympy.concrete.expr_with_limits import ExprWithLimits
 from sympy.core.function import AppliedUndef
 
+from stridemap.derive import given
 from stridemap.derive.declaration import Declaration
 from stridemap.derive.parts import Coordinate, Parameter
+from stridemap.derive.terms import terms_in
 from stridemap.derive.validate.refusal import refuse
 from stridemap.errors import short as shown
 
@@ -86,6 +88,8 @@ def _check(walker: Declaration, where: str, value: Any, annotation: Any) -> None
                     f"{where} is {shown(value)}, which is not made of numbers, symbols and functions alone; "
                     "carry out what stands in it (.doit()), or write it out",
                 )
+            if any(map(given.is_out_of_range, [value, *(t.definition for t in terms_in(_entries(value)))])):
+                refuse(walker, f"{where} has {given.OUT_OF_RANGE}")
             if value.has(sp.nan, sp.oo, -sp.oo, sp.zoo):
                 refuse(walker, f"{where} is {shown(value)}, which is not finite; correct it")
 
@@ -148,6 +152,10 @@ def _is_number(value: Any) -> bool:
         return not math.isnan(float(value))
     except OverflowError:
         return False
+
+
+def _entries(value: sp.Basic | sp.MatrixBase) -> list[sp.Basic]:
+    return list(value) if isinstance(value, sp.MatrixBase) else [value]
 
 
 def _is_expression(value: Any) -> bool:

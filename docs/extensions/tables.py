@@ -1,5 +1,6 @@
 """Tables that are made from the source: what rooms there are, and what words a record of options has."""
 
+import functools
 import importlib
 from dataclasses import fields
 from pathlib import Path
@@ -18,9 +19,10 @@ class Options(SphinxDirective):
     required_arguments = 1
 
     def run(self):
-        home, _, name = self.arguments[0].rpartition(".")
-        record = getattr(importlib.import_module(home), name)
-        defaults = {one.name: one.default for one in fields(record)}
+        home, *names = self.arguments[0].split(".")
+        found = functools.reduce(named, names, importlib.import_module(home))
+        record = found if isinstance(found, type) else type(found)  # or what a class has by default
+        defaults = {one.name: getattr(found, one.name) for one in fields(record)}
         rows = []
         for entry in ClassDoc(record)["Parameters"]:
             names = entry.name.split(", ")
@@ -28,7 +30,7 @@ class Options(SphinxDirective):
             code = text(", ".join(f"`{name}`" for name in names))
             rows.append((code, text(" ".join(entry.desc)), text(values)))
         if defaults:
-            raise self.error(f"{name} does not document {', '.join(defaults)}")
+            raise self.error(f"{record.__name__} does not document {', '.join(defaults)}")
         return [table(("word", "meaning", "default"), rows)]
 
 
@@ -48,6 +50,12 @@ class Rooms(SphinxDirective):
             for room in sorted(graph.rooms, key=lambda r: (-levels[r], r))
         ]
         return [table(("room", "files", "lines", "imports"), rows)]
+
+
+def named(owner, name):
+    """What an owner has by a name, or by default under it."""
+    usual = getattr(owner, "model_fields", {}).get(name)
+    return getattr(owner, name) if usual is None else usual.default
 
 
 def shown(value):

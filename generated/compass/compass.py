@@ -81,7 +81,7 @@ def state_derivative(xp, t, q, v, p):
     """Time derivative of the state in the swing phase.
 
     Source: Kamimura & Sano 2023, eq. (1).
-    51 operations.
+    52 operations.
     """
     theta1 = q[0]
     theta2 = q[1]
@@ -102,7 +102,7 @@ def state_derivative(xp, t, q, v, p):
     s_theta1 = xp.sin(theta1)
     s_theta2 = xp.sin(theta2)
     s_theta1_minus_theta2 = xp.sin(theta1 - theta2)
-    force_1 = beta*dtheta2*s_theta2*(dtheta2 - 2*dtheta1) + beta*(s_theta1 - s_theta1_minus_theta2) + s_theta1
+    force_1 = beta*dtheta2*s_theta2*(dtheta2 - 2*dtheta1) - beta*s_theta1_minus_theta2 + s_theta1*(beta + 1)
     c_omega_t = xp.cos(omega*t)
     s_omega_t = xp.sin(omega*t)
     torque = -Kd*(dtheta2 + gamma*omega*s_omega_t) - Kp*(S - gamma*(c_omega_t + 1) + theta2)
@@ -146,11 +146,11 @@ def state_derivative_dq(xp, t, q, v, p):
     d1_f2 = r1_2 - M_L21*r1_1
     d1_2 = d1_f2*t2
     d1_1 = r1_1*t1 - M_L21*d1_2
-    t3 = dtheta2*(2*dtheta1 - dtheta2)
+    t3 = dtheta2*(dtheta2 - 2*dtheta1)
     s_theta1 = xp.sin(theta1)
     s_theta2 = xp.sin(theta2)
     s_theta1_minus_theta2 = xp.sin(theta1 - theta2)
-    force_1 = beta*(s_theta1 - s_theta1_minus_theta2) - beta*s_theta2*t3 + s_theta1
+    force_1 = beta*s_theta2*t3 - beta*s_theta1_minus_theta2 + s_theta1*(beta + 1)
     c_omega_t = xp.cos(omega*t)
     s_omega_t = xp.sin(omega*t)
     torque = -Kd*(dtheta2 + gamma*omega*s_omega_t) - Kp*(S - gamma*(c_omega_t + 1) + theta2)
@@ -158,7 +158,7 @@ def state_derivative_dq(xp, t, q, v, p):
     acc_f2 = force_2 - M_L21*force_1
     acc_2 = acc_f2*t2
     acc_1 = force_1*t1 - M_L21*acc_2
-    r2_1 = beta*(acc_2*s_theta2 - 2*acc_1*s_theta2 + c_theta1_minus_theta2 - c_theta2*t3)
+    r2_1 = beta*(c_theta1_minus_theta2 + c_theta2*t3 + s_theta2*(acc_2 - 2*acc_1))
     r2_2 = beta*(acc_1*s_theta2 - c_theta1_minus_theta2 + c_theta2*dtheta1*dtheta1) - Kp
     d2_f2 = r2_2 - M_L21*r2_1
     d2_2 = d2_f2*t2
@@ -206,7 +206,7 @@ def forward_dynamics(xp, q, v, u, p):
     """Accelerations for given torques of the motors.
 
     Source: Kamimura & Sano 2023, eq. (1) with the torques u in Q.
-    36 operations.
+    37 operations.
     """
     theta1 = q[0]
     theta2 = q[1]
@@ -223,7 +223,7 @@ def forward_dynamics(xp, q, v, u, p):
     s_theta1 = xp.sin(theta1)
     s_theta2 = xp.sin(theta2)
     s_theta1_minus_theta2 = xp.sin(theta1 - theta2)
-    force_1 = beta*dtheta2*s_theta2*(dtheta2 - 2*dtheta1) + beta*(s_theta1 - s_theta1_minus_theta2) + s_theta1
+    force_1 = beta*dtheta2*s_theta2*(dtheta2 - 2*dtheta1) - beta*s_theta1_minus_theta2 + s_theta1*(beta + 1)
     force_2 = beta*(dtheta1*dtheta1*s_theta2 + s_theta1_minus_theta2) + u_theta2
     acc_f2 = force_2 - M_L21*force_1
     acc_2 = acc_f2/M_D2
@@ -259,16 +259,16 @@ def forward_dynamics_dq(xp, q, v, u, p):
     d1_f2 = r1_2 - M_L21*r1_1
     d1_2 = d1_f2*t2
     d1_1 = r1_1*t1 - M_L21*d1_2
-    t3 = dtheta2*(2*dtheta1 - dtheta2)
+    t3 = dtheta2*(dtheta2 - 2*dtheta1)
     s_theta1 = xp.sin(theta1)
     s_theta2 = xp.sin(theta2)
     s_theta1_minus_theta2 = xp.sin(theta1 - theta2)
-    force_1 = beta*(s_theta1 - s_theta1_minus_theta2) - beta*s_theta2*t3 + s_theta1
+    force_1 = beta*s_theta2*t3 - beta*s_theta1_minus_theta2 + s_theta1*(beta + 1)
     force_2 = beta*(dtheta1*dtheta1*s_theta2 + s_theta1_minus_theta2) + u_theta2
     acc_f2 = force_2 - M_L21*force_1
     acc_2 = acc_f2*t2
     acc_1 = force_1*t1 - M_L21*acc_2
-    r2_1 = beta*(acc_2*s_theta2 - 2*acc_1*s_theta2 + c_theta1_minus_theta2 - c_theta2*t3)
+    r2_1 = beta*(c_theta1_minus_theta2 + c_theta2*t3 + s_theta2*(acc_2 - 2*acc_1))
     r2_2 = beta*(acc_1*s_theta2 - c_theta1_minus_theta2 + c_theta2*dtheta1*dtheta1)
     d2_f2 = r2_2 - M_L21*r2_1
     d2_2 = d2_f2*t2
@@ -335,7 +335,7 @@ def forward_dynamics_dp(xp, q, v, u, p):
     """Derivative with respect to p of the accelerations for given torques.
 
     Source: Kamimura & Sano 2023, eq. (1) with the torques u in Q, differentiated.
-    59 operations.
+    62 operations.
     """
     theta1 = q[0]
     theta2 = q[1]
@@ -350,16 +350,16 @@ def forward_dynamics_dp(xp, q, v, u, p):
     M_L21 = M_12*t1
     M_D2 = beta - M_11*M_L21*M_L21
     t2 = 1/M_D2
-    s_theta2 = xp.sin(theta2)
-    t3 = dtheta2*s_theta2*(2*dtheta1 - dtheta2)
+    t3 = 2*dtheta1 - dtheta2
     s_theta1 = xp.sin(theta1)
+    s_theta2 = xp.sin(theta2)
     s_theta1_minus_theta2 = xp.sin(theta1 - theta2)
-    force_1 = beta*(s_theta1 - s_theta1_minus_theta2) - beta*t3 + s_theta1
+    force_1 = s_theta1*(beta + 1) - beta*dtheta2*s_theta2*t3 - beta*s_theta1_minus_theta2
     force_2 = beta*(dtheta1*dtheta1*s_theta2 + s_theta1_minus_theta2) + u_theta2
     acc_f2 = force_2 - M_L21*force_1
     acc_2 = acc_f2*t2
     acc_1 = force_1*t1 - M_L21*acc_2
-    r2_1 = acc_1*(2*c_theta2 - 2) + acc_2*(1 - c_theta2) + s_theta1 - s_theta1_minus_theta2 - t3
+    r2_1 = acc_1*(2*c_theta2 - 2) + acc_2*(1 - c_theta2) - dtheta2*s_theta2*t3 + s_theta1 - s_theta1_minus_theta2
     r2_2 = acc_1*(1 - c_theta2) - acc_2 + dtheta1*dtheta1*s_theta2 + s_theta1_minus_theta2
     d2_f2 = r2_2 - M_L21*r2_1
     d2_2 = d2_f2*t2
@@ -484,7 +484,7 @@ def impact_impulse(xp, q, v, p):
     """Impulse of the ground at touchdown.
 
     Source: plastic impact: Me (v+ - v-) = J^T Lambda, J v+ = 0, projected on the velocities with J v = 0.
-    51 operations.
+    40 operations.
     """
     theta1 = q[0]
     theta2 = q[1]
@@ -501,14 +501,15 @@ def impact_impulse(xp, q, v, p):
     after_f2 = -A_L21*momentum_1
     after_2 = after_f2/A_D2
     after_1 = momentum_1*t1 - A_L21*after_2
+    t2 = after_1*beta + beta*dtheta1
+    t3 = dtheta1 - after_2*beta + t2
+    t4 = beta*dtheta2 - after_1 - t2
     c_theta1 = xp.cos(theta1)
     c_theta1_minus_theta2 = xp.cos(theta1 - theta2)
-    t2 = c_theta1*dtheta1 - after_1*c_theta1_minus_theta2
     s_theta1 = xp.sin(theta1)
     s_theta1_minus_theta2 = xp.sin(theta1 - theta2)
-    t3 = dtheta1*s_theta1 - after_1*s_theta1_minus_theta2
     return {
-        "Lambda": [beta*(after_1*c_theta1 - after_2*c_theta1 - c_theta1_minus_theta2*dtheta1 + c_theta1_minus_theta2*dtheta2 + t2) + t2, beta*(after_1*s_theta1 - after_2*s_theta1 - dtheta1*s_theta1_minus_theta2 + dtheta2*s_theta1_minus_theta2 + t3) + t3],
+        "Lambda": [c_theta1*t3 + c_theta1_minus_theta2*t4, s_theta1*t3 + s_theta1_minus_theta2*t4],
     }
 
 
@@ -564,7 +565,7 @@ def centre_of_mass(xp, q, v, p):
     """Centre of mass of the whole walker.
 
     Source: mass-weighted mean.
-    30 operations.
+    29 operations.
     """
     theta1 = q[0]
     theta2 = q[1]
@@ -574,12 +575,13 @@ def centre_of_mass(xp, q, v, p):
     t1 = 1/(2*beta + 1)
     s_theta1 = xp.sin(theta1)
     s_theta1_minus_theta2 = xp.sin(theta1 - theta2)
-    t2 = beta*(s_theta1_minus_theta2 - s_theta1) - s_theta1
     c_theta1 = xp.cos(theta1)
     c_theta1_minus_theta2 = xp.cos(theta1 - theta2)
+    t2 = dtheta1*(beta + 1)
+    t3 = beta*(dtheta1 - dtheta2)
     return {
-        "com": [t1*t2, t1*(beta*(c_theta1 - c_theta1_minus_theta2) + c_theta1)],
-        "dcom": [t1*(dtheta1*(beta*(c_theta1_minus_theta2 - c_theta1) - c_theta1) - beta*c_theta1_minus_theta2*dtheta2), t1*(dtheta1*t2 - beta*dtheta2*s_theta1_minus_theta2)],
+        "com": [t1*(beta*(s_theta1_minus_theta2 - s_theta1) - s_theta1), t1*(beta*(c_theta1 - c_theta1_minus_theta2) + c_theta1)],
+        "dcom": [t1*(c_theta1_minus_theta2*t3 - c_theta1*t2), t1*(s_theta1_minus_theta2*t3 - s_theta1*t2)],
     }
 
 
@@ -587,48 +589,7 @@ def ground_force(xp, t, q, v, p):
     """Force of the ground on the stance foot.
 
     Source: the two floating-base rows that hold the stance foot.
-    96 operations.
-    """
-    theta1 = q[0]
-    theta2 = q[1]
-    dtheta1 = v[0]
-    dtheta2 = v[1]
-    omega = p[0]
-    beta = p[1]
-    Kp = p[2]
-    Kd = p[3]
-    S = p[4]
-    gamma = p[5]
-    c_theta2 = xp.cos(theta2)
-    M_11 = 2*beta*(1 - c_theta2) + 1
-    t1 = 1/M_11
-    M_12 = beta*(c_theta2 - 1)
-    M_L21 = M_12*t1
-    M_D2 = beta - M_11*M_L21*M_L21
-    s_theta1 = xp.sin(theta1)
-    s_theta1_minus_theta2 = xp.sin(theta1 - theta2)
-    t2 = beta*(s_theta1_minus_theta2 - s_theta1) - s_theta1
-    s_theta2 = xp.sin(theta2)
-    force_1 = beta*dtheta2*s_theta2*(dtheta2 - 2*dtheta1) - t2
-    c_omega_t = xp.cos(omega*t)
-    s_omega_t = xp.sin(omega*t)
-    torque = -Kd*(dtheta2 + gamma*omega*s_omega_t) - Kp*(S - gamma*(c_omega_t + 1) + theta2)
-    force_2 = beta*(dtheta1*dtheta1*s_theta2 + s_theta1_minus_theta2) + torque
-    acc_f2 = force_2 - M_L21*force_1
-    acc_2 = acc_f2/M_D2
-    acc_1 = force_1*t1 - M_L21*acc_2
-    c_theta1 = xp.cos(theta1)
-    c_theta1_minus_theta2 = xp.cos(theta1 - theta2)
-    return {
-        "force": [acc_1*(beta*(c_theta1_minus_theta2 - c_theta1) - c_theta1) - acc_2*beta*c_theta1_minus_theta2 + beta*dtheta2*s_theta1_minus_theta2*(dtheta1 - dtheta2) + dtheta1*(beta*(dtheta1*(s_theta1 - s_theta1_minus_theta2) + dtheta2*s_theta1_minus_theta2) + dtheta1*s_theta1), acc_1*t2 - acc_2*beta*s_theta1_minus_theta2 + beta*c_theta1_minus_theta2*dtheta2*(dtheta2 - dtheta1) + 2*beta + dtheta1*(beta*(dtheta1*(c_theta1_minus_theta2 - c_theta1) - c_theta1_minus_theta2*dtheta2) - c_theta1*dtheta1) + 1],
-    }
-
-
-def zmp(xp, t, q, v, p):
-    """The paper's zero moment point, which leaves out the change of angular momentum.
-
-    Source: Kamimura & Sano 2023, eq. (6): p = x_g - x_g'' y_g / (1 + y_g'').
-    106 operations.
+    88 operations.
     """
     theta1 = q[0]
     theta2 = q[1]
@@ -641,14 +602,10 @@ def zmp(xp, t, q, v, p):
     S = p[4]
     gamma = p[5]
     s_theta1 = xp.sin(theta1)
-    s_theta1_minus_theta2 = xp.sin(theta1 - theta2)
-    t1 = beta*(s_theta1_minus_theta2 - s_theta1) - s_theta1
-    t2 = 2*beta + 1
-    t3 = 1/t2
-    com_1 = t1*t3
+    t1 = s_theta1*(beta + 1)
     c_theta1 = xp.cos(theta1)
-    c_theta1_minus_theta2 = xp.cos(theta1 - theta2)
-    com_2 = t3*(beta*(c_theta1 - c_theta1_minus_theta2) + c_theta1)
+    t2 = c_theta1*(beta + 1)
+    t3 = dtheta1*dtheta1 - 2*dtheta1*dtheta2 + dtheta2*dtheta2
     c_theta2 = xp.cos(theta2)
     M_11 = 2*beta*(1 - c_theta2) + 1
     t4 = 1/M_11
@@ -656,7 +613,8 @@ def zmp(xp, t, q, v, p):
     M_L21 = M_12*t4
     M_D2 = beta - M_11*M_L21*M_L21
     s_theta2 = xp.sin(theta2)
-    force_1 = beta*dtheta2*s_theta2*(dtheta2 - 2*dtheta1) - t1
+    s_theta1_minus_theta2 = xp.sin(theta1 - theta2)
+    force_1 = beta*dtheta2*s_theta2*(dtheta2 - 2*dtheta1) - beta*s_theta1_minus_theta2 + t1
     c_omega_t = xp.cos(omega*t)
     s_omega_t = xp.sin(omega*t)
     torque = -Kd*(dtheta2 + gamma*omega*s_omega_t) - Kp*(S - gamma*(c_omega_t + 1) + theta2)
@@ -664,8 +622,56 @@ def zmp(xp, t, q, v, p):
     acc_f2 = force_2 - M_L21*force_1
     acc_2 = acc_f2/M_D2
     acc_1 = force_1*t4 - M_L21*acc_2
-    ground_1 = acc_1*(beta*(c_theta1_minus_theta2 - c_theta1) - c_theta1) - acc_2*beta*c_theta1_minus_theta2 + beta*dtheta2*s_theta1_minus_theta2*(dtheta1 - dtheta2) + dtheta1*(beta*(dtheta1*(s_theta1 - s_theta1_minus_theta2) + dtheta2*s_theta1_minus_theta2) + dtheta1*s_theta1)
-    ground_2 = acc_1*t1 - acc_2*beta*s_theta1_minus_theta2 + beta*c_theta1_minus_theta2*dtheta2*(dtheta2 - dtheta1) + dtheta1*(beta*(dtheta1*(c_theta1_minus_theta2 - c_theta1) - c_theta1_minus_theta2*dtheta2) - c_theta1*dtheta1) + t2
+    c_theta1_minus_theta2 = xp.cos(theta1 - theta2)
+    return {
+        "force": [beta*c_theta1_minus_theta2*(acc_1 - acc_2) - acc_1*t2 - beta*s_theta1_minus_theta2*t3 + dtheta1*dtheta1*t1, beta*c_theta1_minus_theta2*t3 - acc_1*t1 + beta*s_theta1_minus_theta2*(acc_1 - acc_2) + 2*beta - dtheta1*dtheta1*t2 + 1],
+    }
+
+
+def zmp(xp, t, q, v, p):
+    """The paper's zero moment point, which leaves out the change of angular momentum.
+
+    Source: Kamimura & Sano 2023, eq. (6): p = x_g - x_g'' y_g / (1 + y_g'').
+    101 operations.
+    """
+    theta1 = q[0]
+    theta2 = q[1]
+    dtheta1 = v[0]
+    dtheta2 = v[1]
+    omega = p[0]
+    beta = p[1]
+    Kp = p[2]
+    Kd = p[3]
+    S = p[4]
+    gamma = p[5]
+    t1 = 2*beta + 1
+    t2 = 1/t1
+    s_theta1 = xp.sin(theta1)
+    s_theta1_minus_theta2 = xp.sin(theta1 - theta2)
+    com_1 = t2*(beta*(s_theta1_minus_theta2 - s_theta1) - s_theta1)
+    c_theta1 = xp.cos(theta1)
+    c_theta1_minus_theta2 = xp.cos(theta1 - theta2)
+    com_2 = t2*(beta*(c_theta1 - c_theta1_minus_theta2) + c_theta1)
+    t3 = s_theta1*(beta + 1)
+    t4 = c_theta1*(beta + 1)
+    t5 = dtheta1*dtheta1 - 2*dtheta1*dtheta2 + dtheta2*dtheta2
+    c_theta2 = xp.cos(theta2)
+    M_11 = 2*beta*(1 - c_theta2) + 1
+    t6 = 1/M_11
+    M_12 = beta*(c_theta2 - 1)
+    M_L21 = M_12*t6
+    M_D2 = beta - M_11*M_L21*M_L21
+    s_theta2 = xp.sin(theta2)
+    force_1 = beta*dtheta2*s_theta2*(dtheta2 - 2*dtheta1) - beta*s_theta1_minus_theta2 + t3
+    c_omega_t = xp.cos(omega*t)
+    s_omega_t = xp.sin(omega*t)
+    torque = -Kd*(dtheta2 + gamma*omega*s_omega_t) - Kp*(S - gamma*(c_omega_t + 1) + theta2)
+    force_2 = beta*(dtheta1*dtheta1*s_theta2 + s_theta1_minus_theta2) + torque
+    acc_f2 = force_2 - M_L21*force_1
+    acc_2 = acc_f2/M_D2
+    acc_1 = force_1*t6 - M_L21*acc_2
+    ground_1 = beta*c_theta1_minus_theta2*(acc_1 - acc_2) - acc_1*t4 - beta*s_theta1_minus_theta2*t5 + dtheta1*dtheta1*t3
+    ground_2 = beta*c_theta1_minus_theta2*t5 - acc_1*t3 + beta*s_theta1_minus_theta2*(acc_1 - acc_2) - dtheta1*dtheta1*t4 + t1
     point = com_1 - com_2*ground_1/ground_2
     return {
         "zmp": point,
@@ -702,7 +708,7 @@ def swing_foot(xp, q, v):
     c_theta1_minus_theta2 = xp.cos(theta1 - theta2)
     return {
         "foot": [s_theta1_minus_theta2 - s_theta1, c_theta1 - c_theta1_minus_theta2],
-        "dfoot": [dtheta1*(c_theta1_minus_theta2 - c_theta1) - c_theta1_minus_theta2*dtheta2, dtheta1*(s_theta1_minus_theta2 - s_theta1) - dtheta2*s_theta1_minus_theta2],
+        "dfoot": [c_theta1_minus_theta2*(dtheta1 - dtheta2) - c_theta1*dtheta1, s_theta1_minus_theta2*(dtheta1 - dtheta2) - dtheta1*s_theta1],
     }
 
 

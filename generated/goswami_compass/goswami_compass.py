@@ -11,16 +11,16 @@ def mass_matrix(xp, q, p):
     """Mass matrix of the swing phase.
 
     Source: M ddq + h + v = Q.
-    24 operations.
+    25 operations.
     """
     theta2 = q[1]
     mu = p[0]
     beta = p[1]
-    t1 = 1/((beta + 1)*(beta + 1))
+    t1 = 1/(beta + 1)
     c_theta2 = xp.cos(theta2)
-    M_11 = t1*(beta*beta*(mu - 2*c_theta2 + 2) + 2*beta*(mu - c_theta2 + 1) + mu + 2)
-    M_12 = beta*t1*(beta*(c_theta2 - 1) + c_theta2)
-    M_22 = beta*beta*t1
+    M_11 = 2*beta*beta/(beta*beta + 2*beta + 1) - 2*beta*t1*(c_theta2 + 1) + mu + 2
+    M_12 = beta*t1*(c_theta2 - beta*t1)
+    M_22 = beta*beta/((beta + 1)*(beta + 1))
     return {
         "M": [[M_11, M_12], [M_12, M_22]],
     }
@@ -30,7 +30,30 @@ def bias_forces(xp, q, v, p):
     """Bias forces of the swing phase.
 
     Source: M ddq + h + v = Q with v = v_gravity.
-    29 operations.
+    23 operations.
+    """
+    theta1 = q[0]
+    theta2 = q[1]
+    dtheta1 = v[0]
+    dtheta2 = v[1]
+    mu = p[0]
+    beta = p[1]
+    slope = p[2]
+    t1 = beta/(beta + 1)
+    s_theta2 = xp.sin(theta2)
+    s_slope_minus_theta1 = xp.sin(slope - theta1)
+    s_slope_minus_theta1_plus_theta2 = xp.sin(slope - theta1 + theta2)
+    return {
+        "h": [dtheta2*s_theta2*t1*(2*dtheta1 - dtheta2), -dtheta1*dtheta1*s_theta2*t1],
+        "v_gravity": [s_slope_minus_theta1*(mu - t1 + 2) - s_slope_minus_theta1_plus_theta2*t1, s_slope_minus_theta1_plus_theta2*t1],
+    }
+
+
+def state_derivative(xp, q, v, p):
+    """Time derivative of the state in the swing phase.
+
+    Source: M ddq + h + v = Q.
+    61 operations.
     """
     theta1 = q[0]
     theta2 = q[1]
@@ -40,43 +63,18 @@ def bias_forces(xp, q, v, p):
     beta = p[1]
     slope = p[2]
     t1 = 1/(beta + 1)
-    s_theta2 = xp.sin(theta2)
-    t2 = beta*s_theta2*t1
-    s_slope_minus_theta1 = xp.sin(slope - theta1)
-    s_slope_minus_theta1_plus_theta2 = xp.sin(slope - theta1 + theta2)
-    return {
-        "h": [dtheta2*t2*(2*dtheta1 - dtheta2), -dtheta1*dtheta1*t2],
-        "v_gravity": [t1*(beta*s_slope_minus_theta1 - beta*s_slope_minus_theta1_plus_theta2 + mu*s_slope_minus_theta1*(beta + 1) + 2*s_slope_minus_theta1), beta*s_slope_minus_theta1_plus_theta2*t1],
-    }
-
-
-def state_derivative(xp, q, v, p):
-    """Time derivative of the state in the swing phase.
-
-    Source: M ddq + h + v = Q.
-    65 operations.
-    """
-    theta1 = q[0]
-    theta2 = q[1]
-    dtheta1 = v[0]
-    dtheta2 = v[1]
-    mu = p[0]
-    beta = p[1]
-    slope = p[2]
-    t1 = 1/((beta + 1)*(beta + 1))
     c_theta2 = xp.cos(theta2)
-    M_11 = t1*(beta*beta*(mu - 2*c_theta2 + 2) + 2*beta*(mu - c_theta2 + 1) + mu + 2)
+    M_11 = 2*beta*beta/(beta*beta + 2*beta + 1) - 2*beta*t1*(c_theta2 + 1) + mu + 2
     t2 = 1/M_11
-    M_12 = beta*t1*(beta*(c_theta2 - 1) + c_theta2)
+    M_12 = beta*t1*(c_theta2 - beta*t1)
     M_L21 = M_12*t2
-    M_22 = beta*beta*t1
+    M_22 = beta*beta/((beta + 1)*(beta + 1))
     M_D2 = M_22 - M_11*M_L21*M_L21
-    t3 = 1/(beta + 1)
     s_theta2 = xp.sin(theta2)
     s_slope_minus_theta1 = xp.sin(slope - theta1)
     s_slope_minus_theta1_plus_theta2 = xp.sin(slope - theta1 + theta2)
-    force_1 = -t3*(beta*dtheta2*s_theta2*(2*dtheta1 - dtheta2) + beta*s_slope_minus_theta1 - beta*s_slope_minus_theta1_plus_theta2 + mu*s_slope_minus_theta1*(beta + 1) + 2*s_slope_minus_theta1)
-    force_2 = beta*t3*(dtheta1*dtheta1*s_theta2 - s_slope_minus_theta1_plus_theta2)
+    force_1 = beta*dtheta2*s_theta2*t1*(dtheta2 - 2*dtheta1) + beta*s_slope_minus_theta1_plus_theta2*t1 + s_slope_minus_theta1*(beta*t1 - mu - 2)
+    force_2 = beta*t1*(dtheta1*dtheta1*s_theta2 - s_slope_minus_theta1_plus_theta2)
     acc_f2 = force_2 - M_L21*force_1
     acc_2 = acc_f2/M_D2
     acc_1 = force_1*t2 - M_L21*acc_2
@@ -90,7 +88,7 @@ def state_derivative_dq(xp, q, v, p):
     """Derivative of the accelerations with respect to q.
 
     Source: M ddq + h + v = Q, differentiated: M d(dv) = d(Q - h - v) - dM dv.
-    109 operations.
+    98 operations.
     """
     theta1 = q[0]
     theta2 = q[1]
@@ -99,35 +97,34 @@ def state_derivative_dq(xp, q, v, p):
     mu = p[0]
     beta = p[1]
     slope = p[2]
-    t1 = 1/((beta + 1)*(beta + 1))
+    t1 = 1/(beta + 1)
     c_theta2 = xp.cos(theta2)
-    M_11 = t1*(beta*beta*(mu - 2*c_theta2 + 2) + 2*beta*(mu - c_theta2 + 1) + mu + 2)
+    M_11 = 2*beta*beta/(beta*beta + 2*beta + 1) - 2*beta*t1*(c_theta2 + 1) + mu + 2
     t2 = 1/M_11
-    M_22 = beta*beta*t1
-    M_12 = beta*t1*(beta*(c_theta2 - 1) + c_theta2)
+    M_22 = beta*beta/((beta + 1)*(beta + 1))
+    M_12 = beta*t1*(c_theta2 - beta*t1)
     M_L21 = M_12*t2
     M_D2 = M_22 - M_11*M_L21*M_L21
     t3 = 1/M_D2
-    t4 = 1/(beta + 1)
-    t5 = mu*(beta + 1)
-    c_slope_minus_theta1 = xp.cos(slope - theta1)
+    t4 = mu - beta*t1 + 2
     c_slope_minus_theta1_plus_theta2 = xp.cos(slope - theta1 + theta2)
-    r1_1 = t4*(beta*c_slope_minus_theta1 - beta*c_slope_minus_theta1_plus_theta2 + c_slope_minus_theta1*t5 + 2*c_slope_minus_theta1)
-    r1_2 = beta*c_slope_minus_theta1_plus_theta2*t4
+    r1_2 = beta*c_slope_minus_theta1_plus_theta2*t1
+    c_slope_minus_theta1 = xp.cos(slope - theta1)
+    r1_1 = c_slope_minus_theta1*t4 - r1_2
     d1_f2 = r1_2 - M_L21*r1_1
     d1_2 = d1_f2*t3
     d1_1 = r1_1*t2 - M_L21*d1_2
-    t6 = dtheta2*(2*dtheta1 - dtheta2)
+    t5 = dtheta2*(dtheta2 - 2*dtheta1)
     s_theta2 = xp.sin(theta2)
     s_slope_minus_theta1 = xp.sin(slope - theta1)
     s_slope_minus_theta1_plus_theta2 = xp.sin(slope - theta1 + theta2)
-    force_1 = -t4*(beta*s_slope_minus_theta1 - beta*s_slope_minus_theta1_plus_theta2 + beta*s_theta2*t6 + s_slope_minus_theta1*t5 + 2*s_slope_minus_theta1)
-    force_2 = beta*t4*(dtheta1*dtheta1*s_theta2 - s_slope_minus_theta1_plus_theta2)
+    force_1 = beta*s_slope_minus_theta1_plus_theta2*t1 + beta*s_theta2*t1*t5 - s_slope_minus_theta1*t4
+    force_2 = beta*t1*(dtheta1*dtheta1*s_theta2 - s_slope_minus_theta1_plus_theta2)
     acc_f2 = force_2 - M_L21*force_1
     acc_2 = acc_f2*t3
     acc_1 = force_1*t2 - M_L21*acc_2
-    r2_1 = beta*t4*(acc_2*s_theta2 - 2*acc_1*s_theta2 + c_slope_minus_theta1_plus_theta2 - c_theta2*t6)
-    r2_2 = beta*t4*(acc_1*s_theta2 - c_slope_minus_theta1_plus_theta2 + c_theta2*dtheta1*dtheta1)
+    r2_1 = beta*t1*(c_slope_minus_theta1_plus_theta2 + c_theta2*t5 + s_theta2*(acc_2 - 2*acc_1))
+    r2_2 = beta*t1*(acc_1*s_theta2 - c_slope_minus_theta1_plus_theta2 + c_theta2*dtheta1*dtheta1)
     d2_f2 = r2_2 - M_L21*r2_1
     d2_2 = d2_f2*t3
     d2_1 = r2_1*t2 - M_L21*d2_2
@@ -140,34 +137,33 @@ def state_derivative_dv(xp, q, v, p):
     """Derivative of the accelerations with respect to v.
 
     Source: M ddq + h + v = Q, differentiated: M d(dv) = d(Q - h - v) - dM dv.
-    57 operations.
+    52 operations.
     """
     theta2 = q[1]
     dtheta1 = v[0]
     dtheta2 = v[1]
     mu = p[0]
     beta = p[1]
-    t1 = 1/((beta + 1)*(beta + 1))
+    t1 = 1/(beta + 1)
+    t2 = 2*beta*t1
     c_theta2 = xp.cos(theta2)
-    M_11 = t1*(beta*beta*(mu - 2*c_theta2 + 2) + 2*beta*(mu - c_theta2 + 1) + mu + 2)
-    t2 = 1/M_11
-    M_22 = beta*beta*t1
-    M_12 = beta*t1*(beta*(c_theta2 - 1) + c_theta2)
-    M_L21 = M_12*t2
+    M_11 = 2*beta*beta/(beta*beta + 2*beta + 1) + mu - t2*(c_theta2 + 1) + 2
+    t3 = 1/M_11
+    M_22 = beta*beta/((beta + 1)*(beta + 1))
+    M_12 = beta*t1*(c_theta2 - beta*t1)
+    M_L21 = M_12*t3
     M_D2 = M_22 - M_11*M_L21*M_L21
-    t3 = 1/M_D2
-    t4 = 1/(beta + 1)
-    t5 = 2*beta*t4
+    t4 = 1/M_D2
     s_theta2 = xp.sin(theta2)
-    r1_1 = -dtheta2*s_theta2*t5
-    r1_2 = 2*beta*dtheta1*s_theta2*t4
+    r1_1 = -dtheta2*s_theta2*t2
+    r1_2 = dtheta1*s_theta2*t2
     d1_f2 = r1_2 - M_L21*r1_1
-    d1_2 = d1_f2*t3
-    d1_1 = r1_1*t2 - M_L21*d1_2
-    r2_1 = s_theta2*t5*(dtheta2 - dtheta1)
+    d1_2 = d1_f2*t4
+    d1_1 = r1_1*t3 - M_L21*d1_2
+    r2_1 = s_theta2*t2*(dtheta2 - dtheta1)
     d2_f2 = -M_L21*r2_1
-    d2_2 = d2_f2*t3
-    d2_1 = r2_1*t2 - M_L21*d2_2
+    d2_2 = d2_f2*t4
+    d2_1 = r2_1*t3 - M_L21*d2_2
     return {
         "dv_dv": [[d1_1, d2_1], [d1_2, d2_2]],
     }
@@ -177,7 +173,7 @@ def forward_dynamics(xp, q, v, p):
     """Accelerations for given torques of the motors.
 
     Source: M ddq + h + v = Q with the torques u in Q.
-    65 operations.
+    61 operations.
     """
     theta1 = q[0]
     theta2 = q[1]
@@ -186,20 +182,19 @@ def forward_dynamics(xp, q, v, p):
     mu = p[0]
     beta = p[1]
     slope = p[2]
-    t1 = 1/((beta + 1)*(beta + 1))
+    t1 = 1/(beta + 1)
     c_theta2 = xp.cos(theta2)
-    M_11 = t1*(beta*beta*(mu - 2*c_theta2 + 2) + 2*beta*(mu - c_theta2 + 1) + mu + 2)
+    M_11 = 2*beta*beta/(beta*beta + 2*beta + 1) - 2*beta*t1*(c_theta2 + 1) + mu + 2
     t2 = 1/M_11
-    M_12 = beta*t1*(beta*(c_theta2 - 1) + c_theta2)
+    M_12 = beta*t1*(c_theta2 - beta*t1)
     M_L21 = M_12*t2
-    M_22 = beta*beta*t1
+    M_22 = beta*beta/((beta + 1)*(beta + 1))
     M_D2 = M_22 - M_11*M_L21*M_L21
-    t3 = 1/(beta + 1)
     s_theta2 = xp.sin(theta2)
     s_slope_minus_theta1 = xp.sin(slope - theta1)
     s_slope_minus_theta1_plus_theta2 = xp.sin(slope - theta1 + theta2)
-    force_1 = -t3*(beta*dtheta2*s_theta2*(2*dtheta1 - dtheta2) + beta*s_slope_minus_theta1 - beta*s_slope_minus_theta1_plus_theta2 + mu*s_slope_minus_theta1*(beta + 1) + 2*s_slope_minus_theta1)
-    force_2 = beta*t3*(dtheta1*dtheta1*s_theta2 - s_slope_minus_theta1_plus_theta2)
+    force_1 = beta*dtheta2*s_theta2*t1*(dtheta2 - 2*dtheta1) + beta*s_slope_minus_theta1_plus_theta2*t1 + s_slope_minus_theta1*(beta*t1 - mu - 2)
+    force_2 = beta*t1*(dtheta1*dtheta1*s_theta2 - s_slope_minus_theta1_plus_theta2)
     acc_f2 = force_2 - M_L21*force_1
     acc_2 = acc_f2/M_D2
     acc_1 = force_1*t2 - M_L21*acc_2
@@ -212,7 +207,7 @@ def forward_dynamics_dq(xp, q, v, p):
     """Derivative with respect to q of the accelerations for given torques.
 
     Source: M ddq + h + v = Q with the torques u in Q, differentiated.
-    109 operations.
+    98 operations.
     """
     theta1 = q[0]
     theta2 = q[1]
@@ -221,35 +216,34 @@ def forward_dynamics_dq(xp, q, v, p):
     mu = p[0]
     beta = p[1]
     slope = p[2]
-    t1 = 1/((beta + 1)*(beta + 1))
+    t1 = 1/(beta + 1)
     c_theta2 = xp.cos(theta2)
-    M_11 = t1*(beta*beta*(mu - 2*c_theta2 + 2) + 2*beta*(mu - c_theta2 + 1) + mu + 2)
+    M_11 = 2*beta*beta/(beta*beta + 2*beta + 1) - 2*beta*t1*(c_theta2 + 1) + mu + 2
     t2 = 1/M_11
-    M_22 = beta*beta*t1
-    M_12 = beta*t1*(beta*(c_theta2 - 1) + c_theta2)
+    M_22 = beta*beta/((beta + 1)*(beta + 1))
+    M_12 = beta*t1*(c_theta2 - beta*t1)
     M_L21 = M_12*t2
     M_D2 = M_22 - M_11*M_L21*M_L21
     t3 = 1/M_D2
-    t4 = 1/(beta + 1)
-    t5 = mu*(beta + 1)
-    c_slope_minus_theta1 = xp.cos(slope - theta1)
+    t4 = mu - beta*t1 + 2
     c_slope_minus_theta1_plus_theta2 = xp.cos(slope - theta1 + theta2)
-    r1_1 = t4*(beta*c_slope_minus_theta1 - beta*c_slope_minus_theta1_plus_theta2 + c_slope_minus_theta1*t5 + 2*c_slope_minus_theta1)
-    r1_2 = beta*c_slope_minus_theta1_plus_theta2*t4
+    r1_2 = beta*c_slope_minus_theta1_plus_theta2*t1
+    c_slope_minus_theta1 = xp.cos(slope - theta1)
+    r1_1 = c_slope_minus_theta1*t4 - r1_2
     d1_f2 = r1_2 - M_L21*r1_1
     d1_2 = d1_f2*t3
     d1_1 = r1_1*t2 - M_L21*d1_2
-    t6 = dtheta2*(2*dtheta1 - dtheta2)
+    t5 = dtheta2*(dtheta2 - 2*dtheta1)
     s_theta2 = xp.sin(theta2)
     s_slope_minus_theta1 = xp.sin(slope - theta1)
     s_slope_minus_theta1_plus_theta2 = xp.sin(slope - theta1 + theta2)
-    force_1 = -t4*(beta*s_slope_minus_theta1 - beta*s_slope_minus_theta1_plus_theta2 + beta*s_theta2*t6 + s_slope_minus_theta1*t5 + 2*s_slope_minus_theta1)
-    force_2 = beta*t4*(dtheta1*dtheta1*s_theta2 - s_slope_minus_theta1_plus_theta2)
+    force_1 = beta*s_slope_minus_theta1_plus_theta2*t1 + beta*s_theta2*t1*t5 - s_slope_minus_theta1*t4
+    force_2 = beta*t1*(dtheta1*dtheta1*s_theta2 - s_slope_minus_theta1_plus_theta2)
     acc_f2 = force_2 - M_L21*force_1
     acc_2 = acc_f2*t3
     acc_1 = force_1*t2 - M_L21*acc_2
-    r2_1 = beta*t4*(acc_2*s_theta2 - 2*acc_1*s_theta2 + c_slope_minus_theta1_plus_theta2 - c_theta2*t6)
-    r2_2 = beta*t4*(acc_1*s_theta2 - c_slope_minus_theta1_plus_theta2 + c_theta2*dtheta1*dtheta1)
+    r2_1 = beta*t1*(c_slope_minus_theta1_plus_theta2 + c_theta2*t5 + s_theta2*(acc_2 - 2*acc_1))
+    r2_2 = beta*t1*(acc_1*s_theta2 - c_slope_minus_theta1_plus_theta2 + c_theta2*dtheta1*dtheta1)
     d2_f2 = r2_2 - M_L21*r2_1
     d2_2 = d2_f2*t3
     d2_1 = r2_1*t2 - M_L21*d2_2
@@ -262,34 +256,33 @@ def forward_dynamics_dv(xp, q, v, p):
     """Derivative with respect to v of the accelerations for given torques.
 
     Source: M ddq + h + v = Q with the torques u in Q, differentiated.
-    57 operations.
+    52 operations.
     """
     theta2 = q[1]
     dtheta1 = v[0]
     dtheta2 = v[1]
     mu = p[0]
     beta = p[1]
-    t1 = 1/((beta + 1)*(beta + 1))
+    t1 = 1/(beta + 1)
+    t2 = 2*beta*t1
     c_theta2 = xp.cos(theta2)
-    M_11 = t1*(beta*beta*(mu - 2*c_theta2 + 2) + 2*beta*(mu - c_theta2 + 1) + mu + 2)
-    t2 = 1/M_11
-    M_22 = beta*beta*t1
-    M_12 = beta*t1*(beta*(c_theta2 - 1) + c_theta2)
-    M_L21 = M_12*t2
+    M_11 = 2*beta*beta/(beta*beta + 2*beta + 1) + mu - t2*(c_theta2 + 1) + 2
+    t3 = 1/M_11
+    M_22 = beta*beta/((beta + 1)*(beta + 1))
+    M_12 = beta*t1*(c_theta2 - beta*t1)
+    M_L21 = M_12*t3
     M_D2 = M_22 - M_11*M_L21*M_L21
-    t3 = 1/M_D2
-    t4 = 1/(beta + 1)
-    t5 = 2*beta*t4
+    t4 = 1/M_D2
     s_theta2 = xp.sin(theta2)
-    r1_1 = -dtheta2*s_theta2*t5
-    r1_2 = 2*beta*dtheta1*s_theta2*t4
+    r1_1 = -dtheta2*s_theta2*t2
+    r1_2 = dtheta1*s_theta2*t2
     d1_f2 = r1_2 - M_L21*r1_1
-    d1_2 = d1_f2*t3
-    d1_1 = r1_1*t2 - M_L21*d1_2
-    r2_1 = s_theta2*t5*(dtheta2 - dtheta1)
+    d1_2 = d1_f2*t4
+    d1_1 = r1_1*t3 - M_L21*d1_2
+    r2_1 = s_theta2*t2*(dtheta2 - dtheta1)
     d2_f2 = -M_L21*r2_1
-    d2_2 = d2_f2*t3
-    d2_1 = r2_1*t2 - M_L21*d2_2
+    d2_2 = d2_f2*t4
+    d2_1 = r2_1*t3 - M_L21*d2_2
     return {
         "dv_dv": [[d1_1, d2_1], [d1_2, d2_2]],
     }
@@ -299,7 +292,7 @@ def forward_dynamics_dp(xp, q, v, p):
     """Derivative with respect to p of the accelerations for given torques.
 
     Source: M ddq + h + v = Q with the torques u in Q, differentiated.
-    183 operations.
+    166 operations.
     """
     theta1 = q[0]
     theta2 = q[1]
@@ -308,50 +301,53 @@ def forward_dynamics_dp(xp, q, v, p):
     mu = p[0]
     beta = p[1]
     slope = p[2]
-    t1 = 1/((beta + 1)*(beta + 1))
+    t1 = beta*beta + 2*beta + 1
+    t2 = 1/t1
+    t3 = 2*beta*beta
+    t4 = 1/(beta + 1)
     c_theta2 = xp.cos(theta2)
-    t2 = -2*c_theta2
-    t3 = mu + t2 + 2
-    t4 = beta*beta*t3 + 2*beta*(mu - c_theta2 + 1) + mu + 2
-    M_11 = t1*t4
-    t5 = 1/M_11
-    M_22 = beta*beta*t1
-    t6 = beta*(c_theta2 - 1)
-    t7 = t1*(c_theta2 + t6)
-    M_12 = beta*t7
-    M_L21 = M_12*t5
+    t5 = t4*(c_theta2 + 1)
+    M_11 = mu - 2*beta*t5 + t2*t3 + 2
+    t6 = 1/M_11
+    t7 = 1/((beta + 1)*(beta + 1))
+    M_22 = beta*beta*t7
+    t8 = c_theta2 - beta*t4
+    M_12 = beta*t4*t8
+    M_L21 = M_12*t6
     M_D2 = M_22 - M_11*M_L21*M_L21
-    t8 = 1/M_D2
-    t9 = 1/(beta + 1)
-    t10 = 2*dtheta1 - dtheta2
+    t9 = 1/M_D2
+    t10 = mu - beta*t4 + 2
+    t11 = 2*dtheta1 - dtheta2
     s_theta2 = xp.sin(theta2)
-    t11 = dtheta2*s_theta2*t10
     s_slope_minus_theta1 = xp.sin(slope - theta1)
     s_slope_minus_theta1_plus_theta2 = xp.sin(slope - theta1 + theta2)
-    t12 = beta*s_slope_minus_theta1 - beta*s_slope_minus_theta1_plus_theta2 + mu*s_slope_minus_theta1*(beta + 1) + 2*s_slope_minus_theta1
-    force_1 = -t9*(beta*t11 + t12)
-    t13 = dtheta1*dtheta1*s_theta2
-    force_2 = beta*t9*(t13 - s_slope_minus_theta1_plus_theta2)
+    force_1 = beta*s_slope_minus_theta1_plus_theta2*t4 - beta*dtheta2*s_theta2*t11*t4 - s_slope_minus_theta1*t10
+    t12 = dtheta1*dtheta1*s_theta2
+    force_2 = beta*t4*(t12 - s_slope_minus_theta1_plus_theta2)
     acc_f2 = force_2 - M_L21*force_1
-    acc_2 = acc_f2*t8
-    acc_1 = force_1*t5 - M_L21*acc_2
-    r1_1 = -acc_1*t1*(beta*beta + 2*beta + 1) - s_slope_minus_theta1
+    acc_2 = acc_f2*t9
+    acc_1 = force_1*t6 - M_L21*acc_2
+    r1_1 = -acc_1 - s_slope_minus_theta1
     d1_f2 = -M_L21*r1_1
-    d1_2 = d1_f2*t8
-    d1_1 = r1_1*t5 - M_L21*d1_2
-    t14 = 1/((beta + 1)*(beta + 1)*(beta + 1))
-    r2_1 = 2*acc_1*t14*t4 - acc_1*t1*(2*beta*t3 + 2*mu + t2 + 2) + 2*acc_2*beta*t14*(c_theta2 + t6) - acc_2*t1*t6 - acc_2*t7 + beta*dtheta2*s_theta2*t1*t10 + t1*t12 - t11*t9 - t9*(mu*s_slope_minus_theta1 + s_slope_minus_theta1 - s_slope_minus_theta1_plus_theta2)
-    r2_2 = 2*acc_1*beta*t14*(c_theta2 + t6) - acc_1*t1*t6 - acc_1*t7 + 2*acc_2*beta*beta*t14 - 2*acc_2*beta*t1 + beta*s_slope_minus_theta1_plus_theta2*t1 - beta*t1*t13 + dtheta1*dtheta1*s_theta2*t9 - s_slope_minus_theta1_plus_theta2*t9
+    d1_2 = d1_f2*t9
+    d1_1 = r1_1*t6 - M_L21*d1_2
+    t13 = beta*s_slope_minus_theta1_plus_theta2*t7
+    t14 = beta*t7 - t4
+    t15 = beta*t14*t4
+    t16 = 2*beta*t7
+    r2_1 = acc_1*(2*t5 - 4*beta*t2 - t16*(c_theta2 + 1) + t3*(2*beta + 2)/(t1*t1)) + acc_2*beta*t7*t8 - acc_2*t15 - acc_2*t4*t8 + beta*dtheta2*s_theta2*t11*t7 - dtheta2*s_theta2*t11*t4 - s_slope_minus_theta1*t14 + s_slope_minus_theta1_plus_theta2*t4 - t13
+    r2_2 = acc_1*beta*t7*t8 - acc_1*t15 - acc_1*t4*t8 + 2*acc_2*beta*beta/((beta + 1)*(beta + 1)*(beta + 1)) - acc_2*t16 - beta*t12*t7 + dtheta1*dtheta1*s_theta2*t4 - s_slope_minus_theta1_plus_theta2*t4 + t13
     d2_f2 = r2_2 - M_L21*r2_1
-    d2_2 = d2_f2*t8
-    d2_1 = r2_1*t5 - M_L21*d2_2
-    c_slope_minus_theta1 = xp.cos(slope - theta1)
+    d2_2 = d2_f2*t9
+    d2_1 = r2_1*t6 - M_L21*d2_2
     c_slope_minus_theta1_plus_theta2 = xp.cos(slope - theta1 + theta2)
-    r3_1 = -t9*(beta*c_slope_minus_theta1 - beta*c_slope_minus_theta1_plus_theta2 + c_slope_minus_theta1*mu*(beta + 1) + 2*c_slope_minus_theta1)
-    r3_2 = -beta*c_slope_minus_theta1_plus_theta2*t9
+    t17 = beta*c_slope_minus_theta1_plus_theta2*t4
+    c_slope_minus_theta1 = xp.cos(slope - theta1)
+    r3_1 = t17 - c_slope_minus_theta1*t10
+    r3_2 = -t17
     d3_f2 = r3_2 - M_L21*r3_1
-    d3_2 = d3_f2*t8
-    d3_1 = r3_1*t5 - M_L21*d3_2
+    d3_2 = d3_f2*t9
+    d3_1 = r3_1*t6 - M_L21*d3_2
     return {
         "dv_dp": [[d1_1, d2_1, d3_1], [d1_2, d2_2, d3_2]],
     }
@@ -389,7 +385,7 @@ def impact_map(xp, q, v, p):
     """State just after touchdown from the state just before.
 
     Source: plastic impact: Me (v+ - v-) = J^T Lambda, J v+ = 0, projected on the velocities with J v = 0.
-    58 operations.
+    54 operations.
     """
     theta1 = q[0]
     theta2 = q[1]
@@ -397,21 +393,23 @@ def impact_map(xp, q, v, p):
     dtheta2 = v[1]
     mu = p[0]
     beta = p[1]
-    t1 = 1/((beta + 1)*(beta + 1))
+    t1 = 1/(beta + 1)
+    t2 = beta*beta/(beta*beta + 2*beta + 1)
     c_theta2 = xp.cos(theta2)
-    A_11 = t1*(beta*beta*(mu - 2*c_theta2 + 2) + 2*beta*(mu - c_theta2 + 1) + mu + 2)
-    t2 = 1/A_11
-    A_12 = beta*t1*(beta*(c_theta2 - 1) + c_theta2)
-    A_L21 = A_12*t2
-    A_22 = beta*beta*t1
+    A_11 = mu - 2*beta*t1*(c_theta2 + 1) + 2*t2 + 2
+    t3 = 1/A_11
+    A_12 = beta*t1*(c_theta2 - beta*t1)
+    A_L21 = A_12*t3
+    t4 = 1/((beta + 1)*(beta + 1))
+    A_22 = beta*beta*t4
     A_D2 = A_22 - A_11*A_L21*A_L21
-    t3 = 2*c_theta2*dtheta1
-    t4 = c_theta2*dtheta1*mu
-    momentum_1 = t1*(beta*beta*t4 - 2*beta*dtheta1 + beta*dtheta2 + beta*mu*t3 + beta*t3 + t3 + t4)
-    momentum_2 = beta*dtheta1*t1
+    t5 = 2*c_theta2*dtheta1
+    t6 = 2*dtheta1 - dtheta2
+    momentum_1 = c_theta2*dtheta1*mu - beta*t1*(t5 + t6) + t2*t6 + t5
+    momentum_2 = beta*dtheta1*t4
     after_f2 = momentum_2 - A_L21*momentum_1
     after_2 = after_f2/A_D2
-    after_1 = momentum_1*t2 - A_L21*after_2
+    after_1 = momentum_1*t3 - A_L21*after_2
     return {
         "q_plus": [theta1 - theta2, -theta2],
         "v_plus": [after_1, after_2],
@@ -423,36 +421,37 @@ def impact_map_dq(xp, q, v, p):
 
     Source: plastic impact: Me (v+ - v-) = J^T Lambda, J v+ = 0, projected on the velocities with J v = 0,
     differentiated.
-    78 operations.
+    74 operations.
     """
     theta2 = q[1]
     dtheta1 = v[0]
     dtheta2 = v[1]
     mu = p[0]
     beta = p[1]
-    t1 = 1/((beta + 1)*(beta + 1))
+    t1 = 1/(beta + 1)
+    t2 = beta*beta/(beta*beta + 2*beta + 1)
     c_theta2 = xp.cos(theta2)
-    A_11 = t1*(beta*beta*(mu - 2*c_theta2 + 2) + 2*beta*(mu - c_theta2 + 1) + mu + 2)
-    t2 = 1/A_11
-    A_22 = beta*beta*t1
-    A_12 = beta*t1*(beta*(c_theta2 - 1) + c_theta2)
-    A_L21 = A_12*t2
+    A_11 = mu - 2*beta*t1*(c_theta2 + 1) + 2*t2 + 2
+    t3 = 1/A_11
+    t4 = 1/((beta + 1)*(beta + 1))
+    A_22 = beta*beta*t4
+    A_12 = beta*t1*(c_theta2 - beta*t1)
+    A_L21 = A_12*t3
     A_D2 = A_22 - A_11*A_L21*A_L21
-    t3 = 1/A_D2
-    s_theta2 = xp.sin(theta2)
-    t4 = s_theta2/(beta + 1)
-    t5 = 2*c_theta2*dtheta1
-    t6 = c_theta2*dtheta1*mu
-    momentum_1 = t1*(beta*beta*t6 - 2*beta*dtheta1 + beta*dtheta2 + beta*mu*t5 + beta*t5 + t5 + t6)
-    momentum_2 = beta*dtheta1*t1
+    t5 = 1/A_D2
+    t6 = 2*c_theta2*dtheta1
+    t7 = 2*dtheta1 - dtheta2
+    momentum_1 = c_theta2*dtheta1*mu - beta*t1*(t6 + t7) + t2*t7 + t6
+    momentum_2 = beta*dtheta1*t4
     after_f2 = momentum_2 - A_L21*momentum_1
-    after_2 = after_f2*t3
-    after_1 = momentum_1*t2 - A_L21*after_2
-    r2_1 = t4*(after_2*beta - 2*after_1*beta - dtheta1*(beta*mu + mu + 2))
-    r2_2 = after_1*beta*t4
+    after_2 = after_f2*t5
+    after_1 = momentum_1*t3 - A_L21*after_2
+    s_theta2 = xp.sin(theta2)
+    r2_1 = s_theta2*(beta*t1*(after_2 - 2*after_1 + 2*dtheta1) - dtheta1*mu - 2*dtheta1)
+    r2_2 = after_1*beta*s_theta2*t1
     d2_f2 = r2_2 - A_L21*r2_1
-    d2_2 = d2_f2*t3
-    d2_1 = r2_1*t2 - A_L21*d2_2
+    d2_2 = d2_f2*t5
+    d2_1 = r2_1*t3 - A_L21*d2_2
     return {
         "v_plus_dq": [[0, d2_1], [0, d2_2]],
     }
@@ -463,29 +462,33 @@ def impact_map_dv(xp, q, p):
 
     Source: plastic impact: Me (v+ - v-) = J^T Lambda, J v+ = 0, projected on the velocities with J v = 0,
     differentiated.
-    58 operations.
+    55 operations.
     """
     theta2 = q[1]
     mu = p[0]
     beta = p[1]
-    t1 = 1/((beta + 1)*(beta + 1))
+    t1 = 1/(beta*beta + 2*beta + 1)
+    t2 = beta*beta*t1
+    t3 = 1/(beta + 1)
+    t4 = 2*beta*t3
     c_theta2 = xp.cos(theta2)
-    A_11 = t1*(beta*beta*(mu - 2*c_theta2 + 2) + 2*beta*(mu - c_theta2 + 1) + mu + 2)
-    t2 = 1/A_11
-    A_22 = beta*beta*t1
-    A_12 = beta*t1*(beta*(c_theta2 - 1) + c_theta2)
-    A_L21 = A_12*t2
+    A_11 = mu + 2*t2 - t4*(c_theta2 + 1) + 2
+    t5 = 1/A_11
+    t6 = 1/((beta + 1)*(beta + 1))
+    A_22 = beta*beta*t6
+    A_12 = beta*t3*(c_theta2 - beta*t3)
+    A_L21 = A_12*t5
     A_D2 = A_22 - A_11*A_L21*A_L21
-    t3 = 1/A_D2
-    r1_1 = t1*(2*beta*c_theta2 - 2*beta + c_theta2*mu*(beta*beta + 2*beta + 1) + 2*c_theta2)
-    r1_2 = beta*t1
+    t7 = 1/A_D2
+    r1_1 = 2*beta*(beta*t1 - t3) + c_theta2*(mu - t4 + 2)
+    r1_2 = beta*t6
     d1_f2 = r1_2 - A_L21*r1_1
-    d1_2 = d1_f2*t3
-    d1_1 = r1_1*t2 - A_L21*d1_2
-    r2_1 = beta*t1
+    d1_2 = d1_f2*t7
+    d1_1 = r1_1*t5 - A_L21*d1_2
+    r2_1 = beta*t6
     d2_f2 = -A_L21*r2_1
-    d2_2 = d2_f2*t3
-    d2_1 = r2_1*t2 - A_L21*d2_2
+    d2_2 = d2_f2*t7
+    d2_1 = r2_1*t5 - A_L21*d2_2
     return {
         "v_plus_dv": [[d1_1, d2_1], [d1_2, d2_2]],
     }
@@ -495,7 +498,7 @@ def impact_impulse(xp, q, v, p):
     """Impulse of the ground at touchdown.
 
     Source: plastic impact: Me (v+ - v-) = J^T Lambda, J v+ = 0, projected on the velocities with J v = 0.
-    103 operations.
+    93 operations.
     """
     theta1 = q[0]
     theta2 = q[1]
@@ -504,29 +507,32 @@ def impact_impulse(xp, q, v, p):
     mu = p[0]
     beta = p[1]
     t1 = 1/(beta + 1)
-    t2 = 1/((beta + 1)*(beta + 1))
+    c_theta1_minus_theta2 = xp.cos(theta1 - theta2)
+    t2 = beta*c_theta1_minus_theta2*t1
+    t3 = beta*beta/(beta*beta + 2*beta + 1)
     c_theta2 = xp.cos(theta2)
-    A_11 = t2*(beta*beta*(mu - 2*c_theta2 + 2) + 2*beta*(mu - c_theta2 + 1) + mu + 2)
-    A_22 = beta*beta*t2
-    t3 = 1/A_11
-    A_12 = beta*t2*(beta*(c_theta2 - 1) + c_theta2)
-    A_L21 = A_12*t3
+    A_11 = mu - 2*beta*t1*(c_theta2 + 1) + 2*t3 + 2
+    t4 = 1/A_11
+    A_12 = beta*t1*(c_theta2 - beta*t1)
+    A_L21 = A_12*t4
+    t5 = 1/((beta + 1)*(beta + 1))
+    A_22 = beta*beta*t5
     A_D2 = A_22 - A_11*A_L21*A_L21
-    t4 = 2*c_theta2*dtheta1
-    t5 = c_theta2*dtheta1*mu
-    momentum_1 = t2*(beta*beta*t5 - 2*beta*dtheta1 + beta*dtheta2 + beta*mu*t4 + beta*t4 + t4 + t5)
-    momentum_2 = beta*dtheta1*t2
+    t6 = 2*c_theta2*dtheta1
+    t7 = 2*dtheta1 - dtheta2
+    momentum_1 = c_theta2*dtheta1*mu - beta*t1*(t6 + t7) + t3*t7 + t6
+    momentum_2 = beta*dtheta1*t5
     after_f2 = momentum_2 - A_L21*momentum_1
     after_2 = after_f2/A_D2
-    t6 = beta*t1*(after_2 + dtheta2)
-    after_1 = momentum_1*t3 - A_L21*after_2
-    t7 = after_1 - after_2 - dtheta1
+    after_1 = momentum_1*t4 - A_L21*after_2
+    t8 = after_1 - after_2 - dtheta1
+    t9 = beta*t1 - mu - 2
     c_theta1 = xp.cos(theta1)
-    c_theta1_minus_theta2 = xp.cos(theta1 - theta2)
-    s_theta1 = xp.sin(theta1)
     s_theta1_minus_theta2 = xp.sin(theta1 - theta2)
+    t10 = beta*s_theta1_minus_theta2*t1
+    s_theta1 = xp.sin(theta1)
     return {
-        "Lambda": [c_theta1_minus_theta2*t6 + t7*(beta*t1*(c_theta1 + c_theta1_minus_theta2) - c_theta1*mu - 2*c_theta1) + (mu + 2)*(after_1*(c_theta1 - c_theta1_minus_theta2) - after_2*c_theta1), s_theta1_minus_theta2*t6 + t7*(beta*t1*(s_theta1 + s_theta1_minus_theta2) - mu*s_theta1 - 2*s_theta1) + (mu + 2)*(after_1*(s_theta1 - s_theta1_minus_theta2) - after_2*s_theta1)],
+        "Lambda": [t2*(after_2 + dtheta2) + t8*(c_theta1*t9 + t2) + (mu + 2)*(after_1*(c_theta1 - c_theta1_minus_theta2) - after_2*c_theta1), t10*(after_2 + dtheta2) + t8*(s_theta1*t9 + t10) + (mu + 2)*(after_1*(s_theta1 - s_theta1_minus_theta2) - after_2*s_theta1)],
     }
 
 
@@ -542,9 +548,8 @@ def kinetic_energy(xp, q, v, p):
     mu = p[0]
     beta = p[1]
     c_theta2 = xp.cos(theta2)
-    t1 = beta*(c_theta2 - 1) + c_theta2
     return {
-        "kinetic": (beta*dtheta2*(beta*dtheta2 + dtheta1*t1) + dtheta1*(beta*dtheta2*t1 + dtheta1*(beta*beta*(mu - 2*c_theta2 + 2) + 2*beta*(mu - c_theta2 + 1) + mu + 2)))/(2*(beta + 1)*(beta + 1)),
+        "kinetic": beta*beta*(2*dtheta1*dtheta1 - 2*dtheta1*dtheta2 + dtheta2*dtheta2)/(2*(beta*beta + 2*beta + 1)) + beta*dtheta1*(c_theta2*dtheta2 - c_theta2*dtheta1 - dtheta1)/(beta + 1) + dtheta1*dtheta1*mu/2 + dtheta1*dtheta1,
     }
 
 
@@ -552,17 +557,18 @@ def potential_energy(xp, q, p):
     """Potential energy.
 
     Source: sum over gravity.
-    16 operations.
+    12 operations.
     """
     theta1 = q[0]
     theta2 = q[1]
     mu = p[0]
     beta = p[1]
     slope = p[2]
+    t1 = beta/(beta + 1)
     c_slope_minus_theta1 = xp.cos(slope - theta1)
     c_slope_minus_theta1_plus_theta2 = xp.cos(slope - theta1 + theta2)
     return {
-        "potential": (beta*c_slope_minus_theta1 - beta*c_slope_minus_theta1_plus_theta2 + c_slope_minus_theta1*mu*(beta + 1) + 2*c_slope_minus_theta1)/(beta + 1),
+        "potential": c_slope_minus_theta1*(mu - t1 + 2) - c_slope_minus_theta1_plus_theta2*t1,
     }
 
 
@@ -588,7 +594,7 @@ def centre_of_mass(xp, q, v, p):
     """Centre of mass of the whole walker.
 
     Source: mass-weighted mean.
-    39 operations.
+    35 operations.
     """
     theta1 = q[0]
     theta2 = q[1]
@@ -598,17 +604,17 @@ def centre_of_mass(xp, q, v, p):
     beta = p[1]
     t1 = 1/(mu + 2)
     t2 = 1/(beta + 1)
-    t3 = 1 - beta*t2
-    s_theta1 = xp.sin(theta1)
     s_theta1_minus_theta2 = xp.sin(theta1 - theta2)
-    t4 = beta*s_theta1_minus_theta2*t2 - mu*s_theta1 - s_theta1*t3 - s_theta1
+    t3 = beta*s_theta1_minus_theta2*t2
+    t4 = mu - beta*t2 + 2
+    s_theta1 = xp.sin(theta1)
+    t5 = -s_theta1*t4
     c_theta1_minus_theta2 = xp.cos(theta1 - theta2)
-    t5 = beta*c_theta1_minus_theta2*t2
+    t6 = beta*c_theta1_minus_theta2*t2
     c_theta1 = xp.cos(theta1)
-    t6 = c_theta1*mu + c_theta1*t3 + c_theta1 - t5
     return {
-        "com": [t1*t4, t1*t6],
-        "dcom": [-t1*(dtheta1*t6 + dtheta2*t5), t1*(dtheta1*t4 - beta*dtheta2*s_theta1_minus_theta2*t2)],
+        "com": [t1*(t3 + t5), t1*(c_theta1*t4 - t6)],
+        "dcom": [t1*(t6*(dtheta1 - dtheta2) - c_theta1*dtheta1*t4), t1*(dtheta1*t5 + t3*(dtheta1 - dtheta2))],
     }
 
 
@@ -616,7 +622,7 @@ def ground_force(xp, q, v, p):
     """Force of the ground on the stance foot.
 
     Source: the two floating-base rows that hold the stance foot.
-    145 operations.
+    107 operations.
     """
     theta1 = q[0]
     theta2 = q[1]
@@ -626,31 +632,34 @@ def ground_force(xp, q, v, p):
     beta = p[1]
     slope = p[2]
     t1 = 1/(beta + 1)
-    t2 = 1/((beta + 1)*(beta + 1))
+    t2 = mu - beta*t1 + 2
+    c_theta1_minus_theta2 = xp.cos(theta1 - theta2)
+    t3 = beta*c_theta1_minus_theta2*t1
     c_theta2 = xp.cos(theta2)
-    M_11 = t2*(beta*beta*(mu - 2*c_theta2 + 2) + 2*beta*(mu - c_theta2 + 1) + mu + 2)
-    t3 = 1/M_11
-    M_12 = beta*t2*(beta*(c_theta2 - 1) + c_theta2)
-    M_L21 = M_12*t3
-    M_22 = beta*beta*t2
+    M_11 = 2*beta*beta/(beta*beta + 2*beta + 1) - 2*beta*t1*(c_theta2 + 1) + mu + 2
+    t4 = 1/M_11
+    M_12 = beta*t1*(c_theta2 - beta*t1)
+    M_L21 = M_12*t4
+    M_22 = beta*beta/((beta + 1)*(beta + 1))
     M_D2 = M_22 - M_11*M_L21*M_L21
     s_theta2 = xp.sin(theta2)
     s_slope_minus_theta1 = xp.sin(slope - theta1)
     s_slope_minus_theta1_plus_theta2 = xp.sin(slope - theta1 + theta2)
-    force_1 = -t1*(beta*dtheta2*s_theta2*(2*dtheta1 - dtheta2) + beta*s_slope_minus_theta1 - beta*s_slope_minus_theta1_plus_theta2 + mu*s_slope_minus_theta1*(beta + 1) + 2*s_slope_minus_theta1)
+    force_1 = beta*dtheta2*s_theta2*t1*(dtheta2 - 2*dtheta1) + beta*s_slope_minus_theta1_plus_theta2*t1 - s_slope_minus_theta1*t2
     force_2 = beta*t1*(dtheta1*dtheta1*s_theta2 - s_slope_minus_theta1_plus_theta2)
     acc_f2 = force_2 - M_L21*force_1
     acc_2 = acc_f2/M_D2
-    acc_1 = force_1*t3 - M_L21*acc_2
+    acc_1 = force_1*t4 - M_L21*acc_2
+    t5 = -acc_1*t2
+    t6 = dtheta1*dtheta1 - 2*dtheta1*dtheta2 + dtheta2*dtheta2
+    s_theta1_minus_theta2 = xp.sin(theta1 - theta2)
+    t7 = beta*s_theta1_minus_theta2*t1
     s_slope = xp.sin(slope)
     c_theta1 = xp.cos(theta1)
     s_theta1 = xp.sin(theta1)
-    c_theta1_minus_theta2 = xp.cos(theta1 - theta2)
-    s_theta1_minus_theta2 = xp.sin(theta1 - theta2)
-    t4 = c_theta1*dtheta1*dtheta1
     c_slope = xp.cos(slope)
     return {
-        "force": [beta*t1*(acc_1*c_theta1 + acc_1*c_theta1_minus_theta2 - acc_2*c_theta1_minus_theta2 - dtheta1*dtheta1*s_theta1 - dtheta1*dtheta1*s_theta1_minus_theta2 + 2*dtheta1*dtheta2*s_theta1_minus_theta2 - dtheta2*dtheta2*s_theta1_minus_theta2) - acc_1*c_theta1*mu - 2*acc_1*c_theta1 + dtheta1*dtheta1*mu*s_theta1 + 2*dtheta1*dtheta1*s_theta1 - mu*s_slope - 2*s_slope, beta*t1*(acc_1*s_theta1 + acc_1*s_theta1_minus_theta2 - acc_2*s_theta1_minus_theta2 + c_theta1_minus_theta2*dtheta1*dtheta1 - 2*c_theta1_minus_theta2*dtheta1*dtheta2 + c_theta1_minus_theta2*dtheta2*dtheta2 + t4) - acc_1*mu*s_theta1 - 2*acc_1*s_theta1 + c_slope*mu + 2*c_slope - mu*t4 - 2*t4],
+        "force": [c_theta1*t5 + dtheta1*dtheta1*s_theta1*t2 - s_slope*(mu + 2) + t3*(acc_1 - acc_2) - t6*t7, c_slope*(mu + 2) - c_theta1*dtheta1*dtheta1*t2 + s_theta1*t5 + t3*t6 + t7*(acc_1 - acc_2)],
     }
 
 
@@ -658,7 +667,7 @@ def zmp(xp, q, v, p):
     """The paper's zero moment point, which leaves out the change of angular momentum.
 
     Source: p = x_g - F_x / F_y y_g with the ground force F.
-    170 operations.
+    119 operations.
     """
     theta1 = q[0]
     theta2 = q[1]
@@ -668,35 +677,38 @@ def zmp(xp, q, v, p):
     beta = p[1]
     slope = p[2]
     t1 = 1/(beta + 1)
-    t2 = 1/(mu + 2)
-    t3 = 1 - beta*t1
-    s_theta1 = xp.sin(theta1)
     s_theta1_minus_theta2 = xp.sin(theta1 - theta2)
-    com_1 = -t2*(mu*s_theta1 - beta*s_theta1_minus_theta2*t1 + s_theta1*t3 + s_theta1)
-    c_theta1 = xp.cos(theta1)
+    t2 = beta*s_theta1_minus_theta2*t1
+    t3 = mu - beta*t1 + 2
+    s_theta1 = xp.sin(theta1)
+    t4 = -s_theta1*t3
+    t5 = 1/(mu + 2)
+    com_1 = t5*(t2 + t4)
     c_theta1_minus_theta2 = xp.cos(theta1 - theta2)
-    com_2 = t2*(c_theta1*mu - beta*c_theta1_minus_theta2*t1 + c_theta1*t3 + c_theta1)
-    t4 = 1/((beta + 1)*(beta + 1))
+    t6 = beta*c_theta1_minus_theta2*t1
+    c_theta1 = xp.cos(theta1)
+    com_2 = t5*(c_theta1*t3 - t6)
+    t7 = -c_theta1*t3
+    t8 = dtheta1*dtheta1 - 2*dtheta1*dtheta2 + dtheta2*dtheta2
     c_theta2 = xp.cos(theta2)
-    M_11 = t4*(beta*beta*(mu - 2*c_theta2 + 2) + 2*beta*(mu - c_theta2 + 1) + mu + 2)
-    t5 = 1/M_11
-    M_12 = beta*t4*(beta*(c_theta2 - 1) + c_theta2)
-    M_L21 = M_12*t5
-    M_22 = beta*beta*t4
+    M_11 = 2*beta*beta/(beta*beta + 2*beta + 1) - 2*beta*t1*(c_theta2 + 1) + mu + 2
+    t9 = 1/M_11
+    M_12 = beta*t1*(c_theta2 - beta*t1)
+    M_L21 = M_12*t9
+    M_22 = beta*beta/((beta + 1)*(beta + 1))
     M_D2 = M_22 - M_11*M_L21*M_L21
     s_theta2 = xp.sin(theta2)
     s_slope_minus_theta1 = xp.sin(slope - theta1)
     s_slope_minus_theta1_plus_theta2 = xp.sin(slope - theta1 + theta2)
-    force_1 = -t1*(beta*dtheta2*s_theta2*(2*dtheta1 - dtheta2) + beta*s_slope_minus_theta1 - beta*s_slope_minus_theta1_plus_theta2 + mu*s_slope_minus_theta1*(beta + 1) + 2*s_slope_minus_theta1)
+    force_1 = beta*dtheta2*s_theta2*t1*(dtheta2 - 2*dtheta1) + beta*s_slope_minus_theta1_plus_theta2*t1 - s_slope_minus_theta1*t3
     force_2 = beta*t1*(dtheta1*dtheta1*s_theta2 - s_slope_minus_theta1_plus_theta2)
     acc_f2 = force_2 - M_L21*force_1
     acc_2 = acc_f2/M_D2
-    acc_1 = force_1*t5 - M_L21*acc_2
+    acc_1 = force_1*t9 - M_L21*acc_2
     s_slope = xp.sin(slope)
-    ground_1 = beta*t1*(acc_1*c_theta1 + acc_1*c_theta1_minus_theta2 - acc_2*c_theta1_minus_theta2 - dtheta1*dtheta1*s_theta1 - dtheta1*dtheta1*s_theta1_minus_theta2 + 2*dtheta1*dtheta2*s_theta1_minus_theta2 - dtheta2*dtheta2*s_theta1_minus_theta2) - acc_1*c_theta1*mu - 2*acc_1*c_theta1 + dtheta1*dtheta1*mu*s_theta1 + 2*dtheta1*dtheta1*s_theta1 - mu*s_slope - 2*s_slope
-    t6 = c_theta1*dtheta1*dtheta1
+    ground_1 = acc_1*t7 + dtheta1*dtheta1*s_theta1*t3 - s_slope*(mu + 2) - t2*t8 + t6*(acc_1 - acc_2)
     c_slope = xp.cos(slope)
-    ground_2 = beta*t1*(acc_1*s_theta1 + acc_1*s_theta1_minus_theta2 - acc_2*s_theta1_minus_theta2 + c_theta1_minus_theta2*dtheta1*dtheta1 - 2*c_theta1_minus_theta2*dtheta1*dtheta2 + c_theta1_minus_theta2*dtheta2*dtheta2 + t6) - acc_1*mu*s_theta1 - 2*acc_1*s_theta1 + c_slope*mu + 2*c_slope - mu*t6 - 2*t6
+    ground_2 = acc_1*t4 + c_slope*(mu + 2) + dtheta1*dtheta1*t7 + t2*(acc_1 - acc_2) + t6*t8
     point = com_1 - com_2*ground_1/ground_2
     return {
         "zmp": point,
@@ -733,7 +745,7 @@ def swing_foot(xp, q, v):
     c_theta1_minus_theta2 = xp.cos(theta1 - theta2)
     return {
         "foot": [s_theta1_minus_theta2 - s_theta1, c_theta1 - c_theta1_minus_theta2],
-        "dfoot": [dtheta1*(c_theta1_minus_theta2 - c_theta1) - c_theta1_minus_theta2*dtheta2, dtheta1*(s_theta1_minus_theta2 - s_theta1) - dtheta2*s_theta1_minus_theta2],
+        "dfoot": [c_theta1_minus_theta2*(dtheta1 - dtheta2) - c_theta1*dtheta1, s_theta1_minus_theta2*(dtheta1 - dtheta2) - dtheta1*s_theta1],
     }
 
 

@@ -200,8 +200,8 @@ def impact_map(xp, q, v, p):
     spokes = p[1]
     lambda2 = p[2]
     A_11 = 1/lambda2
-    s_pi_spokes = xp.sin(xp.pi/spokes)
-    momentum_1 = dtheta*(A_11 - 2*s_pi_spokes*s_pi_spokes)
+    c_2_pi_spokes = xp.cos(2*xp.pi/spokes)
+    momentum_1 = dtheta*(A_11 + c_2_pi_spokes - 1)
     after_1 = momentum_1/A_11
     return {
         "q_plus": [theta - 2*xp.pi/spokes],
@@ -232,8 +232,8 @@ def impact_map_dv(xp, p):
     lambda2 = p[2]
     A_11 = 1/lambda2
     t1 = 1/A_11
-    s_pi_spokes = xp.sin(xp.pi/spokes)
-    r1_1 = A_11 - 2*s_pi_spokes*s_pi_spokes
+    c_2_pi_spokes = xp.cos(2*xp.pi/spokes)
+    r1_1 = A_11 + c_2_pi_spokes - 1
     d1_1 = r1_1*t1
     return {
         "v_plus_dv": [[d1_1]],
@@ -251,8 +251,8 @@ def impact_impulse(xp, q, v, p):
     spokes = p[1]
     lambda2 = p[2]
     A_11 = 1/lambda2
-    s_pi_spokes = xp.sin(xp.pi/spokes)
-    momentum_1 = dtheta*(A_11 - 2*s_pi_spokes*s_pi_spokes)
+    c_2_pi_spokes = xp.cos(2*xp.pi/spokes)
+    momentum_1 = dtheta*(A_11 + c_2_pi_spokes - 1)
     after_1 = momentum_1/A_11
     c_theta = xp.cos(theta)
     c_theta_minus_2_pi_spokes = xp.cos(theta - 2*xp.pi/spokes)

@@ -1,5 +1,5 @@
 /* Rimless wheel: kernels of the solver
- * Printed by CasADi 3.8.2 from equations bb330f6f1464b943.
+ * Printed by CasADi 3.8.2 from equations e67067441ccf2e08.
  * Do not edit: run `make derive`.
  * SPDX-License-Identifier: BSD-3-Clause
  */
@@ -1701,25 +1701,24 @@ static int casadi_f8(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   if (res[0]!=0) res[0][0]=a2;
   a2=arg[3]? arg[3][2] : 0;
   a3=(1./a2);
-  a4=3.1415926535897931e+00;
+  a4=6.2831853071795862e+00;
   a5=arg[3]? arg[3][1] : 0;
   a4=(a4/a5);
-  a6=sin(a4);
-  a7=(2.*a6);
-  a7=(a7*a6);
-  a3=(a3-a7);
-  a7=(a2*a3);
-  a6=arg[0]? arg[0][3] : 0;
-  a6=(a7*a6);
-  if (res[0]!=0) res[0][1]=a6;
-  a6=arg[0]? arg[0][0] : 0;
-  a8=sin(a6);
+  a6=cos(a4);
+  a3=(a3+a6);
+  a3=(a3-a1);
+  a6=(a2*a3);
+  a7=arg[0]? arg[0][3] : 0;
+  a7=(a6*a7);
+  if (res[0]!=0) res[0][1]=a7;
+  a7=arg[0]? arg[0][0] : 0;
+  a8=sin(a7);
   a0=(a8*a0);
   if (res[0]!=0) res[0][2]=a0;
   a0=arg[0]? arg[0][4] : 0;
   if (res[0]!=0) res[0][3]=a0;
   a9=arg[0]? arg[0][5] : 0;
-  a9=(a7*a9);
+  a9=(a6*a9);
   a9=(a9-a1);
   if (res[0]!=0) res[0][4]=a9;
   a0=(a8*a0);
@@ -1727,28 +1726,28 @@ static int casadi_f8(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a0=arg[0]? arg[0][1] : 0;
   if (res[0]!=0) res[0][6]=a0;
   a9=arg[3]? arg[3][0] : 0;
-  a9=(a9+a6);
+  a9=(a9+a7);
   a9=sin(a9);
   a9=(a9*a2);
-  a7=(a7*a9);
-  if (res[0]!=0) res[0][7]=a7;
+  a6=(a6*a9);
+  if (res[0]!=0) res[0][7]=a6;
   a8=(a8*a0);
   if (res[0]!=0) res[0][8]=a8;
-  a8=6.2831853071795862e+00;
-  a8=(a8/a5);
-  a8=(a6-a8);
-  a5=arg[1]? arg[1][0] : 0;
-  a8=(a8-a5);
-  if (res[1]!=0) res[1][0]=a8;
+  a4=(a7-a4);
+  a8=arg[1]? arg[1][0] : 0;
+  a4=(a4-a8);
+  if (res[1]!=0) res[1][0]=a4;
   a0=(a0*a3);
   a0=(a0*a2);
   a2=arg[1]? arg[1][1] : 0;
   a0=(a0-a2);
   if (res[1]!=0) res[1][1]=a0;
-  a4=cos(a4);
-  a6=cos(a6);
-  a4=(a4-a6);
-  if (res[1]!=0) res[1][2]=a4;
+  a0=3.1415926535897931e+00;
+  a0=(a0/a5);
+  a0=cos(a0);
+  a7=cos(a7);
+  a0=(a0-a7);
+  if (res[1]!=0) res[1][2]=a0;
   return 0;
 }
 
@@ -2482,33 +2481,33 @@ static int casadi_f10(const casadi_real** arg, casadi_real** res, casadi_int* iw
 
 /* landing:(y[2],z[2],p[3])->(R[3]) */
 static int casadi_f12(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
-  casadi_real a0, a1, a2, a3, a4, a5, a6;
+  casadi_real a0, a1, a2, a3, a4, a5;
   a0=arg[0]? arg[0][0] : 0;
   a1=6.2831853071795862e+00;
   a2=arg[2]? arg[2][1] : 0;
   a1=(a1/a2);
-  a1=(a0-a1);
-  a3=arg[1]? arg[1][0] : 0;
-  a1=(a1-a3);
-  if (res[0]!=0) res[0][0]=a1;
-  a1=arg[0]? arg[0][1] : 0;
-  a3=arg[2]? arg[2][2] : 0;
-  a4=(1./a3);
-  a5=3.1415926535897931e+00;
-  a5=(a5/a2);
-  a2=sin(a5);
-  a6=(2.*a2);
-  a6=(a6*a2);
-  a4=(a4-a6);
-  a1=(a1*a4);
-  a1=(a1*a3);
-  a3=arg[1]? arg[1][1] : 0;
-  a1=(a1-a3);
-  if (res[0]!=0) res[0][1]=a1;
-  a5=cos(a5);
+  a3=(a0-a1);
+  a4=arg[1]? arg[1][0] : 0;
+  a3=(a3-a4);
+  if (res[0]!=0) res[0][0]=a3;
+  a3=arg[0]? arg[0][1] : 0;
+  a4=arg[2]? arg[2][2] : 0;
+  a5=(1./a4);
+  a1=cos(a1);
+  a5=(a5+a1);
+  a1=1.;
+  a5=(a5-a1);
+  a3=(a3*a5);
+  a3=(a3*a4);
+  a4=arg[1]? arg[1][1] : 0;
+  a3=(a3-a4);
+  if (res[0]!=0) res[0][1]=a3;
+  a3=3.1415926535897931e+00;
+  a3=(a3/a2);
+  a3=cos(a3);
   a0=cos(a0);
-  a5=(a5-a0);
-  if (res[0]!=0) res[0][2]=a5;
+  a3=(a3-a0);
+  if (res[0]!=0) res[0][2]=a3;
   return 0;
 }
 

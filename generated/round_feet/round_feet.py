@@ -23,15 +23,17 @@ def mass_matrix(xp, q, p):
     radius = p[5]
     c_q1 = xp.cos(q1)
     t1 = 2*c_q1*radius
-    t2 = com_distance*com_distance + com_offset*com_offset
+    s_q1_minus_q2 = xp.sin(q1 - q2)
+    t2 = com_offset*radius*s_q1_minus_q2
+    c_q1_minus_q2 = xp.cos(q1 - q2)
+    t3 = c_q1_minus_q2*com_distance*radius
+    t4 = com_distance*com_distance + com_offset*com_offset
     c_q2 = xp.cos(q2)
     s_q1 = xp.sin(q1)
     s_q2 = xp.sin(q2)
-    c_q1_minus_q2 = xp.cos(q1 - q2)
-    s_q1_minus_q2 = xp.sin(q1 - q2)
-    M_11 = hip_mass*radius*radius + hip_mass*t1 + hip_mass + 2*inertia + 2*leg_mass*(com_offset*radius*(s_q1 + s_q1_minus_q2) - com_distance*radius*(c_q1 + c_q1_minus_q2) - com_distance*(c_q2 + 1) - com_offset*s_q2 + radius*radius + t1 + t2 + 1)
-    M_12 = leg_mass*(c_q1_minus_q2*com_distance*radius + c_q2*com_distance - com_distance*com_distance - com_offset*com_offset - com_offset*radius*s_q1_minus_q2 + com_offset*s_q2) - inertia
-    M_22 = inertia + leg_mass*t2
+    M_11 = hip_mass*radius*radius + hip_mass*t1 + hip_mass + 2*inertia + 2*leg_mass*(com_offset*radius*s_q1 - c_q1*com_distance*radius - c_q2*com_distance - com_distance - com_offset*s_q2 + radius*radius + t1 + t2 - t3 + t4 + 1)
+    M_12 = leg_mass*(c_q2*com_distance - com_distance*com_distance - com_offset*com_offset + com_offset*s_q2 - t2 + t3) - inertia
+    M_22 = inertia + leg_mass*t4
     return {
         "M": [[M_11, M_12], [M_12, M_22]],
     }
@@ -41,7 +43,7 @@ def bias_forces(xp, q, v, p):
     """Bias forces of the swing phase.
 
     Source: M ddq + h + v = Q with v = v_gravity.
-    82 operations.
+    83 operations.
     """
     q1 = q[0]
     q2 = q[1]
@@ -61,15 +63,15 @@ def bias_forces(xp, q, v, p):
     s_q2 = xp.sin(q2)
     c_q1_minus_q2 = xp.cos(q1 - q2)
     s_q1_minus_q2 = xp.sin(q1 - q2)
-    c_minus_q1_plus_q2_plus_slope = xp.cos(q2 - q1 + slope)
-    s_minus_q1_plus_q2_plus_slope = xp.sin(q2 - q1 + slope)
-    t3 = c_minus_q1_plus_q2_plus_slope*com_offset - com_distance*s_minus_q1_plus_q2_plus_slope
+    t3 = hip_mass + 2*leg_mass
     s_slope = xp.sin(slope)
     c_q1_minus_slope = xp.cos(q1 - slope)
     s_q1_minus_slope = xp.sin(q1 - slope)
+    c_minus_q1_plus_q2_plus_slope = xp.cos(q2 - q1 + slope)
+    s_minus_q1_plus_q2_plus_slope = xp.sin(q2 - q1 + slope)
     return {
         "h": [dq1*dq1*radius*s_q1*(leg_mass*(com_distance - 2) - hip_mass) + leg_mass*(c_q1*com_offset*dq1*dq1*radius + c_q1_minus_q2*com_offset*radius*t2 - c_q2*com_offset*dq2*t1 + com_distance*dq2*s_q2*t1 + com_distance*radius*s_q1_minus_q2*t2), dq1*dq1*leg_mass*(c_q2*com_offset - com_distance*s_q2)],
-        "v_gravity": [hip_mass*radius*s_slope - hip_mass*s_q1_minus_slope + leg_mass*(c_q1_minus_slope*com_offset + com_distance*s_q1_minus_slope + 2*radius*s_slope - 2*s_q1_minus_slope + t3), -leg_mass*t3],
+        "v_gravity": [c_minus_q1_plus_q2_plus_slope*com_offset*leg_mass + c_q1_minus_slope*com_offset*leg_mass - com_distance*leg_mass*s_minus_q1_plus_q2_plus_slope + radius*s_slope*t3 + s_q1_minus_slope*(com_distance*leg_mass - t3), leg_mass*(com_distance*s_minus_q1_plus_q2_plus_slope - c_minus_q1_plus_q2_plus_slope*com_offset)],
     }
 
 
@@ -92,31 +94,33 @@ def state_derivative(xp, q, v, p):
     slope = p[6]
     c_q1 = xp.cos(q1)
     t1 = 2*c_q1*radius
-    t2 = com_distance*com_distance + com_offset*com_offset
+    s_q1_minus_q2 = xp.sin(q1 - q2)
+    t2 = com_offset*radius*s_q1_minus_q2
+    c_q1_minus_q2 = xp.cos(q1 - q2)
+    t3 = c_q1_minus_q2*com_distance*radius
+    t4 = com_distance*com_distance + com_offset*com_offset
     c_q2 = xp.cos(q2)
     s_q1 = xp.sin(q1)
     s_q2 = xp.sin(q2)
-    c_q1_minus_q2 = xp.cos(q1 - q2)
-    s_q1_minus_q2 = xp.sin(q1 - q2)
-    M_11 = hip_mass*radius*radius + hip_mass*t1 + hip_mass + 2*inertia + 2*leg_mass*(com_offset*radius*(s_q1 + s_q1_minus_q2) - com_distance*radius*(c_q1 + c_q1_minus_q2) - com_distance*(c_q2 + 1) - com_offset*s_q2 + radius*radius + t1 + t2 + 1)
-    t3 = 1/M_11
-    M_12 = leg_mass*(c_q1_minus_q2*com_distance*radius + c_q2*com_distance - com_distance*com_distance - com_offset*com_offset - com_offset*radius*s_q1_minus_q2 + com_offset*s_q2) - inertia
-    M_L21 = M_12*t3
-    M_22 = inertia + leg_mass*t2
+    M_11 = hip_mass*radius*radius + hip_mass*t1 + hip_mass + 2*inertia + 2*leg_mass*(com_offset*radius*s_q1 - c_q1*com_distance*radius - c_q2*com_distance - com_distance - com_offset*s_q2 + radius*radius + t1 + t2 - t3 + t4 + 1)
+    t5 = 1/M_11
+    M_12 = leg_mass*(c_q2*com_distance - com_distance*com_distance - com_offset*com_offset + com_offset*s_q2 - t2 + t3) - inertia
+    M_L21 = M_12*t5
+    M_22 = inertia + leg_mass*t4
     M_D2 = M_22 - M_11*M_L21*M_L21
-    t4 = hip_mass + leg_mass*(2 - com_distance)
-    t5 = 2*dq1 - dq2
-    t6 = 2*dq1*dq2 - dq1*dq1 - dq2*dq2
+    t6 = hip_mass + leg_mass*(2 - com_distance)
+    t7 = 2*dq1 - dq2
+    t8 = 2*dq1*dq2 - dq1*dq1 - dq2*dq2
     s_slope = xp.sin(slope)
     c_q1_minus_slope = xp.cos(q1 - slope)
     s_q1_minus_slope = xp.sin(q1 - slope)
     c_minus_q1_plus_q2_plus_slope = xp.cos(q2 - q1 + slope)
     s_minus_q1_plus_q2_plus_slope = xp.sin(q2 - q1 + slope)
-    force_1 = dq1*dq1*radius*s_q1*t4 + leg_mass*(c_q1_minus_q2*com_offset*radius*t6 - c_minus_q1_plus_q2_plus_slope*com_offset - c_q1*com_offset*dq1*dq1*radius - c_q1_minus_slope*com_offset + c_q2*com_offset*dq2*t5 - com_distance*dq2*s_q2*t5 + com_distance*radius*s_q1_minus_q2*t6 + com_distance*s_minus_q1_plus_q2_plus_slope) - radius*s_slope*(hip_mass + 2*leg_mass) + s_q1_minus_slope*t4
+    force_1 = dq1*dq1*radius*s_q1*t6 + leg_mass*(c_q1_minus_q2*com_offset*radius*t8 - c_minus_q1_plus_q2_plus_slope*com_offset - c_q1*com_offset*dq1*dq1*radius - c_q1_minus_slope*com_offset + c_q2*com_offset*dq2*t7 - com_distance*dq2*s_q2*t7 + com_distance*radius*s_q1_minus_q2*t8 + com_distance*s_minus_q1_plus_q2_plus_slope) - radius*s_slope*(hip_mass + 2*leg_mass) + s_q1_minus_slope*t6
     force_2 = leg_mass*(c_minus_q1_plus_q2_plus_slope*com_offset - com_distance*s_minus_q1_plus_q2_plus_slope + dq1*dq1*(com_distance*s_q2 - c_q2*com_offset))
     acc_f2 = force_2 - M_L21*force_1
     acc_2 = acc_f2/M_D2
-    acc_1 = force_1*t3 - M_L21*acc_2
+    acc_1 = force_1*t5 - M_L21*acc_2
     return {
         "dq": [dq1, dq2],
         "dv": [acc_1, acc_2],
@@ -142,52 +146,54 @@ def state_derivative_dq(xp, q, v, p):
     slope = p[6]
     c_q1 = xp.cos(q1)
     t1 = 2*c_q1*radius
-    t2 = com_distance*com_distance + com_offset*com_offset
+    s_q1_minus_q2 = xp.sin(q1 - q2)
+    t2 = com_offset*radius*s_q1_minus_q2
+    c_q1_minus_q2 = xp.cos(q1 - q2)
+    t3 = c_q1_minus_q2*com_distance*radius
+    t4 = com_distance*com_distance + com_offset*com_offset
     c_q2 = xp.cos(q2)
     s_q1 = xp.sin(q1)
     s_q2 = xp.sin(q2)
-    c_q1_minus_q2 = xp.cos(q1 - q2)
-    s_q1_minus_q2 = xp.sin(q1 - q2)
-    M_11 = hip_mass*radius*radius + hip_mass*t1 + hip_mass + 2*inertia + 2*leg_mass*(com_offset*radius*(s_q1 + s_q1_minus_q2) - com_distance*radius*(c_q1 + c_q1_minus_q2) - com_distance*(c_q2 + 1) - com_offset*s_q2 + radius*radius + t1 + t2 + 1)
-    t3 = 1/M_11
-    M_22 = inertia + leg_mass*t2
-    M_12 = leg_mass*(c_q1_minus_q2*com_distance*radius + c_q2*com_distance - com_distance*com_distance - com_offset*com_offset - com_offset*radius*s_q1_minus_q2 + com_offset*s_q2) - inertia
-    M_L21 = M_12*t3
+    M_11 = hip_mass*radius*radius + hip_mass*t1 + hip_mass + 2*inertia + 2*leg_mass*(com_offset*radius*s_q1 - c_q1*com_distance*radius - c_q2*com_distance - com_distance - com_offset*s_q2 + radius*radius + t1 + t2 - t3 + t4 + 1)
+    t5 = 1/M_11
+    M_22 = inertia + leg_mass*t4
+    M_12 = leg_mass*(c_q2*com_distance - com_distance*com_distance - com_offset*com_offset + com_offset*s_q2 - t2 + t3) - inertia
+    M_L21 = M_12*t5
     M_D2 = M_22 - M_11*M_L21*M_L21
-    t4 = 1/M_D2
-    t5 = hip_mass + leg_mass*(2 - com_distance)
-    t6 = com_offset*dq1*dq1
-    t7 = 2*dq1 - dq2
-    t8 = radius*(2*dq1*dq2 - dq1*dq1 - dq2*dq2)
+    t6 = 1/M_D2
+    t7 = hip_mass + leg_mass*(2 - com_distance)
+    t8 = com_offset*dq1*dq1
+    t9 = 2*dq1 - dq2
+    t10 = radius*(2*dq1*dq2 - dq1*dq1 - dq2*dq2)
     s_slope = xp.sin(slope)
     c_q1_minus_slope = xp.cos(q1 - slope)
     s_q1_minus_slope = xp.sin(q1 - slope)
     c_minus_q1_plus_q2_plus_slope = xp.cos(q2 - q1 + slope)
     s_minus_q1_plus_q2_plus_slope = xp.sin(q2 - q1 + slope)
-    force_1 = dq1*dq1*radius*s_q1*t5 + leg_mass*(c_q1_minus_q2*com_offset*t8 - c_minus_q1_plus_q2_plus_slope*com_offset - c_q1*radius*t6 - c_q1_minus_slope*com_offset + c_q2*com_offset*dq2*t7 - com_distance*dq2*s_q2*t7 + com_distance*s_minus_q1_plus_q2_plus_slope + com_distance*s_q1_minus_q2*t8) - radius*s_slope*(hip_mass + 2*leg_mass) + s_q1_minus_slope*t5
+    force_1 = dq1*dq1*radius*s_q1*t7 + leg_mass*(c_q1_minus_q2*com_offset*t10 - c_minus_q1_plus_q2_plus_slope*com_offset - c_q1*radius*t8 - c_q1_minus_slope*com_offset + c_q2*com_offset*dq2*t9 - com_distance*dq2*s_q2*t9 + com_distance*s_minus_q1_plus_q2_plus_slope + com_distance*s_q1_minus_q2*t10) - radius*s_slope*(hip_mass + 2*leg_mass) + s_q1_minus_slope*t7
     force_2 = leg_mass*(c_minus_q1_plus_q2_plus_slope*com_offset - com_distance*s_minus_q1_plus_q2_plus_slope + dq1*dq1*(com_distance*s_q2 - c_q2*com_offset))
     acc_f2 = force_2 - M_L21*force_1
-    acc_2 = acc_f2*t4
-    acc_1 = force_1*t3 - M_L21*acc_2
-    t9 = 2*acc_1*com_distance
-    t10 = com_distance*dq1*dq1
-    t11 = 2*acc_1*com_offset
-    t12 = com_offset*dq2*dq2
-    t13 = 2*dq1*dq2
-    t14 = acc_2*com_distance - com_offset*t13 + t12 + t6 - t9
-    t15 = com_distance*dq2*dq2 - acc_2*com_offset - com_distance*t13
-    t16 = t10 + t11 + t15
-    r1_1 = c_q1*radius*(dq1*dq1*hip_mass + leg_mass*(2*dq1*dq1 - t10 - t11)) + c_q1_minus_slope*t5 + leg_mass*(com_offset*s_q1_minus_slope - c_minus_q1_plus_q2_plus_slope*com_distance - c_q1_minus_q2*radius*t16 - com_offset*s_minus_q1_plus_q2_plus_slope + radius*s_q1_minus_q2*t14) + radius*s_q1*(2*acc_1*hip_mass + leg_mass*(4*acc_1 + t6 - t9))
-    t17 = c_minus_q1_plus_q2_plus_slope*com_distance + com_offset*s_minus_q1_plus_q2_plus_slope
-    r1_2 = leg_mass*(acc_1*radius*(c_q1_minus_q2*com_offset + com_distance*s_q1_minus_q2) + t17)
+    acc_2 = acc_f2*t6
+    acc_1 = force_1*t5 - M_L21*acc_2
+    t11 = 2*acc_1*com_distance
+    t12 = com_distance*dq1*dq1
+    t13 = 2*acc_1*com_offset
+    t14 = com_offset*dq2*dq2
+    t15 = 2*dq1*dq2
+    t16 = acc_2*com_distance - com_offset*t15 - t11 + t14 + t8
+    t17 = com_distance*dq2*dq2 - acc_2*com_offset - com_distance*t15
+    t18 = t12 + t13 + t17
+    r1_1 = c_q1*radius*(dq1*dq1*hip_mass + leg_mass*(2*dq1*dq1 - t12 - t13)) + c_q1_minus_slope*t7 + leg_mass*(com_offset*s_q1_minus_slope - c_minus_q1_plus_q2_plus_slope*com_distance - c_q1_minus_q2*radius*t18 - com_offset*s_minus_q1_plus_q2_plus_slope + radius*s_q1_minus_q2*t16) + radius*s_q1*(2*acc_1*hip_mass + leg_mass*(4*acc_1 - t11 + t8))
+    t19 = c_minus_q1_plus_q2_plus_slope*com_distance + com_offset*s_minus_q1_plus_q2_plus_slope
+    r1_2 = leg_mass*(acc_1*radius*(c_q1_minus_q2*com_offset + com_distance*s_q1_minus_q2) + t19)
     d1_f2 = r1_2 - M_L21*r1_1
-    d1_2 = d1_f2*t4
-    d1_1 = r1_1*t3 - M_L21*d1_2
-    r2_1 = leg_mass*(c_q1_minus_q2*radius*t16 + c_q2*(t11 + t15) - radius*s_q1_minus_q2*t14 + s_q2*(acc_2*com_distance - com_offset*t13 + t12 - t9) + t17)
-    r2_2 = leg_mass*(c_q2*(t10 - acc_1*com_offset) - acc_1*c_q1_minus_q2*com_offset*radius - acc_1*com_distance*radius*s_q1_minus_q2 + s_q2*(acc_1*com_distance + t6) - t17)
+    d1_2 = d1_f2*t6
+    d1_1 = r1_1*t5 - M_L21*d1_2
+    r2_1 = leg_mass*(c_q1_minus_q2*radius*t18 + c_q2*(t13 + t17) - radius*s_q1_minus_q2*t16 + s_q2*(acc_2*com_distance - com_offset*t15 - t11 + t14) + t19)
+    r2_2 = leg_mass*(c_q2*(t12 - acc_1*com_offset) - acc_1*c_q1_minus_q2*com_offset*radius - acc_1*com_distance*radius*s_q1_minus_q2 + s_q2*(acc_1*com_distance + t8) - t19)
     d2_f2 = r2_2 - M_L21*r2_1
-    d2_2 = d2_f2*t4
-    d2_1 = r2_1*t3 - M_L21*d2_2
+    d2_2 = d2_f2*t6
+    d2_1 = r2_1*t5 - M_L21*d2_2
     return {
         "dv_dq": [[d1_1, d2_1], [d1_2, d2_2]],
     }
@@ -211,37 +217,39 @@ def state_derivative_dv(xp, q, v, p):
     radius = p[5]
     c_q1 = xp.cos(q1)
     t1 = 2*c_q1*radius
-    t2 = com_distance*com_distance + com_offset*com_offset
+    s_q1_minus_q2 = xp.sin(q1 - q2)
+    t2 = com_offset*radius*s_q1_minus_q2
+    c_q1_minus_q2 = xp.cos(q1 - q2)
+    t3 = c_q1_minus_q2*com_distance*radius
+    t4 = com_distance*com_distance + com_offset*com_offset
     c_q2 = xp.cos(q2)
     s_q1 = xp.sin(q1)
     s_q2 = xp.sin(q2)
-    c_q1_minus_q2 = xp.cos(q1 - q2)
-    s_q1_minus_q2 = xp.sin(q1 - q2)
-    M_11 = hip_mass*radius*radius + hip_mass*t1 + hip_mass + 2*inertia + 2*leg_mass*(com_offset*radius*(s_q1 + s_q1_minus_q2) - com_distance*radius*(c_q1 + c_q1_minus_q2) - com_distance*(c_q2 + 1) - com_offset*s_q2 + radius*radius + t1 + t2 + 1)
-    t3 = 1/M_11
-    M_22 = inertia + leg_mass*t2
-    M_12 = leg_mass*(c_q1_minus_q2*com_distance*radius + c_q2*com_distance - com_distance*com_distance - com_offset*com_offset - com_offset*radius*s_q1_minus_q2 + com_offset*s_q2) - inertia
-    M_L21 = M_12*t3
+    M_11 = hip_mass*radius*radius + hip_mass*t1 + hip_mass + 2*inertia + 2*leg_mass*(com_offset*radius*s_q1 - c_q1*com_distance*radius - c_q2*com_distance - com_distance - com_offset*s_q2 + radius*radius + t1 + t2 - t3 + t4 + 1)
+    t5 = 1/M_11
+    M_22 = inertia + leg_mass*t4
+    M_12 = leg_mass*(c_q2*com_distance - com_distance*com_distance - com_offset*com_offset + com_offset*s_q2 - t2 + t3) - inertia
+    M_L21 = M_12*t5
     M_D2 = M_22 - M_11*M_L21*M_L21
-    t4 = 1/M_D2
-    t5 = hip_mass + 2*leg_mass
-    t6 = c_q1*com_offset*radius
-    t7 = com_distance*dq2*s_q2
-    t8 = c_q2*com_offset*dq2
-    t9 = c_q1_minus_q2*com_offset*radius
-    t10 = com_distance*radius*s_q1_minus_q2
-    t11 = 2*dq1*leg_mass
-    t12 = 2*leg_mass*(dq2 - dq1)
-    r1_1 = 2*dq1*radius*s_q1*(t5 - com_distance*leg_mass) - 2*leg_mass*t7 + 2*leg_mass*t8 + t10*t12 - t11*t6 + t12*t9
-    t13 = c_q2*com_offset - com_distance*s_q2
-    r1_2 = -t11*t13
+    t6 = 1/M_D2
+    t7 = hip_mass + 2*leg_mass
+    t8 = c_q1*com_offset*radius
+    t9 = com_distance*dq2*s_q2
+    t10 = c_q2*com_offset*dq2
+    t11 = c_q1_minus_q2*com_offset*radius
+    t12 = com_distance*radius*s_q1_minus_q2
+    t13 = 2*dq1*leg_mass
+    t14 = 2*leg_mass*(dq2 - dq1)
+    r1_1 = 2*dq1*radius*s_q1*(t7 - com_distance*leg_mass) + 2*leg_mass*t10 - 2*leg_mass*t9 + t11*t14 + t12*t14 - t13*t8
+    t15 = c_q2*com_offset - com_distance*s_q2
+    r1_2 = -t13*t15
     d1_f2 = r1_2 - M_L21*r1_1
-    d1_2 = d1_f2*t4
-    d1_1 = r1_1*t3 - M_L21*d1_2
-    r2_1 = 2*leg_mass*(dq1 - dq2)*(t10 + t13 + t9)
+    d1_2 = d1_f2*t6
+    d1_1 = r1_1*t5 - M_L21*d1_2
+    r2_1 = 2*leg_mass*(dq1 - dq2)*(t11 + t12 + t15)
     d2_f2 = -M_L21*r2_1
-    d2_2 = d2_f2*t4
-    d2_1 = r2_1*t3 - M_L21*d2_2
+    d2_2 = d2_f2*t6
+    d2_1 = r2_1*t5 - M_L21*d2_2
     return {
         "dv_dv": [[d1_1, d2_1], [d1_2, d2_2]],
     }
@@ -266,31 +274,33 @@ def forward_dynamics(xp, q, v, p):
     slope = p[6]
     c_q1 = xp.cos(q1)
     t1 = 2*c_q1*radius
-    t2 = com_distance*com_distance + com_offset*com_offset
+    s_q1_minus_q2 = xp.sin(q1 - q2)
+    t2 = com_offset*radius*s_q1_minus_q2
+    c_q1_minus_q2 = xp.cos(q1 - q2)
+    t3 = c_q1_minus_q2*com_distance*radius
+    t4 = com_distance*com_distance + com_offset*com_offset
     c_q2 = xp.cos(q2)
     s_q1 = xp.sin(q1)
     s_q2 = xp.sin(q2)
-    c_q1_minus_q2 = xp.cos(q1 - q2)
-    s_q1_minus_q2 = xp.sin(q1 - q2)
-    M_11 = hip_mass*radius*radius + hip_mass*t1 + hip_mass + 2*inertia + 2*leg_mass*(com_offset*radius*(s_q1 + s_q1_minus_q2) - com_distance*radius*(c_q1 + c_q1_minus_q2) - com_distance*(c_q2 + 1) - com_offset*s_q2 + radius*radius + t1 + t2 + 1)
-    t3 = 1/M_11
-    M_12 = leg_mass*(c_q1_minus_q2*com_distance*radius + c_q2*com_distance - com_distance*com_distance - com_offset*com_offset - com_offset*radius*s_q1_minus_q2 + com_offset*s_q2) - inertia
-    M_L21 = M_12*t3
-    M_22 = inertia + leg_mass*t2
+    M_11 = hip_mass*radius*radius + hip_mass*t1 + hip_mass + 2*inertia + 2*leg_mass*(com_offset*radius*s_q1 - c_q1*com_distance*radius - c_q2*com_distance - com_distance - com_offset*s_q2 + radius*radius + t1 + t2 - t3 + t4 + 1)
+    t5 = 1/M_11
+    M_12 = leg_mass*(c_q2*com_distance - com_distance*com_distance - com_offset*com_offset + com_offset*s_q2 - t2 + t3) - inertia
+    M_L21 = M_12*t5
+    M_22 = inertia + leg_mass*t4
     M_D2 = M_22 - M_11*M_L21*M_L21
-    t4 = hip_mass + leg_mass*(2 - com_distance)
-    t5 = 2*dq1 - dq2
-    t6 = 2*dq1*dq2 - dq1*dq1 - dq2*dq2
+    t6 = hip_mass + leg_mass*(2 - com_distance)
+    t7 = 2*dq1 - dq2
+    t8 = 2*dq1*dq2 - dq1*dq1 - dq2*dq2
     s_slope = xp.sin(slope)
     c_q1_minus_slope = xp.cos(q1 - slope)
     s_q1_minus_slope = xp.sin(q1 - slope)
     c_minus_q1_plus_q2_plus_slope = xp.cos(q2 - q1 + slope)
     s_minus_q1_plus_q2_plus_slope = xp.sin(q2 - q1 + slope)
-    force_1 = dq1*dq1*radius*s_q1*t4 + leg_mass*(c_q1_minus_q2*com_offset*radius*t6 - c_minus_q1_plus_q2_plus_slope*com_offset - c_q1*com_offset*dq1*dq1*radius - c_q1_minus_slope*com_offset + c_q2*com_offset*dq2*t5 - com_distance*dq2*s_q2*t5 + com_distance*radius*s_q1_minus_q2*t6 + com_distance*s_minus_q1_plus_q2_plus_slope) - radius*s_slope*(hip_mass + 2*leg_mass) + s_q1_minus_slope*t4
+    force_1 = dq1*dq1*radius*s_q1*t6 + leg_mass*(c_q1_minus_q2*com_offset*radius*t8 - c_minus_q1_plus_q2_plus_slope*com_offset - c_q1*com_offset*dq1*dq1*radius - c_q1_minus_slope*com_offset + c_q2*com_offset*dq2*t7 - com_distance*dq2*s_q2*t7 + com_distance*radius*s_q1_minus_q2*t8 + com_distance*s_minus_q1_plus_q2_plus_slope) - radius*s_slope*(hip_mass + 2*leg_mass) + s_q1_minus_slope*t6
     force_2 = leg_mass*(c_minus_q1_plus_q2_plus_slope*com_offset - com_distance*s_minus_q1_plus_q2_plus_slope + dq1*dq1*(com_distance*s_q2 - c_q2*com_offset))
     acc_f2 = force_2 - M_L21*force_1
     acc_2 = acc_f2/M_D2
-    acc_1 = force_1*t3 - M_L21*acc_2
+    acc_1 = force_1*t5 - M_L21*acc_2
     return {
         "dv": [acc_1, acc_2],
     }
@@ -315,52 +325,54 @@ def forward_dynamics_dq(xp, q, v, p):
     slope = p[6]
     c_q1 = xp.cos(q1)
     t1 = 2*c_q1*radius
-    t2 = com_distance*com_distance + com_offset*com_offset
+    s_q1_minus_q2 = xp.sin(q1 - q2)
+    t2 = com_offset*radius*s_q1_minus_q2
+    c_q1_minus_q2 = xp.cos(q1 - q2)
+    t3 = c_q1_minus_q2*com_distance*radius
+    t4 = com_distance*com_distance + com_offset*com_offset
     c_q2 = xp.cos(q2)
     s_q1 = xp.sin(q1)
     s_q2 = xp.sin(q2)
-    c_q1_minus_q2 = xp.cos(q1 - q2)
-    s_q1_minus_q2 = xp.sin(q1 - q2)
-    M_11 = hip_mass*radius*radius + hip_mass*t1 + hip_mass + 2*inertia + 2*leg_mass*(com_offset*radius*(s_q1 + s_q1_minus_q2) - com_distance*radius*(c_q1 + c_q1_minus_q2) - com_distance*(c_q2 + 1) - com_offset*s_q2 + radius*radius + t1 + t2 + 1)
-    t3 = 1/M_11
-    M_22 = inertia + leg_mass*t2
-    M_12 = leg_mass*(c_q1_minus_q2*com_distance*radius + c_q2*com_distance - com_distance*com_distance - com_offset*com_offset - com_offset*radius*s_q1_minus_q2 + com_offset*s_q2) - inertia
-    M_L21 = M_12*t3
+    M_11 = hip_mass*radius*radius + hip_mass*t1 + hip_mass + 2*inertia + 2*leg_mass*(com_offset*radius*s_q1 - c_q1*com_distance*radius - c_q2*com_distance - com_distance - com_offset*s_q2 + radius*radius + t1 + t2 - t3 + t4 + 1)
+    t5 = 1/M_11
+    M_22 = inertia + leg_mass*t4
+    M_12 = leg_mass*(c_q2*com_distance - com_distance*com_distance - com_offset*com_offset + com_offset*s_q2 - t2 + t3) - inertia
+    M_L21 = M_12*t5
     M_D2 = M_22 - M_11*M_L21*M_L21
-    t4 = 1/M_D2
-    t5 = hip_mass + leg_mass*(2 - com_distance)
-    t6 = com_offset*dq1*dq1
-    t7 = 2*dq1 - dq2
-    t8 = radius*(2*dq1*dq2 - dq1*dq1 - dq2*dq2)
+    t6 = 1/M_D2
+    t7 = hip_mass + leg_mass*(2 - com_distance)
+    t8 = com_offset*dq1*dq1
+    t9 = 2*dq1 - dq2
+    t10 = radius*(2*dq1*dq2 - dq1*dq1 - dq2*dq2)
     s_slope = xp.sin(slope)
     c_q1_minus_slope = xp.cos(q1 - slope)
     s_q1_minus_slope = xp.sin(q1 - slope)
     c_minus_q1_plus_q2_plus_slope = xp.cos(q2 - q1 + slope)
     s_minus_q1_plus_q2_plus_slope = xp.sin(q2 - q1 + slope)
-    force_1 = dq1*dq1*radius*s_q1*t5 + leg_mass*(c_q1_minus_q2*com_offset*t8 - c_minus_q1_plus_q2_plus_slope*com_offset - c_q1*radius*t6 - c_q1_minus_slope*com_offset + c_q2*com_offset*dq2*t7 - com_distance*dq2*s_q2*t7 + com_distance*s_minus_q1_plus_q2_plus_slope + com_distance*s_q1_minus_q2*t8) - radius*s_slope*(hip_mass + 2*leg_mass) + s_q1_minus_slope*t5
+    force_1 = dq1*dq1*radius*s_q1*t7 + leg_mass*(c_q1_minus_q2*com_offset*t10 - c_minus_q1_plus_q2_plus_slope*com_offset - c_q1*radius*t8 - c_q1_minus_slope*com_offset + c_q2*com_offset*dq2*t9 - com_distance*dq2*s_q2*t9 + com_distance*s_minus_q1_plus_q2_plus_slope + com_distance*s_q1_minus_q2*t10) - radius*s_slope*(hip_mass + 2*leg_mass) + s_q1_minus_slope*t7
     force_2 = leg_mass*(c_minus_q1_plus_q2_plus_slope*com_offset - com_distance*s_minus_q1_plus_q2_plus_slope + dq1*dq1*(com_distance*s_q2 - c_q2*com_offset))
     acc_f2 = force_2 - M_L21*force_1
-    acc_2 = acc_f2*t4
-    acc_1 = force_1*t3 - M_L21*acc_2
-    t9 = 2*acc_1*com_distance
-    t10 = com_distance*dq1*dq1
-    t11 = 2*acc_1*com_offset
-    t12 = com_offset*dq2*dq2
-    t13 = 2*dq1*dq2
-    t14 = acc_2*com_distance - com_offset*t13 + t12 + t6 - t9
-    t15 = com_distance*dq2*dq2 - acc_2*com_offset - com_distance*t13
-    t16 = t10 + t11 + t15
-    r1_1 = c_q1*radius*(dq1*dq1*hip_mass + leg_mass*(2*dq1*dq1 - t10 - t11)) + c_q1_minus_slope*t5 + leg_mass*(com_offset*s_q1_minus_slope - c_minus_q1_plus_q2_plus_slope*com_distance - c_q1_minus_q2*radius*t16 - com_offset*s_minus_q1_plus_q2_plus_slope + radius*s_q1_minus_q2*t14) + radius*s_q1*(2*acc_1*hip_mass + leg_mass*(4*acc_1 + t6 - t9))
-    t17 = c_minus_q1_plus_q2_plus_slope*com_distance + com_offset*s_minus_q1_plus_q2_plus_slope
-    r1_2 = leg_mass*(acc_1*radius*(c_q1_minus_q2*com_offset + com_distance*s_q1_minus_q2) + t17)
+    acc_2 = acc_f2*t6
+    acc_1 = force_1*t5 - M_L21*acc_2
+    t11 = 2*acc_1*com_distance
+    t12 = com_distance*dq1*dq1
+    t13 = 2*acc_1*com_offset
+    t14 = com_offset*dq2*dq2
+    t15 = 2*dq1*dq2
+    t16 = acc_2*com_distance - com_offset*t15 - t11 + t14 + t8
+    t17 = com_distance*dq2*dq2 - acc_2*com_offset - com_distance*t15
+    t18 = t12 + t13 + t17
+    r1_1 = c_q1*radius*(dq1*dq1*hip_mass + leg_mass*(2*dq1*dq1 - t12 - t13)) + c_q1_minus_slope*t7 + leg_mass*(com_offset*s_q1_minus_slope - c_minus_q1_plus_q2_plus_slope*com_distance - c_q1_minus_q2*radius*t18 - com_offset*s_minus_q1_plus_q2_plus_slope + radius*s_q1_minus_q2*t16) + radius*s_q1*(2*acc_1*hip_mass + leg_mass*(4*acc_1 - t11 + t8))
+    t19 = c_minus_q1_plus_q2_plus_slope*com_distance + com_offset*s_minus_q1_plus_q2_plus_slope
+    r1_2 = leg_mass*(acc_1*radius*(c_q1_minus_q2*com_offset + com_distance*s_q1_minus_q2) + t19)
     d1_f2 = r1_2 - M_L21*r1_1
-    d1_2 = d1_f2*t4
-    d1_1 = r1_1*t3 - M_L21*d1_2
-    r2_1 = leg_mass*(c_q1_minus_q2*radius*t16 + c_q2*(t11 + t15) - radius*s_q1_minus_q2*t14 + s_q2*(acc_2*com_distance - com_offset*t13 + t12 - t9) + t17)
-    r2_2 = leg_mass*(c_q2*(t10 - acc_1*com_offset) - acc_1*c_q1_minus_q2*com_offset*radius - acc_1*com_distance*radius*s_q1_minus_q2 + s_q2*(acc_1*com_distance + t6) - t17)
+    d1_2 = d1_f2*t6
+    d1_1 = r1_1*t5 - M_L21*d1_2
+    r2_1 = leg_mass*(c_q1_minus_q2*radius*t18 + c_q2*(t13 + t17) - radius*s_q1_minus_q2*t16 + s_q2*(acc_2*com_distance - com_offset*t15 - t11 + t14) + t19)
+    r2_2 = leg_mass*(c_q2*(t12 - acc_1*com_offset) - acc_1*c_q1_minus_q2*com_offset*radius - acc_1*com_distance*radius*s_q1_minus_q2 + s_q2*(acc_1*com_distance + t8) - t19)
     d2_f2 = r2_2 - M_L21*r2_1
-    d2_2 = d2_f2*t4
-    d2_1 = r2_1*t3 - M_L21*d2_2
+    d2_2 = d2_f2*t6
+    d2_1 = r2_1*t5 - M_L21*d2_2
     return {
         "dv_dq": [[d1_1, d2_1], [d1_2, d2_2]],
     }
@@ -384,37 +396,39 @@ def forward_dynamics_dv(xp, q, v, p):
     radius = p[5]
     c_q1 = xp.cos(q1)
     t1 = 2*c_q1*radius
-    t2 = com_distance*com_distance + com_offset*com_offset
+    s_q1_minus_q2 = xp.sin(q1 - q2)
+    t2 = com_offset*radius*s_q1_minus_q2
+    c_q1_minus_q2 = xp.cos(q1 - q2)
+    t3 = c_q1_minus_q2*com_distance*radius
+    t4 = com_distance*com_distance + com_offset*com_offset
     c_q2 = xp.cos(q2)
     s_q1 = xp.sin(q1)
     s_q2 = xp.sin(q2)
-    c_q1_minus_q2 = xp.cos(q1 - q2)
-    s_q1_minus_q2 = xp.sin(q1 - q2)
-    M_11 = hip_mass*radius*radius + hip_mass*t1 + hip_mass + 2*inertia + 2*leg_mass*(com_offset*radius*(s_q1 + s_q1_minus_q2) - com_distance*radius*(c_q1 + c_q1_minus_q2) - com_distance*(c_q2 + 1) - com_offset*s_q2 + radius*radius + t1 + t2 + 1)
-    t3 = 1/M_11
-    M_22 = inertia + leg_mass*t2
-    M_12 = leg_mass*(c_q1_minus_q2*com_distance*radius + c_q2*com_distance - com_distance*com_distance - com_offset*com_offset - com_offset*radius*s_q1_minus_q2 + com_offset*s_q2) - inertia
-    M_L21 = M_12*t3
+    M_11 = hip_mass*radius*radius + hip_mass*t1 + hip_mass + 2*inertia + 2*leg_mass*(com_offset*radius*s_q1 - c_q1*com_distance*radius - c_q2*com_distance - com_distance - com_offset*s_q2 + radius*radius + t1 + t2 - t3 + t4 + 1)
+    t5 = 1/M_11
+    M_22 = inertia + leg_mass*t4
+    M_12 = leg_mass*(c_q2*com_distance - com_distance*com_distance - com_offset*com_offset + com_offset*s_q2 - t2 + t3) - inertia
+    M_L21 = M_12*t5
     M_D2 = M_22 - M_11*M_L21*M_L21
-    t4 = 1/M_D2
-    t5 = hip_mass + 2*leg_mass
-    t6 = c_q1*com_offset*radius
-    t7 = com_distance*dq2*s_q2
-    t8 = c_q2*com_offset*dq2
-    t9 = c_q1_minus_q2*com_offset*radius
-    t10 = com_distance*radius*s_q1_minus_q2
-    t11 = 2*dq1*leg_mass
-    t12 = 2*leg_mass*(dq2 - dq1)
-    r1_1 = 2*dq1*radius*s_q1*(t5 - com_distance*leg_mass) - 2*leg_mass*t7 + 2*leg_mass*t8 + t10*t12 - t11*t6 + t12*t9
-    t13 = c_q2*com_offset - com_distance*s_q2
-    r1_2 = -t11*t13
+    t6 = 1/M_D2
+    t7 = hip_mass + 2*leg_mass
+    t8 = c_q1*com_offset*radius
+    t9 = com_distance*dq2*s_q2
+    t10 = c_q2*com_offset*dq2
+    t11 = c_q1_minus_q2*com_offset*radius
+    t12 = com_distance*radius*s_q1_minus_q2
+    t13 = 2*dq1*leg_mass
+    t14 = 2*leg_mass*(dq2 - dq1)
+    r1_1 = 2*dq1*radius*s_q1*(t7 - com_distance*leg_mass) + 2*leg_mass*t10 - 2*leg_mass*t9 + t11*t14 + t12*t14 - t13*t8
+    t15 = c_q2*com_offset - com_distance*s_q2
+    r1_2 = -t13*t15
     d1_f2 = r1_2 - M_L21*r1_1
-    d1_2 = d1_f2*t4
-    d1_1 = r1_1*t3 - M_L21*d1_2
-    r2_1 = 2*leg_mass*(dq1 - dq2)*(t10 + t13 + t9)
+    d1_2 = d1_f2*t6
+    d1_1 = r1_1*t5 - M_L21*d1_2
+    r2_1 = 2*leg_mass*(dq1 - dq2)*(t11 + t12 + t15)
     d2_f2 = -M_L21*r2_1
-    d2_2 = d2_f2*t4
-    d2_1 = r2_1*t3 - M_L21*d2_2
+    d2_2 = d2_f2*t6
+    d2_1 = r2_1*t5 - M_L21*d2_2
     return {
         "dv_dv": [[d1_1, d2_1], [d1_2, d2_2]],
     }
@@ -424,7 +438,7 @@ def forward_dynamics_dp(xp, q, v, p):
     """Derivative with respect to p of the accelerations for given torques.
 
     Source: M ddq + h + v = Q with the torques u in Q, differentiated.
-    392 operations.
+    405 operations.
     """
     q1 = q[0]
     q2 = q[1]
@@ -439,88 +453,87 @@ def forward_dynamics_dp(xp, q, v, p):
     slope = p[6]
     c_q1 = xp.cos(q1)
     t1 = 2*c_q1*radius
-    c_q2 = xp.cos(q2)
-    t2 = com_distance*(c_q2 + 1)
-    s_q1 = xp.sin(q1)
     s_q1_minus_q2 = xp.sin(q1 - q2)
-    t3 = radius*(s_q1 + s_q1_minus_q2)
+    t2 = com_offset*radius*s_q1_minus_q2
     c_q1_minus_q2 = xp.cos(q1 - q2)
-    t4 = radius*(c_q1 + c_q1_minus_q2)
-    t5 = com_distance*com_distance + com_offset*com_offset
-    t6 = radius*radius + t1 + 1
+    t3 = c_q1_minus_q2*com_distance*radius
+    t4 = com_distance*com_distance + com_offset*com_offset
+    t5 = radius*radius + t1 + 1
+    c_q2 = xp.cos(q2)
+    s_q1 = xp.sin(q1)
     s_q2 = xp.sin(q2)
-    M_11 = hip_mass*radius*radius + hip_mass*t1 + hip_mass + 2*inertia + 2*leg_mass*(com_offset*t3 - com_distance*t4 - com_offset*s_q2 - t2 + t5 + t6)
-    t7 = 1/M_11
-    M_22 = inertia + leg_mass*t5
-    t8 = c_q1_minus_q2*com_distance*radius + c_q2*com_distance - com_distance*com_distance - com_offset*com_offset - com_offset*radius*s_q1_minus_q2 + com_offset*s_q2
-    M_12 = leg_mass*t8 - inertia
-    M_L21 = M_12*t7
+    M_11 = hip_mass*radius*radius + hip_mass*t1 + hip_mass + 2*inertia + 2*leg_mass*(com_offset*radius*s_q1 - c_q1*com_distance*radius - c_q2*com_distance - com_distance - com_offset*s_q2 + t2 - t3 + t4 + t5)
+    t6 = 1/M_11
+    M_22 = inertia + leg_mass*t4
+    t7 = c_q2*com_distance - com_distance*com_distance - com_offset*com_offset + com_offset*s_q2 - t2 + t3
+    M_12 = leg_mass*t7 - inertia
+    M_L21 = M_12*t6
     M_D2 = M_22 - M_11*M_L21*M_L21
-    t9 = 1/M_D2
+    t8 = 1/M_D2
+    t9 = hip_mass + 2*leg_mass
     t10 = hip_mass + leg_mass*(2 - com_distance)
-    t11 = dq1*dq1*radius
+    t11 = dq1*dq1*radius*s_q1
     t12 = dq1*dq1 - 2*dq1*dq2 + dq2*dq2
     t13 = 2*dq1 - dq2
     t14 = -dq2*t13
-    t15 = c_q1*com_offset*t11
+    t15 = c_q1*dq1*dq1*radius
     c_minus_q1_plus_q2_plus_slope = xp.cos(q2 - q1 + slope)
     s_minus_q1_plus_q2_plus_slope = xp.sin(q2 - q1 + slope)
     t16 = com_distance*s_minus_q1_plus_q2_plus_slope - c_minus_q1_plus_q2_plus_slope*com_offset
     s_slope = xp.sin(slope)
     c_q1_minus_slope = xp.cos(q1 - slope)
     s_q1_minus_slope = xp.sin(q1 - slope)
-    force_1 = leg_mass*(c_q2*com_offset*dq2*t13 - c_q1_minus_q2*com_offset*radius*t12 - c_q1_minus_slope*com_offset - com_distance*radius*s_q1_minus_q2*t12 + com_distance*s_q2*t14 - t15 + t16) - radius*s_slope*(hip_mass + 2*leg_mass) + s_q1*t10*t11 + s_q1_minus_slope*t10
+    force_1 = leg_mass*(c_q2*com_offset*dq2*t13 - c_q1_minus_q2*com_offset*radius*t12 - c_q1_minus_slope*com_offset - com_distance*radius*s_q1_minus_q2*t12 + com_distance*s_q2*t14 - com_offset*t15 + t16) - radius*s_slope*t9 + s_q1_minus_slope*t10 + t10*t11
     t17 = c_q2*com_offset - com_distance*s_q2
     t18 = c_minus_q1_plus_q2_plus_slope*com_offset - com_distance*s_minus_q1_plus_q2_plus_slope
     force_2 = leg_mass*(t18 - dq1*dq1*t17)
     acc_f2 = force_2 - M_L21*force_1
-    acc_2 = acc_f2*t9
-    acc_1 = force_1*t7 - M_L21*acc_2
-    r1_1 = dq1*dq1*radius*s_q1 - acc_1*t6 - radius*s_slope + s_q1_minus_slope
+    acc_2 = acc_f2*t8
+    acc_1 = force_1*t6 - M_L21*acc_2
+    r1_1 = dq1*dq1*radius*s_q1 - acc_1*t5 - radius*s_slope + s_q1_minus_slope
     d1_f2 = -M_L21*r1_1
-    d1_2 = d1_f2*t9
-    d1_1 = r1_1*t7 - M_L21*d1_2
-    t19 = c_q1_minus_q2*radius*t12
-    t20 = radius*s_q1_minus_q2*t12
-    r2_1 = s_q1*t11*(2 - com_distance) - acc_1*(4*c_q1*radius + 2*com_distance*com_distance - 2*com_distance*t4 + 2*com_offset*com_offset - 2*com_offset*s_q2 + 2*com_offset*t3 + 2*radius*radius - 2*t2 + 2) - acc_2*t8 - c_q1_minus_slope*com_offset - c_q2*com_offset*t14 - com_distance*dq2*s_q2*t13 - com_distance*s_q1_minus_slope - com_distance*t20 - com_offset*t19 - 2*radius*s_slope + 2*s_q1_minus_slope - t15 - t18
-    r2_2 = -acc_1*t8 - acc_2*t5 - dq1*dq1*t17 - t16
+    d1_2 = d1_f2*t8
+    d1_1 = r1_1*t6 - M_L21*d1_2
+    t19 = -2*com_distance
+    t20 = c_q1_minus_q2*radius*t12
+    t21 = radius*s_q1_minus_q2*t12
+    r2_1 = s_q1_minus_slope*(2 - com_distance) - acc_1*(4*c_q1*radius - 2*c_q1*com_distance*radius - 2*c_q1_minus_q2*com_distance*radius - 2*c_q2*com_distance + 2*com_distance*com_distance + 2*com_offset*com_offset + 2*com_offset*radius*s_q1 + 2*com_offset*radius*s_q1_minus_q2 - 2*com_offset*s_q2 + 2*radius*radius + t19 + 2) - acc_2*t7 - c_q1_minus_slope*com_offset - c_q2*com_offset*t14 - com_distance*dq2*s_q2*t13 - com_distance*t21 - com_offset*t15 - com_offset*t20 - 2*radius*s_slope + t11*(2 - com_distance) - t18
+    r2_2 = -acc_1*t7 - acc_2*t4 - dq1*dq1*t17 - t16
     d2_f2 = r2_2 - M_L21*r2_1
-    d2_2 = d2_f2*t9
-    d2_1 = r2_1*t7 - M_L21*d2_2
+    d2_2 = d2_f2*t8
+    d2_1 = r2_1*t6 - M_L21*d2_2
     r3_1 = acc_2 - 2*acc_1
     r3_2 = acc_1 - acc_2
     d3_f2 = r3_2 - M_L21*r3_1
-    d3_2 = d3_f2*t9
-    d3_1 = r3_1*t7 - M_L21*d3_2
-    t21 = -2*com_distance
-    t22 = leg_mass*(c_q1_minus_q2*radius + c_q2 + t21)
+    d3_2 = d3_f2*t8
+    d3_1 = r3_1*t6 - M_L21*d3_2
+    t22 = c_q1_minus_q2*radius + c_q2 + t19
     t23 = 2*acc_1*leg_mass
-    r4_1 = leg_mass*(s_minus_q1_plus_q2_plus_slope - s_q1_minus_slope) - acc_2*t22 - leg_mass*s_q1*t11 - leg_mass*(dq2*s_q2*t13 + t20) + t23*(c_q2 + t21 + t4 + 1)
+    r4_1 = leg_mass*s_minus_q1_plus_q2_plus_slope - acc_2*leg_mass*t22 - leg_mass*s_q1_minus_slope - leg_mass*t11 - leg_mass*(dq2*s_q2*t13 + t21) + t23*(c_q1*radius + t22 + 1)
     t24 = 2*acc_2*leg_mass
-    r4_2 = dq1*dq1*leg_mass*s_q2 - acc_1*t22 - com_distance*t24 - leg_mass*s_minus_q1_plus_q2_plus_slope
+    r4_2 = dq1*dq1*leg_mass*s_q2 - acc_1*leg_mass*t22 - com_distance*t24 - leg_mass*s_minus_q1_plus_q2_plus_slope
     d4_f2 = r4_2 - M_L21*r4_1
-    d4_2 = d4_f2*t9
-    d4_1 = r4_1*t7 - M_L21*d4_2
-    t25 = 2*com_offset - s_q2
-    t26 = -leg_mass*(radius*s_q1_minus_q2 + t25)
-    r5_1 = -acc_2*t26 - leg_mass*(c_minus_q1_plus_q2_plus_slope + c_q1_minus_slope) - leg_mass*(c_q1*t11 + c_q2*t14 + t19) - t23*(t25 + t3)
+    d4_2 = d4_f2*t8
+    d4_1 = r4_1*t6 - M_L21*d4_2
+    t25 = 2*com_offset + radius*s_q1_minus_q2 - s_q2
+    t26 = -leg_mass*t25
+    r5_1 = -acc_2*t26 - c_minus_q1_plus_q2_plus_slope*leg_mass - c_q1_minus_slope*leg_mass - leg_mass*(c_q2*t14 + t15 + t20) - t23*(radius*s_q1 + t25)
     r5_2 = c_minus_q1_plus_q2_plus_slope*leg_mass - acc_1*t26 - c_q2*dq1*dq1*leg_mass - com_offset*t24
     d5_f2 = r5_2 - M_L21*r5_1
-    d5_2 = d5_f2*t9
-    d5_1 = r5_1*t7 - M_L21*d5_2
+    d5_2 = d5_f2*t8
+    d5_1 = r5_1*t6 - M_L21*d5_2
     t27 = leg_mass*(c_q1_minus_q2*com_distance - com_offset*s_q1_minus_q2)
-    r6_1 = dq1*dq1*s_q1*(hip_mass - leg_mass*(com_distance - 2)) - acc_1*(2*c_q1*hip_mass + 2*hip_mass*radius + 2*leg_mass*(2*c_q1 - com_distance*(c_q1 + c_q1_minus_q2) + com_offset*(s_q1 + s_q1_minus_q2) + 2*radius)) - acc_2*t27 - hip_mass*s_slope - 2*leg_mass*s_slope - leg_mass*(c_q1*com_offset*dq1*dq1 + c_q1_minus_q2*com_offset*t12 + com_distance*s_q1_minus_q2*t12)
+    r6_1 = dq1*dq1*s_q1*(hip_mass - leg_mass*(com_distance - 2)) - acc_1*(2*c_q1*hip_mass + 2*hip_mass*radius + 2*leg_mass*(2*c_q1 - c_q1*com_distance - c_q1_minus_q2*com_distance + com_offset*s_q1 + com_offset*s_q1_minus_q2 + 2*radius)) - acc_2*t27 - leg_mass*(c_q1*com_offset*dq1*dq1 + c_q1_minus_q2*com_offset*t12 + com_distance*s_q1_minus_q2*t12) - s_slope*t9
     r6_2 = -acc_1*t27
     d6_f2 = r6_2 - M_L21*r6_1
-    d6_2 = d6_f2*t9
-    d6_1 = r6_1*t7 - M_L21*d6_2
-    t28 = c_minus_q1_plus_q2_plus_slope*com_distance + com_offset*s_minus_q1_plus_q2_plus_slope
+    d6_2 = d6_f2*t8
+    d6_1 = r6_1*t6 - M_L21*d6_2
     c_slope = xp.cos(slope)
-    r7_1 = -c_q1_minus_slope*hip_mass - c_slope*hip_mass*radius - leg_mass*(2*c_q1_minus_slope - c_q1_minus_slope*com_distance + 2*c_slope*radius + com_offset*s_q1_minus_slope - t28)
-    r7_2 = -leg_mass*t28
+    r7_1 = c_minus_q1_plus_q2_plus_slope*com_distance*leg_mass + c_q1_minus_slope*(com_distance*leg_mass - t9) - c_slope*radius*t9 + com_offset*leg_mass*s_minus_q1_plus_q2_plus_slope - com_offset*leg_mass*s_q1_minus_slope
+    r7_2 = -leg_mass*(c_minus_q1_plus_q2_plus_slope*com_distance + com_offset*s_minus_q1_plus_q2_plus_slope)
     d7_f2 = r7_2 - M_L21*r7_1
-    d7_2 = d7_f2*t9
-    d7_1 = r7_1*t7 - M_L21*d7_2
+    d7_2 = d7_f2*t8
+    d7_1 = r7_1*t6 - M_L21*d7_2
     return {
         "dv_dp": [[d1_1, d2_1, d3_1, d4_1, d5_1, d6_1, d7_1], [d1_2, d2_2, d3_2, d4_2, d5_2, d6_2, d7_2]],
     }
@@ -558,7 +571,7 @@ def impact_map(xp, q, v, p):
     """State just after touchdown from the state just before.
 
     Source: plastic impact: Me (v+ - v-) = J^T Lambda, J v+ = 0, projected on the velocities with J v = 0.
-    133 operations.
+    127 operations.
     """
     q1 = q[0]
     q2 = q[1]
@@ -573,27 +586,29 @@ def impact_map(xp, q, v, p):
     t1 = hip_mass*radius*radius
     c_q1_minus_q2 = xp.cos(q1 - q2)
     t2 = 2*c_q1_minus_q2*radius
-    t3 = com_distance*com_distance + com_offset*com_offset
-    s_q2 = xp.sin(q2)
-    t4 = com_offset*s_q2 + t3
-    c_q1 = xp.cos(q1)
-    c_q2 = xp.cos(q2)
-    s_q1 = xp.sin(q1)
     s_q1_minus_q2 = xp.sin(q1 - q2)
-    A_11 = hip_mass*t2 + hip_mass + 2*inertia + 2*leg_mass*(com_offset*radius*(s_q1 + s_q1_minus_q2) - com_distance*radius*(c_q1 + c_q1_minus_q2) - com_distance*(c_q2 + 1) + radius*radius + t2 + t4 + 1) + t1
-    t5 = 1/A_11
-    t6 = com_offset*radius*s_q1
-    A_12 = leg_mass*(c_q1*com_distance*radius + c_q2*com_distance - t4 - t6) - inertia
-    A_L21 = A_12*t5
-    A_22 = inertia + leg_mass*t3
+    t3 = com_offset*radius*s_q1_minus_q2
+    t4 = com_distance*com_distance + com_offset*com_offset
+    s_q1 = xp.sin(q1)
+    t5 = com_offset*radius*s_q1
+    c_q1 = xp.cos(q1)
+    t6 = c_q1*com_distance*radius
+    c_q2 = xp.cos(q2)
+    s_q2 = xp.sin(q2)
+    t7 = com_offset*s_q2 - c_q2*com_distance + t5 - t6
+    A_11 = hip_mass*t2 + hip_mass + 2*inertia + 2*leg_mass*(radius*radius - c_q1_minus_q2*com_distance*radius - com_distance + t2 + t3 + t4 + t7 + 1) + t1
+    t8 = 1/A_11
+    A_12 = -inertia - leg_mass*(t4 + t7)
+    A_L21 = A_12*t8
+    A_22 = inertia + leg_mass*t4
     A_D2 = A_22 - A_11*A_L21*A_L21
-    t7 = dq1*(hip_mass + leg_mass*(2 - 2*com_distance))
-    t8 = com_distance*dq2 - 2*com_distance*dq1
-    momentum_1 = c_q1*radius*t7 + c_q1_minus_q2*radius*(dq1*hip_mass + leg_mass*(2*dq1 + t8)) + c_q2*t7 + 2*dq1*inertia + dq1*t1 - dq2*inertia + leg_mass*(2*com_distance*com_distance*dq1 - com_distance*com_distance*dq2 + 2*com_offset*com_offset*dq1 - com_offset*com_offset*dq2 + com_offset*radius*s_q1_minus_q2*(2*dq1 - dq2) + 2*dq1*radius*radius + 2*dq1*t6 + t8)
-    momentum_2 = dq1*(leg_mass*(com_distance - t3) - inertia) + leg_mass*(c_q1*com_distance*dq1*radius - dq1*t6)
+    t9 = dq1*(hip_mass + leg_mass*(2 - 2*com_distance))
+    t10 = com_distance*dq2 - 2*com_distance*dq1
+    momentum_1 = c_q1*radius*t9 + c_q1_minus_q2*radius*(dq1*hip_mass + leg_mass*(2*dq1 + t10)) + c_q2*t9 + 2*dq1*inertia + dq1*t1 - dq2*inertia + leg_mass*(2*com_distance*com_distance*dq1 - com_distance*com_distance*dq2 + 2*com_offset*com_offset*dq1 - com_offset*com_offset*dq2 + 2*dq1*radius*radius + 2*dq1*t5 + t10 + t3*(2*dq1 - dq2))
+    momentum_2 = dq1*(leg_mass*(com_distance - t4) - inertia) + leg_mass*(dq1*t6 - dq1*t5)
     after_f2 = momentum_2 - A_L21*momentum_1
     after_2 = after_f2/A_D2
-    after_1 = momentum_1*t5 - A_L21*after_2
+    after_1 = momentum_1*t8 - A_L21*after_2
     return {
         "q_plus": [q1 - q2, -q2],
         "v_plus": [after_1, after_2],
@@ -605,7 +620,7 @@ def impact_map_dq(xp, q, v, p):
 
     Source: plastic impact: Me (v+ - v-) = J^T Lambda, J v+ = 0, projected on the velocities with J v = 0,
     differentiated.
-    214 operations.
+    208 operations.
     """
     q1 = q[0]
     q2 = q[1]
@@ -620,46 +635,48 @@ def impact_map_dq(xp, q, v, p):
     t1 = hip_mass*radius*radius
     c_q1_minus_q2 = xp.cos(q1 - q2)
     t2 = 2*c_q1_minus_q2*radius
-    t3 = com_distance*com_distance + com_offset*com_offset
-    s_q2 = xp.sin(q2)
-    t4 = com_offset*s_q2 + t3
-    c_q1 = xp.cos(q1)
-    c_q2 = xp.cos(q2)
-    s_q1 = xp.sin(q1)
     s_q1_minus_q2 = xp.sin(q1 - q2)
-    A_11 = hip_mass*t2 + hip_mass + 2*inertia + 2*leg_mass*(com_offset*radius*(s_q1 + s_q1_minus_q2) - com_distance*radius*(c_q1 + c_q1_minus_q2) - com_distance*(c_q2 + 1) + radius*radius + t2 + t4 + 1) + t1
-    t5 = 1/A_11
-    A_22 = inertia + leg_mass*t3
-    t6 = com_offset*radius*s_q1
-    A_12 = leg_mass*(c_q1*com_distance*radius + c_q2*com_distance - t4 - t6) - inertia
-    A_L21 = A_12*t5
+    t3 = com_offset*radius*s_q1_minus_q2
+    t4 = com_distance*com_distance + com_offset*com_offset
+    s_q1 = xp.sin(q1)
+    t5 = com_offset*radius*s_q1
+    c_q1 = xp.cos(q1)
+    t6 = c_q1*com_distance*radius
+    c_q2 = xp.cos(q2)
+    s_q2 = xp.sin(q2)
+    t7 = com_offset*s_q2 - c_q2*com_distance + t5 - t6
+    A_11 = hip_mass*t2 + hip_mass + 2*inertia + 2*leg_mass*(radius*radius - c_q1_minus_q2*com_distance*radius - com_distance + t2 + t3 + t4 + t7 + 1) + t1
+    t8 = 1/A_11
+    A_22 = inertia + leg_mass*t4
+    A_12 = -inertia - leg_mass*(t4 + t7)
+    A_L21 = A_12*t8
     A_D2 = A_22 - A_11*A_L21*A_L21
-    t7 = 1/A_D2
-    t8 = -2*com_distance*dq1
-    t9 = 2*dq1 + t8
-    t10 = dq1*(hip_mass + leg_mass*(2 - 2*com_distance))
-    t11 = com_distance*dq2 + t9
-    momentum_1 = c_q1*radius*t10 + c_q1_minus_q2*radius*(dq1*hip_mass + leg_mass*t11) + c_q2*t10 + 2*dq1*inertia + dq1*t1 - dq2*inertia + leg_mass*(2*com_distance*com_distance*dq1 - com_distance*com_distance*dq2 + com_distance*dq2 + 2*com_offset*com_offset*dq1 - com_offset*com_offset*dq2 + com_offset*radius*s_q1_minus_q2*(2*dq1 - dq2) + 2*dq1*radius*radius + 2*dq1*t6 + t8)
-    momentum_2 = dq1*(leg_mass*(com_distance - t3) - inertia) + leg_mass*(c_q1*com_distance*dq1*radius - dq1*t6)
+    t9 = 1/A_D2
+    t10 = -2*com_distance*dq1
+    t11 = 2*dq1 + t10
+    t12 = dq1*(hip_mass + leg_mass*(2 - 2*com_distance))
+    t13 = com_distance*dq2 + t11
+    momentum_1 = c_q1*radius*t12 + c_q1_minus_q2*radius*(dq1*hip_mass + leg_mass*t13) + c_q2*t12 + 2*dq1*inertia + dq1*t1 - dq2*inertia + leg_mass*(2*com_distance*com_distance*dq1 - com_distance*com_distance*dq2 + com_distance*dq2 + 2*com_offset*com_offset*dq1 - com_offset*com_offset*dq2 + 2*dq1*radius*radius + 2*dq1*t5 + t10 + t3*(2*dq1 - dq2))
+    momentum_2 = dq1*(leg_mass*(com_distance - t4) - inertia) + leg_mass*(dq1*t6 - dq1*t5)
     after_f2 = momentum_2 - A_L21*momentum_1
-    after_2 = after_f2*t7
-    after_1 = momentum_1*t5 - A_L21*after_2
-    t12 = 2*after_1*com_distance
-    t13 = leg_mass*(after_2*com_distance - t12 - t9) - dq1*hip_mass
-    t14 = 2*after_1 - 2*dq1 + dq2
-    t15 = c_q1_minus_q2*com_offset*radius
-    t16 = 2*after_1*hip_mass
-    t17 = t11 - 4*after_1 + t12
-    r1_1 = leg_mass*(c_q1*com_offset*radius*(after_2 - 2*after_1 + 2*dq1) - t14*t15) + radius*s_q1*t13 + radius*s_q1_minus_q2*(t16 - dq1*hip_mass - leg_mass*t17)
+    after_2 = after_f2*t9
+    after_1 = momentum_1*t8 - A_L21*after_2
+    t14 = 2*after_1*com_distance
+    t15 = leg_mass*(after_2*com_distance - t11 - t14) - dq1*hip_mass
+    t16 = 2*after_1 - 2*dq1 + dq2
+    t17 = c_q1_minus_q2*com_offset*radius
+    t18 = 2*after_1*hip_mass
+    t19 = t13 - 4*after_1 + t14
+    r1_1 = leg_mass*(c_q1*com_offset*radius*(after_2 - 2*after_1 + 2*dq1) - t16*t17) + radius*s_q1*t15 + radius*s_q1_minus_q2*(t18 - dq1*hip_mass - leg_mass*t19)
     r1_2 = leg_mass*radius*(after_1 - dq1)*(c_q1*com_offset + com_distance*s_q1)
     d1_f2 = r1_2 - A_L21*r1_1
-    d1_2 = d1_f2*t7
-    d1_1 = r1_1*t5 - A_L21*d1_2
-    r2_1 = leg_mass*(c_q2*com_offset*(after_2 - 2*after_1) + t14*t15) + radius*s_q1_minus_q2*(dq1*hip_mass + leg_mass*t17 - t16) + s_q2*t13
+    d1_2 = d1_f2*t9
+    d1_1 = r1_1*t8 - A_L21*d1_2
+    r2_1 = leg_mass*(c_q2*com_offset*(after_2 - 2*after_1) + t16*t17) + radius*s_q1_minus_q2*(dq1*hip_mass + leg_mass*t19 - t18) + s_q2*t15
     r2_2 = after_1*leg_mass*(c_q2*com_offset + com_distance*s_q2)
     d2_f2 = r2_2 - A_L21*r2_1
-    d2_2 = d2_f2*t7
-    d2_1 = r2_1*t5 - A_L21*d2_2
+    d2_2 = d2_f2*t9
+    d2_1 = r2_1*t8 - A_L21*d2_2
     return {
         "v_plus_dq": [[d1_1, d2_1], [d1_2, d2_2]],
     }
@@ -670,7 +687,7 @@ def impact_map_dv(xp, q, p):
 
     Source: plastic impact: Me (v+ - v-) = J^T Lambda, J v+ = 0, projected on the velocities with J v = 0,
     differentiated.
-    101 operations.
+    98 operations.
     """
     q1 = q[0]
     q2 = q[1]
@@ -680,38 +697,40 @@ def impact_map_dv(xp, q, p):
     com_distance = p[3]
     com_offset = p[4]
     radius = p[5]
-    c_q1_minus_q2 = xp.cos(q1 - q2)
-    t1 = 2*c_q1_minus_q2*radius
-    t2 = com_distance*com_distance + com_offset*com_offset
-    s_q2 = xp.sin(q2)
-    t3 = com_offset*s_q2 + t2
-    t4 = hip_mass*radius*radius
-    t5 = 2*inertia + t4
-    c_q1 = xp.cos(q1)
-    c_q2 = xp.cos(q2)
-    s_q1 = xp.sin(q1)
     s_q1_minus_q2 = xp.sin(q1 - q2)
-    A_11 = hip_mass*t1 + hip_mass + 2*leg_mass*(com_offset*radius*(s_q1 + s_q1_minus_q2) - com_distance*radius*(c_q1 + c_q1_minus_q2) - com_distance*(c_q2 + 1) + radius*radius + t1 + t3 + 1) + t5
-    t6 = 1/A_11
-    A_22 = inertia + leg_mass*t2
-    t7 = com_offset*radius*s_q1
-    t8 = t7 - c_q1*com_distance*radius
-    A_12 = leg_mass*(c_q2*com_distance - t3 - t8) - inertia
-    A_L21 = A_12*t6
+    t1 = com_offset*radius*s_q1_minus_q2
+    c_q1_minus_q2 = xp.cos(q1 - q2)
+    t2 = -c_q1_minus_q2*com_distance*radius
+    t3 = 2*c_q1_minus_q2*radius
+    t4 = com_distance*com_distance + com_offset*com_offset
+    s_q1 = xp.sin(q1)
+    t5 = com_offset*radius*s_q1
+    c_q1 = xp.cos(q1)
+    t6 = c_q1*com_distance*radius
+    t7 = t4 - com_distance + t5 - t6
+    c_q2 = xp.cos(q2)
+    s_q2 = xp.sin(q2)
+    t8 = com_offset*s_q2 - c_q2*com_distance
+    t9 = hip_mass*radius*radius
+    t10 = 2*inertia + t9
+    A_11 = hip_mass*t3 + hip_mass + 2*leg_mass*(radius*radius + t1 + t2 + t3 + t7 + t8 + 1) + t10
+    t11 = 1/A_11
+    A_22 = inertia + leg_mass*t4
+    A_12 = -inertia - leg_mass*(t4 + t5 - t6 + t8)
+    A_L21 = A_12*t11
     A_D2 = A_22 - A_11*A_L21*A_L21
-    t9 = 1/A_D2
-    t10 = hip_mass + 2*leg_mass*(1 - com_distance)
-    t11 = com_offset*radius*s_q1_minus_q2
-    t12 = t11 - com_distance + t2
-    r1_1 = c_q1*radius*t10 + c_q1_minus_q2*radius*t10 + c_q2*t10 + 2*leg_mass*(radius*radius + t12 + t7) + t5
-    r1_2 = leg_mass*(com_distance - t2 - t8) - inertia
+    t12 = 1/A_D2
+    t13 = hip_mass + 2*leg_mass*(1 - com_distance)
+    t14 = t1 - com_distance + t4
+    r1_1 = c_q1*radius*t13 + c_q1_minus_q2*radius*t13 + c_q2*t13 + 2*leg_mass*(radius*radius + t14 + t5) + t10
+    r1_2 = -inertia - leg_mass*t7
     d1_f2 = r1_2 - A_L21*r1_1
-    d1_2 = d1_f2*t9
-    d1_1 = r1_1*t6 - A_L21*d1_2
-    r2_1 = leg_mass*(c_q1_minus_q2*com_distance*radius - t12) - inertia
+    d1_2 = d1_f2*t12
+    d1_1 = r1_1*t11 - A_L21*d1_2
+    r2_1 = -inertia - leg_mass*(t14 + t2)
     d2_f2 = -A_L21*r2_1
-    d2_2 = d2_f2*t9
-    d2_1 = r2_1*t6 - A_L21*d2_2
+    d2_2 = d2_f2*t12
+    d2_1 = r2_1*t11 - A_L21*d2_2
     return {
         "v_plus_dv": [[d1_1, d2_1], [d1_2, d2_2]],
     }
@@ -721,7 +740,7 @@ def impact_impulse(xp, q, v, p):
     """Impulse of the ground at touchdown.
 
     Source: plastic impact: Me (v+ - v-) = J^T Lambda, J v+ = 0, projected on the velocities with J v = 0.
-    190 operations.
+    186 operations.
     """
     q1 = q[0]
     q2 = q[1]
@@ -737,31 +756,32 @@ def impact_impulse(xp, q, v, p):
     t2 = hip_mass*radius*radius
     c_q1_minus_q2 = xp.cos(q1 - q2)
     t3 = 2*c_q1_minus_q2*radius
-    t4 = com_distance*com_distance + com_offset*com_offset
-    s_q2 = xp.sin(q2)
-    t5 = com_offset*s_q2 + t4
+    s_q1_minus_q2 = xp.sin(q1 - q2)
+    t4 = com_offset*radius*s_q1_minus_q2
+    t5 = com_distance*com_distance + com_offset*com_offset
+    s_q1 = xp.sin(q1)
+    t6 = com_offset*radius*s_q1
     c_q1 = xp.cos(q1)
     c_q2 = xp.cos(q2)
-    s_q1 = xp.sin(q1)
-    s_q1_minus_q2 = xp.sin(q1 - q2)
-    A_11 = hip_mass*t3 + hip_mass + 2*inertia + 2*leg_mass*(com_offset*radius*(s_q1 + s_q1_minus_q2) - com_distance*radius*(c_q1 + c_q1_minus_q2) - com_distance*(c_q2 + 1) + radius*radius + t3 + t5 + 1) + t2
-    t6 = 1/A_11
-    t7 = com_offset*radius*s_q1
-    A_12 = leg_mass*(c_q1*com_distance*radius + c_q2*com_distance - t5 - t7) - inertia
-    A_L21 = A_12*t6
-    A_22 = inertia + leg_mass*t4
+    s_q2 = xp.sin(q2)
+    t7 = com_offset*s_q2 - c_q1*com_distance*radius - c_q2*com_distance + t6
+    A_11 = hip_mass*t3 + hip_mass + 2*inertia + 2*leg_mass*(radius*radius - c_q1_minus_q2*com_distance*radius - com_distance + t3 + t4 + t5 + t7 + 1) + t2
+    t8 = 1/A_11
+    A_12 = -inertia - leg_mass*(t5 + t7)
+    A_L21 = A_12*t8
+    A_22 = inertia + leg_mass*t5
     A_D2 = A_22 - A_11*A_L21*A_L21
-    t8 = hip_mass + leg_mass*(2 - 2*com_distance)
-    t9 = com_distance*dq2 - 2*com_distance*dq1
-    momentum_1 = c_q1*dq1*radius*t8 + c_q1_minus_q2*radius*(dq1*hip_mass + leg_mass*(2*dq1 + t9)) + c_q2*dq1*t8 + 2*dq1*inertia + dq1*t2 - dq2*inertia + leg_mass*(2*com_distance*com_distance*dq1 - com_distance*com_distance*dq2 + 2*com_offset*com_offset*dq1 - com_offset*com_offset*dq2 + com_offset*radius*s_q1_minus_q2*(2*dq1 - dq2) + 2*dq1*radius*radius + 2*dq1*t7 + t9)
-    momentum_2 = dq1*(leg_mass*(com_distance - t4) - inertia) + leg_mass*(c_q1*com_distance*dq1*radius - com_offset*dq1*radius*s_q1)
+    t9 = hip_mass + leg_mass*(2 - 2*com_distance)
+    t10 = com_distance*dq2 - 2*com_distance*dq1
+    momentum_1 = c_q1*dq1*radius*t9 + c_q1_minus_q2*radius*(dq1*hip_mass + leg_mass*(2*dq1 + t10)) + c_q2*dq1*t9 + 2*dq1*inertia + dq1*t2 - dq2*inertia + leg_mass*(2*com_distance*com_distance*dq1 - com_distance*com_distance*dq2 + 2*com_offset*com_offset*dq1 - com_offset*com_offset*dq2 + 2*dq1*radius*radius + 2*dq1*t6 + t10 + t4*(2*dq1 - dq2))
+    momentum_2 = dq1*(leg_mass*(com_distance - t5) - inertia) + leg_mass*(c_q1*com_distance*dq1*radius - com_offset*dq1*radius*s_q1)
     after_f2 = momentum_2 - A_L21*momentum_1
     after_2 = after_f2/A_D2
-    after_1 = momentum_1*t6 - A_L21*after_2
-    t10 = after_1 - after_2 - dq1
-    t11 = c_q1_minus_q2*com_offset + com_distance*s_q1_minus_q2
+    after_1 = momentum_1*t8 - A_L21*after_2
+    t11 = after_1 - after_2 - dq1
+    t12 = c_q1_minus_q2*com_offset + com_distance*s_q1_minus_q2
     return {
-        "Lambda": [leg_mass*(after_2 + dq2)*(c_q1_minus_q2*com_distance - com_offset*s_q1_minus_q2) + t1*(after_1*(c_q1 - c_q1_minus_q2 - radius) - after_2*c_q1 + dq1*radius) + t10*(leg_mass*(c_q1*com_distance - 2*c_q1 + c_q1_minus_q2*com_distance - com_offset*s_q1 - com_offset*s_q1_minus_q2) - c_q1*hip_mass), leg_mass*t11*(after_2 + dq2) + t1*(after_1*(s_q1 - s_q1_minus_q2) - after_2*s_q1) + t10*(leg_mass*(c_q1*com_offset + com_distance*s_q1 - 2*s_q1 + t11) - hip_mass*s_q1)],
+        "Lambda": [leg_mass*(after_2 + dq2)*(c_q1_minus_q2*com_distance - com_offset*s_q1_minus_q2) + t1*(after_1*(c_q1 - c_q1_minus_q2 - radius) - after_2*c_q1 + dq1*radius) + t11*(leg_mass*(c_q1*com_distance - 2*c_q1 + c_q1_minus_q2*com_distance - com_offset*s_q1 - com_offset*s_q1_minus_q2) - c_q1*hip_mass), leg_mass*t12*(after_2 + dq2) + t1*(after_1*(s_q1 - s_q1_minus_q2) - after_2*s_q1) + t11*(leg_mass*(c_q1*com_offset + com_distance*s_q1 - 2*s_q1 + t12) - hip_mass*s_q1)],
     }
 
 
@@ -802,7 +822,7 @@ def potential_energy(xp, q, p):
     """Potential energy.
 
     Source: sum over gravity.
-    34 operations.
+    33 operations.
     """
     q1 = q[0]
     q2 = q[1]
@@ -812,15 +832,15 @@ def potential_energy(xp, q, p):
     com_offset = p[4]
     radius = p[5]
     slope = p[6]
-    s_slope = xp.sin(slope)
-    t1 = q1*radius*s_slope
+    t1 = hip_mass + 2*leg_mass
     c_slope = xp.cos(slope)
+    s_slope = xp.sin(slope)
     c_q1_minus_slope = xp.cos(q1 - slope)
     s_q1_minus_slope = xp.sin(q1 - slope)
     c_minus_q1_plus_q2_plus_slope = xp.cos(q2 - q1 + slope)
     s_minus_q1_plus_q2_plus_slope = xp.sin(q2 - q1 + slope)
     return {
-        "potential": c_q1_minus_slope*hip_mass + c_slope*hip_mass*radius + hip_mass*t1 + leg_mass*(2*c_q1_minus_slope + 2*c_slope*radius - com_distance*(c_minus_q1_plus_q2_plus_slope + c_q1_minus_slope) + com_offset*(s_q1_minus_slope - s_minus_q1_plus_q2_plus_slope) + 2*t1),
+        "potential": c_q1_minus_slope*(t1 - com_distance*leg_mass) - c_minus_q1_plus_q2_plus_slope*com_distance*leg_mass + c_slope*radius*t1 - com_offset*leg_mass*s_minus_q1_plus_q2_plus_slope + com_offset*leg_mass*s_q1_minus_slope + q1*radius*s_slope*t1,
     }
 
 
@@ -848,7 +868,7 @@ def centre_of_mass(xp, q, v, p):
     """Centre of mass of the whole walker.
 
     Source: mass-weighted mean.
-    63 operations.
+    78 operations.
     """
     q1 = q[0]
     q2 = q[1]
@@ -859,18 +879,17 @@ def centre_of_mass(xp, q, v, p):
     com_distance = p[3]
     com_offset = p[4]
     radius = p[5]
-    t1 = 1/(hip_mass + 2*leg_mass)
-    c_q1_minus_q2 = xp.cos(q1 - q2)
-    s_q1_minus_q2 = xp.sin(q1 - q2)
-    t2 = c_q1_minus_q2*com_offset + com_distance*s_q1_minus_q2
+    t1 = hip_mass + 2*leg_mass
+    t2 = 1/t1
     c_q1 = xp.cos(q1)
     s_q1 = xp.sin(q1)
-    t3 = c_q1*com_offset + com_distance*s_q1 - 2*s_q1 + t2
-    t4 = 2*c_q1 - c_q1*com_distance - c_q1_minus_q2*com_distance + com_offset*s_q1 + com_offset*s_q1_minus_q2 + 2*radius
-    t5 = c_q1*hip_mass + hip_mass*radius
+    c_q1_minus_q2 = xp.cos(q1 - q2)
+    s_q1_minus_q2 = xp.sin(q1 - q2)
+    t3 = dq1*(com_distance*leg_mass - t1)
+    t4 = leg_mass*(dq1 - dq2)
     return {
-        "com": [t1*(leg_mass*(t3 - 2*q1*radius) - hip_mass*q1*radius - hip_mass*s_q1), t1*(leg_mass*t4 + t5)],
-        "dcom": [t1*(dq2*leg_mass*(com_offset*s_q1_minus_q2 - c_q1_minus_q2*com_distance) - dq1*(leg_mass*t4 + t5)), t1*(dq1*(leg_mass*t3 - hip_mass*s_q1) - dq2*leg_mass*t2)],
+        "com": [leg_mass*t2*(c_q1*com_offset + c_q1_minus_q2*com_offset + com_distance*s_q1 + com_distance*s_q1_minus_q2 - 2*s_q1) - hip_mass*s_q1*t2 - q1*radius, c_q1*hip_mass*t2 + leg_mass*t2*(2*c_q1 - c_q1*com_distance - c_q1_minus_q2*com_distance + com_offset*s_q1 + com_offset*s_q1_minus_q2) + radius],
+        "dcom": [c_q1*t2*t3 + c_q1_minus_q2*com_distance*leg_mass*t2*(dq1 - dq2) - com_offset*dq1*leg_mass*s_q1*t2 + com_offset*leg_mass*s_q1_minus_q2*t2*(dq2 - dq1) - dq1*radius, t2*(c_q1*com_offset*dq1*leg_mass + c_q1_minus_q2*com_offset*t4 + com_distance*s_q1_minus_q2*t4 + s_q1*t3)],
     }
 
 
@@ -895,41 +914,43 @@ def ground_force(xp, q, v, p):
     t2 = com_offset*dq1*dq1
     c_q1 = xp.cos(q1)
     t3 = 2*c_q1*radius
-    t4 = com_distance*com_distance + com_offset*com_offset
+    s_q1_minus_q2 = xp.sin(q1 - q2)
+    t4 = com_offset*radius*s_q1_minus_q2
+    c_q1_minus_q2 = xp.cos(q1 - q2)
+    t5 = c_q1_minus_q2*com_distance*radius
+    t6 = com_distance*com_distance + com_offset*com_offset
     c_q2 = xp.cos(q2)
     s_q1 = xp.sin(q1)
     s_q2 = xp.sin(q2)
-    c_q1_minus_q2 = xp.cos(q1 - q2)
-    s_q1_minus_q2 = xp.sin(q1 - q2)
-    M_11 = hip_mass*radius*radius + hip_mass*t3 + hip_mass + 2*inertia + 2*leg_mass*(com_offset*radius*(s_q1 + s_q1_minus_q2) - com_distance*radius*(c_q1 + c_q1_minus_q2) - com_distance*(c_q2 + 1) - com_offset*s_q2 + radius*radius + t3 + t4 + 1)
-    t5 = 1/M_11
-    M_12 = leg_mass*(c_q1_minus_q2*com_distance*radius + c_q2*com_distance - com_distance*com_distance - com_offset*com_offset - com_offset*radius*s_q1_minus_q2 + com_offset*s_q2) - inertia
-    M_L21 = M_12*t5
-    M_22 = inertia + leg_mass*t4
+    M_11 = hip_mass*radius*radius + hip_mass*t3 + hip_mass + 2*inertia + 2*leg_mass*(com_offset*radius*s_q1 - c_q1*com_distance*radius - c_q2*com_distance - com_distance - com_offset*s_q2 + radius*radius + t3 + t4 - t5 + t6 + 1)
+    t7 = 1/M_11
+    M_12 = leg_mass*(c_q2*com_distance - com_distance*com_distance - com_offset*com_offset + com_offset*s_q2 - t4 + t5) - inertia
+    M_L21 = M_12*t7
+    M_22 = inertia + leg_mass*t6
     M_D2 = M_22 - M_11*M_L21*M_L21
-    t6 = hip_mass + leg_mass*(2 - com_distance)
-    t7 = 2*dq1 - dq2
-    t8 = 2*dq1*dq2 - dq1*dq1 - dq2*dq2
+    t8 = hip_mass + leg_mass*(2 - com_distance)
+    t9 = 2*dq1 - dq2
+    t10 = 2*dq1*dq2 - dq1*dq1 - dq2*dq2
     s_slope = xp.sin(slope)
     c_q1_minus_slope = xp.cos(q1 - slope)
     s_q1_minus_slope = xp.sin(q1 - slope)
     c_minus_q1_plus_q2_plus_slope = xp.cos(q2 - q1 + slope)
     s_minus_q1_plus_q2_plus_slope = xp.sin(q2 - q1 + slope)
-    force_1 = dq1*dq1*radius*s_q1*t6 + leg_mass*(c_q1_minus_q2*com_offset*radius*t8 - c_minus_q1_plus_q2_plus_slope*com_offset - c_q1*radius*t2 - c_q1_minus_slope*com_offset + c_q2*com_offset*dq2*t7 - com_distance*dq2*s_q2*t7 + com_distance*radius*s_q1_minus_q2*t8 + com_distance*s_minus_q1_plus_q2_plus_slope) - radius*s_slope*t1 + s_q1_minus_slope*t6
+    force_1 = dq1*dq1*radius*s_q1*t8 + leg_mass*(c_q1_minus_q2*com_offset*radius*t10 - c_minus_q1_plus_q2_plus_slope*com_offset - c_q1*radius*t2 - c_q1_minus_slope*com_offset + c_q2*com_offset*dq2*t9 - com_distance*dq2*s_q2*t9 + com_distance*radius*s_q1_minus_q2*t10 + com_distance*s_minus_q1_plus_q2_plus_slope) - radius*s_slope*t1 + s_q1_minus_slope*t8
     force_2 = leg_mass*(c_minus_q1_plus_q2_plus_slope*com_offset - com_distance*s_minus_q1_plus_q2_plus_slope + dq1*dq1*(com_distance*s_q2 - c_q2*com_offset))
     acc_f2 = force_2 - M_L21*force_1
     acc_2 = acc_f2/M_D2
-    acc_1 = force_1*t5 - M_L21*acc_2
-    t9 = t2 - acc_1*com_distance
-    t10 = -acc_1*hip_mass - leg_mass*(2*acc_1 + t9)
-    t11 = dq1*dq1*hip_mass
-    t12 = acc_1*com_offset + com_distance*dq1*dq1
-    t13 = t12 - 2*dq1*dq1
-    t14 = 2*com_offset*dq1*dq2 - acc_2*com_distance - com_offset*dq2*dq2 - t9
-    t15 = com_distance*dq2*dq2 - acc_2*com_offset - 2*com_distance*dq1*dq2 + t12
+    acc_1 = force_1*t7 - M_L21*acc_2
+    t11 = t2 - acc_1*com_distance
+    t12 = -acc_1*hip_mass - leg_mass*(2*acc_1 + t11)
+    t13 = dq1*dq1*hip_mass
+    t14 = acc_1*com_offset + com_distance*dq1*dq1
+    t15 = t14 - 2*dq1*dq1
+    t16 = 2*com_offset*dq1*dq2 - acc_2*com_distance - com_offset*dq2*dq2 - t11
+    t17 = com_distance*dq2*dq2 - acc_2*com_offset - 2*com_distance*dq1*dq2 + t14
     c_slope = xp.cos(slope)
     return {
-        "force": [c_q1*t10 - acc_1*radius*t1 + leg_mass*(c_q1_minus_q2*t14 - s_q1_minus_q2*t15) + s_q1*(t11 - leg_mass*t13) - s_slope*t1, c_q1*(leg_mass*t13 - t11) + c_slope*t1 + leg_mass*(c_q1_minus_q2*t15 + s_q1_minus_q2*t14) + s_q1*t10],
+        "force": [c_q1*t12 - acc_1*radius*t1 + leg_mass*(c_q1_minus_q2*t16 - s_q1_minus_q2*t17) + s_q1*(t13 - leg_mass*t15) - s_slope*t1, c_q1*(leg_mass*t15 - t13) + c_slope*t1 + leg_mass*(c_q1_minus_q2*t17 + s_q1_minus_q2*t16) + s_q1*t12],
     }
 
 
@@ -937,7 +958,7 @@ def zmp(xp, q, v, p):
     """The paper's zero moment point, which leaves out the change of angular momentum.
 
     Source: p = x_g - F_x / F_y y_g with the ground force F.
-    246 operations.
+    239 operations.
     """
     q1 = q[0]
     q2 = q[1]
@@ -956,41 +977,44 @@ def zmp(xp, q, v, p):
     s_q1 = xp.sin(q1)
     c_q1_minus_q2 = xp.cos(q1 - q2)
     s_q1_minus_q2 = xp.sin(q1 - q2)
-    com_1 = t2*(leg_mass*(c_q1*com_offset + c_q1_minus_q2*com_offset + com_distance*s_q1 + com_distance*s_q1_minus_q2 - 2*q1*radius - 2*s_q1) - hip_mass*q1*radius - hip_mass*s_q1)
-    com_2 = t2*(c_q1*hip_mass + hip_mass*radius + leg_mass*(2*c_q1 - c_q1*com_distance - c_q1_minus_q2*com_distance + com_offset*s_q1 + com_offset*s_q1_minus_q2 + 2*radius))
+    com_1 = leg_mass*t2*(c_q1*com_offset + c_q1_minus_q2*com_offset + com_distance*s_q1 + com_distance*s_q1_minus_q2 - 2*s_q1) - hip_mass*s_q1*t2 - q1*radius
+    com_2 = c_q1*hip_mass*t2 + leg_mass*t2*(2*c_q1 - c_q1*com_distance - c_q1_minus_q2*com_distance + com_offset*s_q1 + com_offset*s_q1_minus_q2) + radius
     t3 = com_offset*dq1*dq1
-    t4 = com_distance*com_distance + com_offset*com_offset
+    t4 = 2*c_q1*radius
+    t5 = com_offset*radius*s_q1_minus_q2
+    t6 = c_q1_minus_q2*com_distance*radius
+    t7 = com_distance*com_distance + com_offset*com_offset
     c_q2 = xp.cos(q2)
     s_q2 = xp.sin(q2)
-    M_11 = 2*c_q1*hip_mass*radius + hip_mass*radius*radius + hip_mass + 2*inertia + 2*leg_mass*(2*c_q1*radius - com_distance*radius*(c_q1 + c_q1_minus_q2) - com_distance*(c_q2 + 1) + com_offset*radius*(s_q1 + s_q1_minus_q2) - com_offset*s_q2 + radius*radius + t4 + 1)
-    t5 = 1/M_11
-    M_12 = leg_mass*(c_q1_minus_q2*com_distance*radius + c_q2*com_distance - com_distance*com_distance - com_offset*com_offset - com_offset*radius*s_q1_minus_q2 + com_offset*s_q2) - inertia
-    M_L21 = M_12*t5
-    M_22 = inertia + leg_mass*t4
+    M_11 = hip_mass*radius*radius + hip_mass*t4 + hip_mass + 2*inertia + 2*leg_mass*(com_offset*radius*s_q1 - c_q1*com_distance*radius - c_q2*com_distance - com_distance - com_offset*s_q2 + radius*radius + t4 + t5 - t6 + t7 + 1)
+    t8 = 1/M_11
+    M_12 = leg_mass*(c_q2*com_distance - com_distance*com_distance - com_offset*com_offset + com_offset*s_q2 - t5 + t6) - inertia
+    M_L21 = M_12*t8
+    M_22 = inertia + leg_mass*t7
     M_D2 = M_22 - M_11*M_L21*M_L21
-    t6 = hip_mass + leg_mass*(2 - com_distance)
-    t7 = 2*dq1 - dq2
-    t8 = radius*(2*dq1*dq2 - dq1*dq1 - dq2*dq2)
+    t9 = hip_mass + leg_mass*(2 - com_distance)
+    t10 = 2*dq1 - dq2
+    t11 = radius*(2*dq1*dq2 - dq1*dq1 - dq2*dq2)
     s_slope = xp.sin(slope)
     c_q1_minus_slope = xp.cos(q1 - slope)
     s_q1_minus_slope = xp.sin(q1 - slope)
     c_minus_q1_plus_q2_plus_slope = xp.cos(q2 - q1 + slope)
     s_minus_q1_plus_q2_plus_slope = xp.sin(q2 - q1 + slope)
-    force_1 = dq1*dq1*radius*s_q1*t6 + leg_mass*(c_q1_minus_q2*com_offset*t8 - c_minus_q1_plus_q2_plus_slope*com_offset - c_q1*radius*t3 - c_q1_minus_slope*com_offset + c_q2*com_offset*dq2*t7 - com_distance*dq2*s_q2*t7 + com_distance*s_minus_q1_plus_q2_plus_slope + com_distance*s_q1_minus_q2*t8) - radius*s_slope*t1 + s_q1_minus_slope*t6
+    force_1 = dq1*dq1*radius*s_q1*t9 + leg_mass*(c_q1_minus_q2*com_offset*t11 - c_minus_q1_plus_q2_plus_slope*com_offset - c_q1*radius*t3 - c_q1_minus_slope*com_offset + c_q2*com_offset*dq2*t10 - com_distance*dq2*s_q2*t10 + com_distance*s_minus_q1_plus_q2_plus_slope + com_distance*s_q1_minus_q2*t11) - radius*s_slope*t1 + s_q1_minus_slope*t9
     force_2 = leg_mass*(c_minus_q1_plus_q2_plus_slope*com_offset - com_distance*s_minus_q1_plus_q2_plus_slope + dq1*dq1*(com_distance*s_q2 - c_q2*com_offset))
     acc_f2 = force_2 - M_L21*force_1
     acc_2 = acc_f2/M_D2
-    acc_1 = force_1*t5 - M_L21*acc_2
-    t9 = t3 - acc_1*com_distance
-    t10 = -acc_1*hip_mass - leg_mass*(2*acc_1 + t9)
-    t11 = dq1*dq1*hip_mass
-    t12 = acc_1*com_offset + com_distance*dq1*dq1
-    t13 = t12 - 2*dq1*dq1
-    t14 = 2*com_offset*dq1*dq2 - acc_2*com_distance - com_offset*dq2*dq2 - t9
-    t15 = com_distance*dq2*dq2 - acc_2*com_offset - 2*com_distance*dq1*dq2 + t12
-    ground_1 = c_q1*t10 - acc_1*radius*t1 + leg_mass*(c_q1_minus_q2*t14 - s_q1_minus_q2*t15) + s_q1*(t11 - leg_mass*t13) - s_slope*t1
+    acc_1 = force_1*t8 - M_L21*acc_2
+    t12 = t3 - acc_1*com_distance
+    t13 = -acc_1*hip_mass - leg_mass*(2*acc_1 + t12)
+    t14 = dq1*dq1*hip_mass
+    t15 = acc_1*com_offset + com_distance*dq1*dq1
+    t16 = t15 - 2*dq1*dq1
+    t17 = 2*com_offset*dq1*dq2 - acc_2*com_distance - com_offset*dq2*dq2 - t12
+    t18 = com_distance*dq2*dq2 - acc_2*com_offset - 2*com_distance*dq1*dq2 + t15
+    ground_1 = c_q1*t13 - acc_1*radius*t1 + leg_mass*(c_q1_minus_q2*t17 - s_q1_minus_q2*t18) + s_q1*(t14 - leg_mass*t16) - s_slope*t1
     c_slope = xp.cos(slope)
-    ground_2 = c_q1*(leg_mass*t13 - t11) + c_slope*t1 + leg_mass*(c_q1_minus_q2*t15 + s_q1_minus_q2*t14) + s_q1*t10
+    ground_2 = c_q1*(leg_mass*t16 - t14) + c_slope*t1 + leg_mass*(c_q1_minus_q2*t18 + s_q1_minus_q2*t17) + s_q1*t13
     point = com_1 - com_2*ground_1/ground_2 + q1*radius
     return {
         "zmp": point,
@@ -1017,7 +1041,7 @@ def swing_foot(xp, q, v, p):
     """Swing foot.
 
     Source: geometry of the legs.
-    19 operations.
+    21 operations.
     """
     q1 = q[0]
     q2 = q[1]
@@ -1028,10 +1052,9 @@ def swing_foot(xp, q, v, p):
     s_q1_minus_q2 = xp.sin(q1 - q2)
     c_q1 = xp.cos(q1)
     c_q1_minus_q2 = xp.cos(q1 - q2)
-    t1 = c_q1 - c_q1_minus_q2 + radius
     return {
-        "foot": [s_q1_minus_q2 - q1*radius - s_q1, t1],
-        "dfoot": [-c_q1_minus_q2*dq2 - dq1*t1, dq1*(s_q1_minus_q2 - s_q1) - dq2*s_q1_minus_q2],
+        "foot": [s_q1_minus_q2 - q1*radius - s_q1, c_q1 - c_q1_minus_q2 + radius],
+        "dfoot": [c_q1_minus_q2*(dq1 - dq2) - c_q1*dq1 - dq1*radius, s_q1_minus_q2*(dq1 - dq2) - dq1*s_q1],
     }
 
 
@@ -1068,7 +1091,7 @@ def drawing(xp, q, p):
     c_q1_minus_q2 = xp.cos(q1 - q2)
     s_q1_minus_q2 = xp.sin(q1 - q2)
     return {
-        "positions": [[-t1, c_q1 + radius], [c_q1*com_offset + com_distance*s_q1 - s_q1 + t2, c_q1 - c_q1*com_distance + com_offset*s_q1 + radius], [c_q1_minus_q2*com_offset + com_distance*s_q1_minus_q2 - s_q1 + t2, c_q1 - c_q1_minus_q2*com_distance + com_offset*s_q1_minus_q2 + radius]],
+        "positions": [[-t1, c_q1 + radius], [c_q1*com_offset + s_q1*(com_distance - 1) + t2, c_q1*(1 - com_distance) + com_offset*s_q1 + radius], [c_q1_minus_q2*com_offset + com_distance*s_q1_minus_q2 - s_q1 + t2, c_q1 - c_q1_minus_q2*com_distance + com_offset*s_q1_minus_q2 + radius]],
         "masses": [hip_mass, leg_mass, leg_mass],
         "legs": [[t2, radius], [-t1, c_q1 + radius], [s_q1_minus_q2 - t1, c_q1 - c_q1_minus_q2 + radius]],
     }

@@ -430,7 +430,7 @@ def swing_foot(xp, q, v):
     c_phi_minus_theta = xp.cos(phi - theta)
     return {
         "foot": [-s_phi_minus_theta - s_theta, c_theta - c_phi_minus_theta],
-        "dfoot": [dtheta*(c_phi_minus_theta - c_theta) - c_phi_minus_theta*dphi, dphi*s_phi_minus_theta - dtheta*(s_phi_minus_theta + s_theta)],
+        "dfoot": [c_phi_minus_theta*(dtheta - dphi) - c_theta*dtheta, s_phi_minus_theta*(dphi - dtheta) - dtheta*s_theta],
     }
 
 

@@ -1,5 +1,5 @@
 /* Simplest walker: kernels of the solver
- * Printed by CasADi 3.8.2 from equations 780a3742541fe3ad.
+ * Printed by CasADi 3.8.2 from equations 1c495352f80f0021.
  * Do not edit: run `make derive`.
  * SPDX-License-Identifier: BSD-3-Clause
  */

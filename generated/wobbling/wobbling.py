@@ -30,17 +30,19 @@ def mass_matrix(xp, q, p):
 def bias_forces(xp, q, v, p):
     """Bias forces of the swing phase.
 
-    Source: Kamimura & Sano 2023, eq. (1): M ddq + h + v = Q with v = v_gravity + v_spring.
-    22 operations.
+    Source: Kamimura & Sano 2023, eq. (1): M ddq + h + v + damping = Q with v = v_gravity + v_spring.
+    23 operations.
     """
     theta1 = q[0]
     theta2 = q[1]
     x = q[2]
     dtheta1 = v[0]
     dtheta2 = v[1]
+    dx = v[2]
     k = p[0]
     alpha = p[1]
     beta = p[3]
+    c = p[8]
     s_theta2 = xp.sin(theta2)
     s_theta1 = xp.sin(theta1)
     s_theta1_minus_theta2 = xp.sin(theta1 - theta2)
@@ -48,6 +50,7 @@ def bias_forces(xp, q, v, p):
         "h": [beta*dtheta2*s_theta2*(2*dtheta1 - dtheta2), -beta*dtheta1*dtheta1*s_theta2, alpha*dtheta1*dtheta1*s_theta1],
         "v_gravity": [beta*(s_theta1_minus_theta2 - s_theta1) - s_theta1, -beta*s_theta1_minus_theta2, 0],
         "v_spring": [0, 0, k*x],
+        "damping": [0, 0, c*dx],
     }
 
 
@@ -89,7 +92,7 @@ def state_derivative(xp, t, q, v, p):
     """Time derivative of the state in the swing phase.
 
     Source: Kamimura & Sano 2023, eq. (1).
-    81 operations.
+    84 operations.
     """
     theta1 = q[0]
     theta2 = q[1]
@@ -105,6 +108,7 @@ def state_derivative(xp, t, q, v, p):
     Kd = p[5]
     S = p[6]
     gamma = p[7]
+    c = p[8]
     c_theta2 = xp.cos(theta2)
     M_11 = 2*beta*(1 - c_theta2) + 1
     t1 = 1/M_11
@@ -120,13 +124,13 @@ def state_derivative(xp, t, q, v, p):
     s_theta1 = xp.sin(theta1)
     s_theta2 = xp.sin(theta2)
     s_theta1_minus_theta2 = xp.sin(theta1 - theta2)
-    force_1 = beta*dtheta2*s_theta2*(dtheta2 - 2*dtheta1) + beta*(s_theta1 - s_theta1_minus_theta2) + s_theta1
+    force_1 = beta*dtheta2*s_theta2*(dtheta2 - 2*dtheta1) - beta*s_theta1_minus_theta2 + s_theta1*(beta + 1)
     c_omega_t = xp.cos(omega*t)
     s_omega_t = xp.sin(omega*t)
     torque = -Kd*(dtheta2 + gamma*omega*s_omega_t) - Kp*(S - gamma*(c_omega_t + 1) + theta2)
     force_2 = beta*(dtheta1*dtheta1*s_theta2 + s_theta1_minus_theta2) + torque
     acc_f2 = force_2 - M_L21*force_1
-    force_3 = -alpha*dtheta1*dtheta1*s_theta1 - k*x
+    force_3 = -alpha*dtheta1*dtheta1*s_theta1 - c*dx - k*x
     acc_f3 = force_3 - M_L31*force_1 - M_L32*acc_f2
     acc_3 = acc_f3/M_D3
     acc_2 = acc_f2*t2 - M_L32*acc_3
@@ -141,13 +145,14 @@ def state_derivative_dq(xp, t, q, v, p):
     """Derivative of the accelerations with respect to q.
 
     Source: Kamimura & Sano 2023, eq. (1), differentiated: M d(dv) = d(Q - h - v) - dM dv.
-    150 operations.
+    152 operations.
     """
     theta1 = q[0]
     theta2 = q[1]
     x = q[2]
     dtheta1 = v[0]
     dtheta2 = v[1]
+    dx = v[2]
     k = p[0]
     alpha = p[1]
     omega = p[2]
@@ -156,6 +161,7 @@ def state_derivative_dq(xp, t, q, v, p):
     Kd = p[5]
     S = p[6]
     gamma = p[7]
+    c = p[8]
     c_theta2 = xp.cos(theta2)
     M_11 = 2*beta*(1 - c_theta2) + 1
     t1 = 1/M_11
@@ -169,17 +175,17 @@ def state_derivative_dq(xp, t, q, v, p):
     M_L32 = -M_11*M_L21*M_L31*t2
     M_D3 = alpha - M_11*M_L31*M_L31 - M_D2*M_L32*M_L32
     t3 = 1/M_D3
-    t4 = dtheta2*(2*dtheta1 - dtheta2)
+    t4 = dtheta2*(dtheta2 - 2*dtheta1)
     s_theta1 = xp.sin(theta1)
     s_theta2 = xp.sin(theta2)
     s_theta1_minus_theta2 = xp.sin(theta1 - theta2)
-    force_1 = beta*(s_theta1 - s_theta1_minus_theta2) - beta*s_theta2*t4 + s_theta1
+    force_1 = beta*s_theta2*t4 - beta*s_theta1_minus_theta2 + s_theta1*(beta + 1)
     c_omega_t = xp.cos(omega*t)
     s_omega_t = xp.sin(omega*t)
     torque = -Kd*(dtheta2 + gamma*omega*s_omega_t) - Kp*(S - gamma*(c_omega_t + 1) + theta2)
     force_2 = beta*(dtheta1*dtheta1*s_theta2 + s_theta1_minus_theta2) + torque
     acc_f2 = force_2 - M_L21*force_1
-    force_3 = -alpha*dtheta1*dtheta1*s_theta1 - k*x
+    force_3 = -alpha*dtheta1*dtheta1*s_theta1 - c*dx - k*x
     acc_f3 = force_3 - M_L31*force_1 - M_L32*acc_f2
     acc_3 = acc_f3*t3
     c_theta1_minus_theta2 = xp.cos(theta1 - theta2)
@@ -193,7 +199,7 @@ def state_derivative_dq(xp, t, q, v, p):
     d1_3 = d1_f3*t3
     d1_2 = d1_f2*t2 - M_L32*d1_3
     d1_1 = r1_1*t1 - M_L21*d1_2 - M_L31*d1_3
-    r2_1 = beta*(acc_2*s_theta2 - 2*acc_1*s_theta2 + c_theta1_minus_theta2 - c_theta2*t4)
+    r2_1 = beta*(c_theta1_minus_theta2 + c_theta2*t4 + s_theta2*(acc_2 - 2*acc_1))
     r2_2 = beta*(acc_1*s_theta2 - c_theta1_minus_theta2 + c_theta2*dtheta1*dtheta1) - Kp
     d2_f2 = r2_2 - M_L21*r2_1
     d2_f3 = -M_L31*r2_1 - M_L32*d2_f2
@@ -213,7 +219,7 @@ def state_derivative_dv(xp, q, v, p):
     """Derivative of the accelerations with respect to v.
 
     Source: Kamimura & Sano 2023, eq. (1), differentiated: M d(dv) = d(Q - h - v) - dM dv.
-    76 operations.
+    84 operations.
     """
     theta1 = q[0]
     theta2 = q[1]
@@ -222,6 +228,7 @@ def state_derivative_dv(xp, q, v, p):
     alpha = p[1]
     beta = p[3]
     Kd = p[5]
+    c = p[8]
     c_theta2 = xp.cos(theta2)
     M_11 = 2*beta*(1 - c_theta2) + 1
     t1 = 1/M_11
@@ -252,8 +259,12 @@ def state_derivative_dv(xp, q, v, p):
     d2_3 = d2_f3*t3
     d2_2 = d2_f2*t2 - M_L32*d2_3
     d2_1 = r2_1*t1 - M_L21*d2_2 - M_L31*d2_3
+    r3_3 = -c
+    d3_3 = r3_3*t3
+    d3_2 = -M_L32*d3_3
+    d3_1 = -M_L21*d3_2 - M_L31*d3_3
     return {
-        "dv_dv": [[d1_1, d2_1, 0], [d1_2, d2_2, 0], [d1_3, d2_3, 0]],
+        "dv_dv": [[d1_1, d2_1, d3_1], [d1_2, d2_2, d3_2], [d1_3, d2_3, d3_3]],
     }
 
 
@@ -261,17 +272,19 @@ def forward_dynamics(xp, q, v, u, p):
     """Accelerations for given torques of the motors.
 
     Source: Kamimura & Sano 2023, eq. (1) with the torques u in Q.
-    66 operations.
+    69 operations.
     """
     theta1 = q[0]
     theta2 = q[1]
     x = q[2]
     dtheta1 = v[0]
     dtheta2 = v[1]
+    dx = v[2]
     u_theta2 = u[0]
     k = p[0]
     alpha = p[1]
     beta = p[3]
+    c = p[8]
     c_theta2 = xp.cos(theta2)
     M_11 = 2*beta*(1 - c_theta2) + 1
     t1 = 1/M_11
@@ -287,10 +300,10 @@ def forward_dynamics(xp, q, v, u, p):
     s_theta1 = xp.sin(theta1)
     s_theta2 = xp.sin(theta2)
     s_theta1_minus_theta2 = xp.sin(theta1 - theta2)
-    force_1 = beta*dtheta2*s_theta2*(dtheta2 - 2*dtheta1) + beta*(s_theta1 - s_theta1_minus_theta2) + s_theta1
+    force_1 = beta*dtheta2*s_theta2*(dtheta2 - 2*dtheta1) - beta*s_theta1_minus_theta2 + s_theta1*(beta + 1)
     force_2 = beta*(dtheta1*dtheta1*s_theta2 + s_theta1_minus_theta2) + u_theta2
     acc_f2 = force_2 - M_L21*force_1
-    force_3 = -alpha*dtheta1*dtheta1*s_theta1 - k*x
+    force_3 = -alpha*dtheta1*dtheta1*s_theta1 - c*dx - k*x
     acc_f3 = force_3 - M_L31*force_1 - M_L32*acc_f2
     acc_3 = acc_f3/M_D3
     acc_2 = acc_f2*t2 - M_L32*acc_3
@@ -304,17 +317,19 @@ def forward_dynamics_dq(xp, q, v, u, p):
     """Derivative with respect to q of the accelerations for given torques.
 
     Source: Kamimura & Sano 2023, eq. (1) with the torques u in Q, differentiated.
-    134 operations.
+    136 operations.
     """
     theta1 = q[0]
     theta2 = q[1]
     x = q[2]
     dtheta1 = v[0]
     dtheta2 = v[1]
+    dx = v[2]
     u_theta2 = u[0]
     k = p[0]
     alpha = p[1]
     beta = p[3]
+    c = p[8]
     c_theta2 = xp.cos(theta2)
     M_11 = 2*beta*(1 - c_theta2) + 1
     t1 = 1/M_11
@@ -328,14 +343,14 @@ def forward_dynamics_dq(xp, q, v, u, p):
     M_L32 = -M_11*M_L21*M_L31*t2
     M_D3 = alpha - M_11*M_L31*M_L31 - M_D2*M_L32*M_L32
     t3 = 1/M_D3
-    t4 = dtheta2*(2*dtheta1 - dtheta2)
+    t4 = dtheta2*(dtheta2 - 2*dtheta1)
     s_theta1 = xp.sin(theta1)
     s_theta2 = xp.sin(theta2)
     s_theta1_minus_theta2 = xp.sin(theta1 - theta2)
-    force_1 = beta*(s_theta1 - s_theta1_minus_theta2) - beta*s_theta2*t4 + s_theta1
+    force_1 = beta*s_theta2*t4 - beta*s_theta1_minus_theta2 + s_theta1*(beta + 1)
     force_2 = beta*(dtheta1*dtheta1*s_theta2 + s_theta1_minus_theta2) + u_theta2
     acc_f2 = force_2 - M_L21*force_1
-    force_3 = -alpha*dtheta1*dtheta1*s_theta1 - k*x
+    force_3 = -alpha*dtheta1*dtheta1*s_theta1 - c*dx - k*x
     acc_f3 = force_3 - M_L31*force_1 - M_L32*acc_f2
     acc_3 = acc_f3*t3
     c_theta1_minus_theta2 = xp.cos(theta1 - theta2)
@@ -349,7 +364,7 @@ def forward_dynamics_dq(xp, q, v, u, p):
     d1_3 = d1_f3*t3
     d1_2 = d1_f2*t2 - M_L32*d1_3
     d1_1 = r1_1*t1 - M_L21*d1_2 - M_L31*d1_3
-    r2_1 = beta*(acc_2*s_theta2 - 2*acc_1*s_theta2 + c_theta1_minus_theta2 - c_theta2*t4)
+    r2_1 = beta*(c_theta1_minus_theta2 + c_theta2*t4 + s_theta2*(acc_2 - 2*acc_1))
     r2_2 = beta*(acc_1*s_theta2 - c_theta1_minus_theta2 + c_theta2*dtheta1*dtheta1)
     d2_f2 = r2_2 - M_L21*r2_1
     d2_f3 = -M_L31*r2_1 - M_L32*d2_f2
@@ -369,7 +384,7 @@ def forward_dynamics_dv(xp, q, v, p):
     """Derivative with respect to v of the accelerations for given torques.
 
     Source: Kamimura & Sano 2023, eq. (1) with the torques u in Q, differentiated.
-    75 operations.
+    83 operations.
     """
     theta1 = q[0]
     theta2 = q[1]
@@ -377,6 +392,7 @@ def forward_dynamics_dv(xp, q, v, p):
     dtheta2 = v[1]
     alpha = p[1]
     beta = p[3]
+    c = p[8]
     c_theta2 = xp.cos(theta2)
     M_11 = 2*beta*(1 - c_theta2) + 1
     t1 = 1/M_11
@@ -406,8 +422,12 @@ def forward_dynamics_dv(xp, q, v, p):
     d2_3 = d2_f3*t3
     d2_2 = d2_f2*t2 - M_L32*d2_3
     d2_1 = r2_1*t1 - M_L21*d2_2 - M_L31*d2_3
+    r3_3 = -c
+    d3_3 = r3_3*t3
+    d3_2 = -M_L32*d3_3
+    d3_1 = -M_L21*d3_2 - M_L31*d3_3
     return {
-        "dv_dv": [[d1_1, d2_1, 0], [d1_2, d2_2, 0], [d1_3, d2_3, 0]],
+        "dv_dv": [[d1_1, d2_1, d3_1], [d1_2, d2_2, d3_2], [d1_3, d2_3, d3_3]],
     }
 
 
@@ -447,17 +467,19 @@ def forward_dynamics_dp(xp, q, v, u, p):
     """Derivative with respect to p of the accelerations for given torques.
 
     Source: Kamimura & Sano 2023, eq. (1) with the torques u in Q, differentiated.
-    125 operations.
+    138 operations.
     """
     theta1 = q[0]
     theta2 = q[1]
     x = q[2]
     dtheta1 = v[0]
     dtheta2 = v[1]
+    dx = v[2]
     u_theta2 = u[0]
     k = p[0]
     alpha = p[1]
     beta = p[3]
+    c = p[8]
     c_theta2 = xp.cos(theta2)
     M_11 = 2*beta*(1 - c_theta2) + 1
     t1 = 1/M_11
@@ -475,15 +497,15 @@ def forward_dynamics_dp(xp, q, v, u, p):
     d1_3 = r1_3*t3
     d1_2 = -M_L32*d1_3
     d1_1 = -M_L21*d1_2 - M_L31*d1_3
-    s_theta2 = xp.sin(theta2)
-    t4 = dtheta2*s_theta2*(2*dtheta1 - dtheta2)
+    t4 = 2*dtheta1 - dtheta2
     s_theta1 = xp.sin(theta1)
+    s_theta2 = xp.sin(theta2)
     s_theta1_minus_theta2 = xp.sin(theta1 - theta2)
-    force_1 = beta*(s_theta1 - s_theta1_minus_theta2) - beta*t4 + s_theta1
+    force_1 = s_theta1*(beta + 1) - beta*dtheta2*s_theta2*t4 - beta*s_theta1_minus_theta2
     force_2 = beta*(dtheta1*dtheta1*s_theta2 + s_theta1_minus_theta2) + u_theta2
     acc_f2 = force_2 - M_L21*force_1
     t5 = dtheta1*dtheta1*s_theta1
-    force_3 = -alpha*t5 - k*x
+    force_3 = -alpha*t5 - c*dx - k*x
     acc_f3 = force_3 - M_L31*force_1 - M_L32*acc_f2
     acc_3 = acc_f3*t3
     r2_1 = acc_3*c_theta1
@@ -495,15 +517,19 @@ def forward_dynamics_dp(xp, q, v, u, p):
     d2_3 = d2_f3*t3
     d2_2 = d2_f2*t2 - M_L32*d2_3
     d2_1 = r2_1*t1 - M_L21*d2_2 - M_L31*d2_3
-    r4_1 = acc_1*(2*c_theta2 - 2) + acc_2*(1 - c_theta2) + s_theta1 - s_theta1_minus_theta2 - t4
+    r4_1 = acc_1*(2*c_theta2 - 2) + acc_2*(1 - c_theta2) - dtheta2*s_theta2*t4 + s_theta1 - s_theta1_minus_theta2
     r4_2 = acc_1*(1 - c_theta2) - acc_2 + dtheta1*dtheta1*s_theta2 + s_theta1_minus_theta2
     d4_f2 = r4_2 - M_L21*r4_1
     d4_f3 = -M_L31*r4_1 - M_L32*d4_f2
     d4_3 = d4_f3*t3
     d4_2 = d4_f2*t2 - M_L32*d4_3
     d4_1 = r4_1*t1 - M_L21*d4_2 - M_L31*d4_3
+    r9_3 = -dx
+    d9_3 = r9_3*t3
+    d9_2 = -M_L32*d9_3
+    d9_1 = -M_L21*d9_2 - M_L31*d9_3
     return {
-        "dv_dp": [[d1_1, d2_1, 0, d4_1, 0, 0, 0, 0], [d1_2, d2_2, 0, d4_2, 0, 0, 0, 0], [d1_3, d2_3, 0, d4_3, 0, 0, 0, 0]],
+        "dv_dp": [[d1_1, d2_1, 0, d4_1, 0, 0, 0, 0, d9_1], [d1_2, d2_2, 0, d4_2, 0, 0, 0, 0, d9_2], [d1_3, d2_3, 0, d4_3, 0, 0, 0, 0, d9_3]],
     }
 
 
@@ -579,7 +605,7 @@ def impact_map_dq(xp, q, v, p):
 
     Source: plastic impact: Me (v+ - v-) = J^T Lambda, J v+ = 0, projected on the velocities with J v = 0,
     differentiated.
-    109 operations.
+    107 operations.
     """
     theta1 = q[0]
     theta2 = q[1]
@@ -618,7 +644,7 @@ def impact_map_dq(xp, q, v, p):
     d1_2 = d1_f2*t2 - A_L32*d1_3
     d1_1 = r1_1*t1 - A_L21*d1_2 - A_L31*d1_3
     s_theta2 = xp.sin(theta2)
-    r2_1 = after_2*beta*s_theta2 - 2*after_1*beta*s_theta2 + alpha*s_theta1_minus_theta2*(after_3 - dx) - dtheta1*s_theta2
+    r2_1 = alpha*s_theta1_minus_theta2*(after_3 - dx) + s_theta2*(after_2*beta - 2*after_1*beta - dtheta1)
     r2_3 = after_1*alpha*s_theta1_minus_theta2
     r2_2 = after_1*beta*s_theta2
     d2_f2 = r2_2 - A_L21*r2_1
@@ -678,7 +704,7 @@ def impact_impulse(xp, q, v, p):
     """Impulse of the ground at touchdown.
 
     Source: plastic impact: Me (v+ - v-) = J^T Lambda, J v+ = 0, projected on the velocities with J v = 0.
-    88 operations.
+    72 operations.
     """
     theta1 = q[0]
     theta2 = q[1]
@@ -707,11 +733,13 @@ def impact_impulse(xp, q, v, p):
     after_3 = after_f3/A_D3
     after_2 = after_f2*t2 - A_L32*after_3
     after_1 = momentum_1*t1 - A_L21*after_2 - A_L31*after_3
+    t3 = after_1*beta + beta*dtheta1
+    t4 = dtheta1 - after_2*beta + t3
+    t5 = beta*dtheta2 - after_1 - t3
     s_theta1 = xp.sin(theta1)
     s_theta1_minus_theta2 = xp.sin(theta1 - theta2)
-    t3 = dtheta1*s_theta1 - after_1*s_theta1_minus_theta2
     return {
-        "Lambda": [alpha*(after_3 - dx) + beta*c_theta1_minus_theta2*(after_2 + dtheta2) + (2*beta + 1)*(after_1*(c_theta1 - c_theta1_minus_theta2) - after_2*c_theta1) + (beta*(c_theta1_minus_theta2 - c_theta1) - c_theta1)*(after_1 - after_2 - dtheta1), beta*(after_1*s_theta1 - after_2*s_theta1 - dtheta1*s_theta1_minus_theta2 + dtheta2*s_theta1_minus_theta2 + t3) + t3],
+        "Lambda": [alpha*(after_3 - dx) + c_theta1*t4 + c_theta1_minus_theta2*t5, s_theta1*t4 + s_theta1_minus_theta2*t5],
     }
 
 
@@ -773,7 +801,7 @@ def centre_of_mass(xp, q, v, p):
     """Centre of mass of the whole walker.
 
     Source: mass-weighted mean.
-    34 operations.
+    33 operations.
     """
     theta1 = q[0]
     theta2 = q[1]
@@ -786,12 +814,13 @@ def centre_of_mass(xp, q, v, p):
     t1 = 1/(2*beta + 1)
     s_theta1 = xp.sin(theta1)
     s_theta1_minus_theta2 = xp.sin(theta1 - theta2)
-    t2 = beta*(s_theta1_minus_theta2 - s_theta1) - s_theta1
     c_theta1 = xp.cos(theta1)
     c_theta1_minus_theta2 = xp.cos(theta1 - theta2)
+    t2 = dtheta1*(beta + 1)
+    t3 = beta*(dtheta1 - dtheta2)
     return {
-        "com": [t1*(alpha*x + t2), t1*(beta*(c_theta1 - c_theta1_minus_theta2) + c_theta1)],
-        "dcom": [t1*(alpha*dx - beta*c_theta1_minus_theta2*dtheta2 + dtheta1*(beta*(c_theta1_minus_theta2 - c_theta1) - c_theta1)), t1*(dtheta1*t2 - beta*dtheta2*s_theta1_minus_theta2)],
+        "com": [t1*(alpha*x + beta*(s_theta1_minus_theta2 - s_theta1) - s_theta1), t1*(beta*(c_theta1 - c_theta1_minus_theta2) + c_theta1)],
+        "dcom": [t1*(alpha*dx - c_theta1*t2 + c_theta1_minus_theta2*t3), t1*(s_theta1_minus_theta2*t3 - s_theta1*t2)],
     }
 
 
@@ -799,13 +828,14 @@ def ground_force(xp, t, q, v, p):
     """Force of the ground on the stance foot.
 
     Source: the two floating-base rows that hold the stance foot.
-    128 operations.
+    121 operations.
     """
     theta1 = q[0]
     theta2 = q[1]
     x = q[2]
     dtheta1 = v[0]
     dtheta2 = v[1]
+    dx = v[2]
     k = p[0]
     alpha = p[1]
     omega = p[2]
@@ -814,68 +844,12 @@ def ground_force(xp, t, q, v, p):
     Kd = p[5]
     S = p[6]
     gamma = p[7]
-    t1 = 2*dtheta1*dtheta2
-    c_theta2 = xp.cos(theta2)
-    M_11 = 2*beta*(1 - c_theta2) + 1
-    t2 = 1/M_11
-    M_12 = beta*(c_theta2 - 1)
-    M_L21 = M_12*t2
-    c_theta1 = xp.cos(theta1)
-    M_13 = -alpha*c_theta1
-    M_L31 = M_13*t2
-    M_D2 = beta - M_11*M_L21*M_L21
-    t3 = 1/M_D2
-    M_L32 = -M_11*M_L21*M_L31*t3
-    M_D3 = alpha - M_11*M_L31*M_L31 - M_D2*M_L32*M_L32
+    c = p[8]
     s_theta1 = xp.sin(theta1)
-    s_theta2 = xp.sin(theta2)
-    s_theta1_minus_theta2 = xp.sin(theta1 - theta2)
-    force_1 = beta*dtheta2*s_theta2*(dtheta2 - 2*dtheta1) + beta*(s_theta1 - s_theta1_minus_theta2) + s_theta1
-    c_omega_t = xp.cos(omega*t)
-    s_omega_t = xp.sin(omega*t)
-    torque = -Kd*(dtheta2 + gamma*omega*s_omega_t) - Kp*(S - gamma*(c_omega_t + 1) + theta2)
-    force_2 = beta*(dtheta1*dtheta1*s_theta2 + s_theta1_minus_theta2) + torque
-    acc_f2 = force_2 - M_L21*force_1
-    force_3 = -alpha*dtheta1*dtheta1*s_theta1 - k*x
-    acc_f3 = force_3 - M_L31*force_1 - M_L32*acc_f2
-    acc_3 = acc_f3/M_D3
-    acc_2 = acc_f2*t3 - M_L32*acc_3
-    acc_1 = force_1*t2 - M_L21*acc_2 - M_L31*acc_3
-    c_theta1_minus_theta2 = xp.cos(theta1 - theta2)
-    t4 = acc_1*s_theta1 + c_theta1*dtheta1*dtheta1
-    return {
-        "force": [acc_1*(beta*(c_theta1_minus_theta2 - c_theta1) - c_theta1) - acc_2*beta*c_theta1_minus_theta2 + acc_3*alpha - beta*dtheta2*dtheta2*s_theta1_minus_theta2 + beta*s_theta1_minus_theta2*t1 + dtheta1*dtheta1*(beta*s_theta1 - beta*s_theta1_minus_theta2 + s_theta1), beta*(acc_1*s_theta1_minus_theta2 - acc_2*s_theta1_minus_theta2 + c_theta1_minus_theta2*dtheta1*dtheta1 + c_theta1_minus_theta2*dtheta2*dtheta2 - c_theta1_minus_theta2*t1 - t4 + 2) - t4 + 1],
-    }
-
-
-def zmp(xp, t, q, v, p):
-    """The paper's zero moment point, which leaves out the change of angular momentum.
-
-    Source: Kamimura & Sano 2023, eq. (6): p = x_g - x_g'' y_g / (1 + y_g'').
-    142 operations.
-    """
-    theta1 = q[0]
-    theta2 = q[1]
-    x = q[2]
-    dtheta1 = v[0]
-    dtheta2 = v[1]
-    k = p[0]
-    alpha = p[1]
-    omega = p[2]
-    beta = p[3]
-    Kp = p[4]
-    Kd = p[5]
-    S = p[6]
-    gamma = p[7]
-    s_theta1 = xp.sin(theta1)
-    s_theta1_minus_theta2 = xp.sin(theta1 - theta2)
-    t1 = beta*(s_theta1_minus_theta2 - s_theta1) - s_theta1
-    t2 = 1/(2*beta + 1)
-    com_1 = t2*(alpha*x + t1)
+    t1 = s_theta1*(beta + 1)
     c_theta1 = xp.cos(theta1)
-    c_theta1_minus_theta2 = xp.cos(theta1 - theta2)
-    com_2 = t2*(beta*(c_theta1 - c_theta1_minus_theta2) + c_theta1)
-    t3 = 2*dtheta1*dtheta2
+    t2 = c_theta1*(beta + 1)
+    t3 = dtheta1*dtheta1 - 2*dtheta1*dtheta2 + dtheta2*dtheta2
     c_theta2 = xp.cos(theta2)
     M_11 = 2*beta*(1 - c_theta2) + 1
     t4 = 1/M_11
@@ -888,20 +862,81 @@ def zmp(xp, t, q, v, p):
     M_L32 = -M_11*M_L21*M_L31*t5
     M_D3 = alpha - M_11*M_L31*M_L31 - M_D2*M_L32*M_L32
     s_theta2 = xp.sin(theta2)
-    force_1 = beta*dtheta2*s_theta2*(dtheta2 - 2*dtheta1) - t1
+    s_theta1_minus_theta2 = xp.sin(theta1 - theta2)
+    force_1 = beta*dtheta2*s_theta2*(dtheta2 - 2*dtheta1) - beta*s_theta1_minus_theta2 + t1
     c_omega_t = xp.cos(omega*t)
     s_omega_t = xp.sin(omega*t)
     torque = -Kd*(dtheta2 + gamma*omega*s_omega_t) - Kp*(S - gamma*(c_omega_t + 1) + theta2)
     force_2 = beta*(dtheta1*dtheta1*s_theta2 + s_theta1_minus_theta2) + torque
     acc_f2 = force_2 - M_L21*force_1
-    force_3 = -alpha*dtheta1*dtheta1*s_theta1 - k*x
+    force_3 = -alpha*dtheta1*dtheta1*s_theta1 - c*dx - k*x
     acc_f3 = force_3 - M_L31*force_1 - M_L32*acc_f2
     acc_3 = acc_f3/M_D3
     acc_2 = acc_f2*t5 - M_L32*acc_3
     acc_1 = force_1*t4 - M_L21*acc_2 - M_L31*acc_3
-    ground_1 = acc_1*(beta*(c_theta1_minus_theta2 - c_theta1) - c_theta1) - acc_2*beta*c_theta1_minus_theta2 + acc_3*alpha - beta*dtheta2*dtheta2*s_theta1_minus_theta2 + beta*s_theta1_minus_theta2*t3 + dtheta1*dtheta1*(beta*s_theta1 - beta*s_theta1_minus_theta2 + s_theta1)
-    t6 = acc_1*s_theta1 + c_theta1*dtheta1*dtheta1
-    ground_2 = beta*(acc_1*s_theta1_minus_theta2 - acc_2*s_theta1_minus_theta2 + c_theta1_minus_theta2*dtheta1*dtheta1 + c_theta1_minus_theta2*dtheta2*dtheta2 - c_theta1_minus_theta2*t3 - t6 + 2) - t6 + 1
+    c_theta1_minus_theta2 = xp.cos(theta1 - theta2)
+    return {
+        "force": [acc_3*alpha - acc_1*t2 + beta*c_theta1_minus_theta2*(acc_1 - acc_2) - beta*s_theta1_minus_theta2*t3 + dtheta1*dtheta1*t1, beta*c_theta1_minus_theta2*t3 - acc_1*t1 + beta*s_theta1_minus_theta2*(acc_1 - acc_2) + 2*beta - dtheta1*dtheta1*t2 + 1],
+    }
+
+
+def zmp(xp, t, q, v, p):
+    """The paper's zero moment point, which leaves out the change of angular momentum.
+
+    Source: Kamimura & Sano 2023, eq. (6): p = x_g - x_g'' y_g / (1 + y_g'').
+    136 operations.
+    """
+    theta1 = q[0]
+    theta2 = q[1]
+    x = q[2]
+    dtheta1 = v[0]
+    dtheta2 = v[1]
+    dx = v[2]
+    k = p[0]
+    alpha = p[1]
+    omega = p[2]
+    beta = p[3]
+    Kp = p[4]
+    Kd = p[5]
+    S = p[6]
+    gamma = p[7]
+    c = p[8]
+    t1 = 2*beta + 1
+    t2 = 1/t1
+    s_theta1 = xp.sin(theta1)
+    s_theta1_minus_theta2 = xp.sin(theta1 - theta2)
+    com_1 = t2*(alpha*x + beta*(s_theta1_minus_theta2 - s_theta1) - s_theta1)
+    c_theta1 = xp.cos(theta1)
+    c_theta1_minus_theta2 = xp.cos(theta1 - theta2)
+    com_2 = t2*(beta*(c_theta1 - c_theta1_minus_theta2) + c_theta1)
+    t3 = s_theta1*(beta + 1)
+    t4 = c_theta1*(beta + 1)
+    t5 = dtheta1*dtheta1 - 2*dtheta1*dtheta2 + dtheta2*dtheta2
+    c_theta2 = xp.cos(theta2)
+    M_11 = 2*beta*(1 - c_theta2) + 1
+    t6 = 1/M_11
+    M_12 = beta*(c_theta2 - 1)
+    M_L21 = M_12*t6
+    M_13 = -alpha*c_theta1
+    M_L31 = M_13*t6
+    M_D2 = beta - M_11*M_L21*M_L21
+    t7 = 1/M_D2
+    M_L32 = -M_11*M_L21*M_L31*t7
+    M_D3 = alpha - M_11*M_L31*M_L31 - M_D2*M_L32*M_L32
+    s_theta2 = xp.sin(theta2)
+    force_1 = beta*dtheta2*s_theta2*(dtheta2 - 2*dtheta1) - beta*s_theta1_minus_theta2 + t3
+    c_omega_t = xp.cos(omega*t)
+    s_omega_t = xp.sin(omega*t)
+    torque = -Kd*(dtheta2 + gamma*omega*s_omega_t) - Kp*(S - gamma*(c_omega_t + 1) + theta2)
+    force_2 = beta*(dtheta1*dtheta1*s_theta2 + s_theta1_minus_theta2) + torque
+    acc_f2 = force_2 - M_L21*force_1
+    force_3 = -alpha*dtheta1*dtheta1*s_theta1 - c*dx - k*x
+    acc_f3 = force_3 - M_L31*force_1 - M_L32*acc_f2
+    acc_3 = acc_f3/M_D3
+    acc_2 = acc_f2*t7 - M_L32*acc_3
+    acc_1 = force_1*t6 - M_L21*acc_2 - M_L31*acc_3
+    ground_1 = acc_3*alpha - acc_1*t4 + beta*c_theta1_minus_theta2*(acc_1 - acc_2) - beta*s_theta1_minus_theta2*t5 + dtheta1*dtheta1*t3
+    ground_2 = beta*c_theta1_minus_theta2*t5 - acc_1*t3 + beta*s_theta1_minus_theta2*(acc_1 - acc_2) - dtheta1*dtheta1*t4 + t1
     point = com_1 - com_2*ground_1/ground_2
     return {
         "zmp": point,
@@ -938,7 +973,7 @@ def swing_foot(xp, q, v):
     c_theta1_minus_theta2 = xp.cos(theta1 - theta2)
     return {
         "foot": [s_theta1_minus_theta2 - s_theta1, c_theta1 - c_theta1_minus_theta2],
-        "dfoot": [dtheta1*(c_theta1_minus_theta2 - c_theta1) - c_theta1_minus_theta2*dtheta2, dtheta1*(s_theta1_minus_theta2 - s_theta1) - dtheta2*s_theta1_minus_theta2],
+        "dfoot": [c_theta1_minus_theta2*(dtheta1 - dtheta2) - c_theta1*dtheta1, s_theta1_minus_theta2*(dtheta1 - dtheta2) - dtheta1*s_theta1],
     }
 
 

@@ -17,7 +17,7 @@ from stridemap.solver.branches.target_range import span
 from stridemap.solver.cycles.solver import Solver
 from stridemap.solver.model.loading import load
 from stridemap.solver.model.model import Model
-from stridemap.solver.options import ArclengthOptions, SearchOptions
+from stridemap.solver.options import ContinuationOptions, SearchOptions
 
 MAX_LINES = 100
 """Values of each parameter at which branches are followed: each takes some seconds to a minute."""
@@ -34,7 +34,7 @@ def boundaries(
     seeds: int = 6,
     friction_limit: float | None = None,
     search: SearchOptions | Mapping[str, Any] | None = None,
-    options: ArclengthOptions | Mapping[str, Any] | None = None,
+    options: ContinuationOptions | Mapping[str, Any] | None = None,
     backend: str | Backend | None = None,
     progress: Callable[[str], None] | None = None,
     **keywords: float,
@@ -65,7 +65,7 @@ def boundaries(
         Largest ratio of horizontal to vertical ground force of a gait.
     search : SearchOptions or mapping, optional
         By default 256 starts at each value.
-    options : ArclengthOptions or mapping, optional
+    options : ContinuationOptions or mapping, optional
         Step control.
     backend : str or Backend, optional
         As for `find_orbits`.
@@ -118,7 +118,7 @@ def boundaries(
         0,
         seeds,
         SearchOptions.from_mapping({"starts": 256} if search is None else search),
-        ArclengthOptions.from_mapping(options or {}),
+        ContinuationOptions.from_mapping(options or {}),
         GaitConditions(solver.kernels, limit_of_friction(friction_limit)),
         quiet,
     )

@@ -15,7 +15,7 @@ from stridemap.solver.branches.target_range import span
 from stridemap.solver.cycles.solver import Solver
 from stridemap.solver.model.loading import load
 from stridemap.solver.model.model import Model
-from stridemap.solver.options import ArclengthOptions, SearchOptions
+from stridemap.solver.options import ContinuationOptions, SearchOptions
 
 MAX_CASCADE = 6
 """Doublings in a row: one more than lead to `MAX_PERIOD_N` steps are refused in any case."""
@@ -35,7 +35,7 @@ def branches(
     seeds: int = 12,
     friction_limit: float | None = None,
     search: SearchOptions | Mapping[str, Any] | None = None,
-    options: ArclengthOptions | Mapping[str, Any] | None = None,
+    options: ContinuationOptions | Mapping[str, Any] | None = None,
     backend: str | Backend | None = None,
     progress: Callable[[str], None] | None = None,
     **keywords: float,
@@ -65,7 +65,7 @@ def branches(
         Largest ratio of horizontal to vertical ground force of a gait.
     search : SearchOptions or mapping, optional
         By default 256 starts at each value.
-    options : ArclengthOptions or mapping, optional
+    options : ContinuationOptions or mapping, optional
         Step control.
     backend : str or Backend, optional
         As for `find_orbits`.
@@ -116,7 +116,7 @@ def branches(
         cascade,
         seeds,
         SearchOptions.from_mapping({"starts": 256} if search is None else search),
-        ArclengthOptions.from_mapping(options or {}),
+        ContinuationOptions.from_mapping(options or {}),
         GaitConditions(solver.kernels, limit_of_friction(friction_limit)),
         progress or quiet,
     )

@@ -107,6 +107,8 @@ class BoundarySurvey:
         Number of values of each parameter at which branches over the other one are followed.
     progress : callable
         Takes a line that says what is being done.
+    double_points : bool
+        Whether points at which two things happen at once are looked for.
     """
 
     along: Survey
@@ -115,6 +117,7 @@ class BoundarySurvey:
     high: tuple[float, float]
     lines: int
     progress: Callable[[str], None]
+    double_points: bool = True
 
     @property
     def window(self) -> Window:
@@ -206,7 +209,7 @@ class BoundarySurvey:
         names = [name for name in conditions.names if name != kind]
         values = conditions_along(curve, points, conditions, names)
         corners = list(gait_ends(curve, points, values, conditions, options))
-        codim2 = list(codim2_points(curve, points))
+        codim2 = list(codim2_points(curve, points)) if self.double_points else []
         return Boundary(curve, str(kind), points, reasons, values, codim2, corners)
 
 

@@ -168,8 +168,10 @@ class TorusBoundary(BoundaryCurve):
 
     def others(self, x: Array, multipliers: Complex) -> Complex:
         """The multipliers without the pair of the curve."""
-        pair = np.exp(1j * self.angle(x) * np.array([1, -1]))
-        return np.delete(multipliers, np.abs(multipliers - pair[:, None]).argmin(axis=1))
+        left = multipliers
+        for one in np.exp(1j * self.angle(x) * np.array([1, -1])):  # which may both be near one multiplier
+            left = np.delete(left, np.abs(left - one).argmin())
+        return left
 
     def linearised(self, x: Array, n_rk: int) -> tuple[Array, Array]:
         """Derivative, shape (N + 2, N + 3), and values, shape (N + 2,), of the equations.

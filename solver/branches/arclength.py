@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stridemap.solver.branches.curve import Corrected, ZeroCurve
-from stridemap.solver.options import ArclengthOptions
+from stridemap.solver.options import ContinuationOptions
 
 Array = NDArray[np.float64]
 
@@ -148,7 +148,7 @@ def at_value(
 
 
 def follow(
-    curve: ZeroCurve, start: CurvePoint, window: Window, options: ArclengthOptions, ds: float | None = None
+    curve: ZeroCurve, start: CurvePoint, window: Window, options: ContinuationOptions, ds: float | None = None
 ) -> tuple[list[CurvePoint], EndReason]:
     """Follow a curve from a point, in the direction of its tangent.
 
@@ -157,7 +157,7 @@ def follow(
     curve : ZeroCurve
     start : CurvePoint
     window : Window
-    options : ArclengthOptions
+    options : ContinuationOptions
     ds : float, optional
         The first arclength step.
 
@@ -172,7 +172,8 @@ def follow(
         here = points[-1]
         there = advanced(curve, here, ds, options.max_corrections)
         turn = -1.0 if there is None else curve.dot(there.tangent, here.tangent)
-        if there is None or turn < options.min_tangent_cosine or _strays(curve, here, there, ds):
+        astray = there is None or _strays(curve, here, there, ds) or _jumps(curve, here, there)
+        if there is None or astray or turn < options.min_tangent_cosine:
             ds *= options.step_shrink
             if ds < options.ds_min:
                 return points, EndReason.STALLED
@@ -192,7 +193,7 @@ def follow(
 
 
 def both_ways(
-    curve: ZeroCurve, start: CurvePoint, window: Window, options: ArclengthOptions
+    curve: ZeroCurve, start: CurvePoint, window: Window, options: ContinuationOptions
 ) -> tuple[list[CurvePoint], tuple[EndReason, EndReason]]:
     """Follow a curve from a point in both directions: see `follow`.
 
@@ -215,8 +216,23 @@ def _strays(curve: ZeroCurve, here: CurvePoint, there: CurvePoint, ds: float) ->
     return curve.norm(there.x - here.x - ds * here.tangent) > MAX_CORRECTION * ds
 
 
+def _jumps(curve: ZeroCurve, here: CurvePoint, there: CurvePoint) -> bool:
+    """Whether two points are beside each other rather than one after the other.
+
+    The way along an arc points, up to third order, where the mean of the tangents at both ends does. A step
+    onto a curve that runs beside this one, where the tangents hardly differ, goes aside by the distance of
+    the two.
+    """
+    way, mean = there.x - here.x, here.tangent + there.tangent
+    return curve.norm(way / curve.norm(way) - mean / curve.norm(mean)) > MAX_SIDESTEP
+
+
 def _last_point(
-    curve: ZeroCurve, here: CurvePoint, there: CurvePoint, left: tuple[int, float], options: ArclengthOptions
+    curve: ZeroCurve,
+    here: CurvePoint,
+    there: CurvePoint,
+    left: tuple[int, float],
+    options: ContinuationOptions,
 ) -> list[CurvePoint] | None:
     """The point at the end of a parameter's range that lies between two; none where it is the first.
 
@@ -257,6 +273,9 @@ def _ended(curve: ZeroCurve, points: list[CurvePoint], window: Window) -> EndRea
 
 MAX_CORRECTION = 0.3
 """Largest correction, as a part of the arclength step."""
+
+MAX_SIDESTEP = 0.004
+"""Largest angle, in radians, by which the way between two points differs from the mean of their tangents."""
 
 FARTHEST = 4.0
 """Distance from the middle of the search box, in half-widths, beyond which nothing walks."""

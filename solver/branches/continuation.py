@@ -29,7 +29,7 @@ from stridemap.solver.branches.stops import Stops
 from stridemap.solver.cycles.solver import Solver
 from stridemap.solver.linear import solved
 from stridemap.solver.model.scales import Scales
-from stridemap.solver.options import ContinuationOptions
+from stridemap.solver.options import IN_SWEEPS, ContinuationOptions
 
 Array = NDArray[np.float64]
 Index = NDArray[np.int64]
@@ -44,6 +44,15 @@ MODES = 16
 SHARP = 0.999
 """Cosine of the angle by which the tangent turns in an arclength step, below which the derivative at its end
 is needed."""
+
+TOLERANCE = 1e-3
+"""Length of a correction that is the last: what comes out is a guess, to be converged."""
+
+CONTRACTION, CORRECTION_RATIO = 0.5, 0.5
+"""Largest ratios of one correction to the one before, and of the first to the arclength step."""
+
+PATIENCE = 2.0
+"""Length along which a branch is followed without a gait on it."""
 
 SHORT = 0.02
 """Of an arclength step: a correction that is so small is the last, if it is below the tolerance."""
@@ -168,7 +177,7 @@ def follow(
     options : ContinuationOptions, optional
     may_be_gaits : callable, optional
         (u, params) -> ndarray of bool, whether cycles may be gaits. A branch ends where there has been none
-        for a length of ``options.patience``.
+        for a length of `PATIENCE`.
     known : Known, optional
 
     Returns
@@ -177,7 +186,7 @@ def follow(
         What two of the branches have in common may be on one of them alone.
     """
     known = known or Known(u[:0], s[:0], np.empty(0, dtype=np.int64))
-    lines = _Lines(solver, params, target, options or ContinuationOptions(), period_range, may_be_gaits)
+    lines = _Lines(solver, params, target, options or IN_SWEEPS, period_range, may_be_gaits)
     return lines.both_ways(np.column_stack([u, s]), np.column_stack(known[:2]), known.branch)
 
 
@@ -239,7 +248,7 @@ class _Lines:
         for step in range(options.max_steps):
             if self.may_be_gaits is not None and step % LOOK == 0:
                 idle[self.may_be_gaits(x[:, :-1], self._point(at, x[:, -1:]))] = 0.0
-                ds[idle > options.patience] = 0.0
+                ds[idle > PATIENCE] = 0.0
             go_on = ds >= options.ds_min
             at, x, tangent, ds, idle = at[go_on], x[go_on], tangent[go_on], ds[go_on], idle[go_on]
             if not len(at):
@@ -284,10 +293,10 @@ class _Lines:
         size = self._norm(change)
         with np.errstate(invalid="ignore"):
             cosine = (new * tangent / self.scale**2).sum(axis=1)
-            near = (size < options.max_correction_ratio * length) & (cosine > options.min_tangent_cosine)
+            near = (size < CORRECTION_RATIO * length) & (cosine > options.min_tangent_cosine)
         smooth = cosine > options.easy_tangent_cosine
         # Where steps are short, points must be as exact as these are short.
-        small = np.minimum(options.tolerance, SHORT * length)
+        small = np.minimum(TOLERANCE, SHORT * length)
         good, easy = near & (size < small), near & smooth & (size < small)
         open_ = np.flatnonzero(near & ~good)
         for attempt in range(options.max_corrections):
@@ -301,7 +310,7 @@ class _Lines:
             good[open_[done]] = True
             easy[open_[done]] = smooth[open_[done]] & (attempt < options.max_corrections - 1)
             with np.errstate(invalid="ignore"):
-                shrinking = now < options.max_contraction * size[open_]
+                shrinking = now < CONTRACTION * size[open_]
             size[open_] = now
             open_ = open_[~done & shrinking]
         sharp = np.flatnonzero(good & (cosine < SHARP))

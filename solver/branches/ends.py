@@ -10,7 +10,7 @@ from stridemap.solver.branches.arclength import CurvePoint
 from stridemap.solver.branches.conditions import GaitConditions, GaitEnd
 from stridemap.solver.branches.curve import Corrected, ZeroCurve
 from stridemap.solver.kernels.catalogue import CYCLE_N_RK
-from stridemap.solver.options import ArclengthOptions
+from stridemap.solver.options import ContinuationOptions
 
 Array = NDArray[np.float64]
 
@@ -51,7 +51,7 @@ def gait_ends(
     points: list[CurvePoint],
     values: dict[GaitEnd, Array],
     conditions: GaitConditions,
-    options: ArclengthOptions,
+    options: ContinuationOptions,
 ) -> Iterator[tuple[int, End]]:
     """Ends and beginnings of gaits between neighbouring points, each with the number of the point before it.
 
@@ -65,7 +65,7 @@ def gait_ends(
     values : dict of GaitEnd to ndarray
         As from `conditions_along`.
     conditions : GaitConditions
-    options : ArclengthOptions
+    options : ContinuationOptions
     """
     found = list(searches(curve, points, values, options))
     for (number, _), end in zip(found, together([search for _, search in found], conditions), strict=True):
@@ -87,7 +87,7 @@ Search = Generator[Trial, float, End | None]
 
 
 def searches(
-    curve: ZeroCurve, points: list[CurvePoint], values: dict[GaitEnd, Array], options: ArclengthOptions
+    curve: ZeroCurve, points: list[CurvePoint], values: dict[GaitEnd, Array], options: ContinuationOptions
 ) -> Iterator[tuple[int, Search]]:
     """A search for each end of `gait_ends`, with the number of the point before it. Parameters as there."""
     holds = {name: one > 0 for name, one in values.items()}
@@ -145,7 +145,7 @@ def _first_met(
     known: dict[GaitEnd, tuple[float, ...]],
     pair: tuple[CurvePoint, CurvePoint],
     inside: Array,
-    options: ArclengthOptions,
+    options: ContinuationOptions,
 ) -> Search:
     """Of several conditions that are broken on one side, the end at which one is met first from the other."""
     found = []
@@ -161,7 +161,7 @@ def _located(
     name: GaitEnd,
     pair: tuple[CurvePoint, CurvePoint],
     known: tuple[float, ...],
-    options: ArclengthOptions,
+    options: ContinuationOptions,
 ) -> Search:
     """Where a condition is zero between two points, at which it is `known`.
 
@@ -199,7 +199,7 @@ def _bracketed(
     name: GaitEnd,
     pair: tuple[CurvePoint, CurvePoint],
     known: tuple[float, ...],
-    options: ArclengthOptions,
+    options: ContinuationOptions,
     n_rk: int,
     settled: float,
 ) -> Generator[Trial, float, _Zero | None]:
@@ -246,7 +246,7 @@ def _refined(
     name: GaitEnd,
     pair: tuple[CurvePoint, CurvePoint],
     found: _Zero,
-    options: ArclengthOptions,
+    options: ContinuationOptions,
 ) -> Generator[Trial, float, _Zero | None]:
     """The same zero at ever finer resolutions, by secants; None where they do not lead there."""
     one, other = pair
@@ -284,7 +284,7 @@ def _corrected(
     guess: Array,
     part: float,
     n_rk: int,
-    options: ArclengthOptions,
+    options: ContinuationOptions,
 ) -> CurvePoint | None:
     """The point in the plane through a guess, a part of the way from one point to another."""
     one, other = pair

@@ -68,6 +68,12 @@ class Plane:
         return cls(names, xs, ys, classes.reshape(shape), groups.reshape(shape))
 
 
+def middle_edges(values: Array) -> tuple[float, float]:
+    """Ends of a row of cells whose middles are the values: half a cell beyond the first and the last."""
+    low, high = values[0] - (values[1] - values[0]) / 2, values[-1] + (values[-1] - values[-2]) / 2
+    return float(low), float(high)
+
+
 def cells_of(orbits: Orbits, names: tuple[str, str], x: Array, y: Array) -> Index:
     """The number of the cell in which each cycle lies, shape (n,)."""
     columns, rows = (

@@ -30,7 +30,7 @@ from stridemap.solver.branches.curve import Curve
 from stridemap.solver.branches.equations import CycleEquations
 from stridemap.solver.kernels.catalogue import CYCLE_N_RK
 from stridemap.solver.linear import solved
-from stridemap.solver.options import ArclengthOptions
+from stridemap.solver.options import ContinuationOptions
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -106,7 +106,7 @@ def tests(curve: Curve, point: CurvePoint) -> dict[SpecialType, float]:
 
 
 def special_points(
-    curve: Curve, points: list[CurvePoint], options: ArclengthOptions
+    curve: Curve, points: list[CurvePoint], options: ContinuationOptions
 ) -> Iterator[tuple[int, Special]]:
     """Bifurcations between neighbouring points of a curve, each with the number of the point before it."""
     for number, (one, other) in enumerate(itertools.pairwise(points)):
@@ -115,7 +115,7 @@ def special_points(
 
 
 def _between(
-    curve: Curve, one: CurvePoint, other: CurvePoint, options: ArclengthOptions, depth: int
+    curve: Curve, one: CurvePoint, other: CurvePoint, options: ContinuationOptions, depth: int
 ) -> list[Special]:
     """Bifurcations between two points of a curve, in order."""
     first, second = tests(curve, one), tests(curve, other)
@@ -155,7 +155,7 @@ CHANGES = {SpecialType.FOLD: 1, SpecialType.PD: 1, SpecialType.NS: 2, SpecialTyp
 
 
 def _middle(
-    curve: Curve, one: CurvePoint, other: CurvePoint, options: ArclengthOptions, part: float = 0.5
+    curve: Curve, one: CurvePoint, other: CurvePoint, options: ContinuationOptions, part: float = 0.5
 ) -> CurvePoint | None:
     """A point of the curve between two."""
     if not curve.dot(other.x - one.x, one.tangent) > 0:
@@ -171,7 +171,7 @@ def located(
     kind: SpecialType,
     one: CurvePoint,
     other: CurvePoint,
-    options: ArclengthOptions,
+    options: ContinuationOptions,
     halvings: int = BISECTIONS,
 ) -> Special | None:
     """The special point of a type between two points of a curve; None where there is none after all.

@@ -16,7 +16,7 @@ from stridemap.solver.cycles.chain import Chain
 from stridemap.solver.cycles.search import find_all
 from stridemap.solver.cycles.several_steps import find_chains
 from stridemap.solver.cycles.solver import Solver
-from stridemap.solver.options import ArclengthOptions, SearchOptions
+from stridemap.solver.options import ContinuationOptions, SearchOptions
 
 Array = NDArray[np.float64]
 
@@ -98,7 +98,7 @@ class Survey:
     seeds : int
         Number of values of the parameter at which cycles are searched for.
     search : SearchOptions
-    options : ArclengthOptions
+    options : ContinuationOptions
     conditions : GaitConditions
     progress : callable
         Takes a line that says what is being done.
@@ -113,7 +113,7 @@ class Survey:
     cascade: int
     seeds: int
     search: SearchOptions
-    options: ArclengthOptions
+    options: ContinuationOptions
     conditions: GaitConditions
     progress: Callable[[str], None]
 

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from stridemap.solver.branches.arclength import CurvePoint, advanced
 from stridemap.solver.branches.curve import Curve
 from stridemap.solver.branches.special import Special
-from stridemap.solver.options import ArclengthOptions
+from stridemap.solver.options import ContinuationOptions
 
 Array = NDArray[np.float64]
 
@@ -29,7 +29,7 @@ class Switched:
     start: CurvePoint
 
 
-def doubled(curve: Curve, special: Special, options: ArclengthOptions) -> Switched | None:
+def doubled(curve: Curve, special: Special, options: ContinuationOptions) -> Switched | None:
     """The branch of twice the period that begins at a doubling; None where it is not found.
 
     At a doubling the multiplier is -1: a small displacement along the null vector w returns after one cycle
@@ -40,7 +40,7 @@ def doubled(curve: Curve, special: Special, options: ArclengthOptions) -> Switch
     curve : Curve
     special : Special
         A doubling on it.
-    options : ArclengthOptions
+    options : ContinuationOptions
     """
     double = curve.with_steps(2 * curve.chain.n_steps)
     w = np.real(special.null)
@@ -48,7 +48,7 @@ def doubled(curve: Curve, special: Special, options: ArclengthOptions) -> Switch
     return _leaving(double, x, np.concatenate([w, -w, [0.0]]), options)
 
 
-def crossing(curve: Curve, special: Special, options: ArclengthOptions, side: int = 1) -> Switched | None:
+def crossing(curve: Curve, special: Special, options: ContinuationOptions, side: int = 1) -> Switched | None:
     """The other branch at a branch point, to one side; None where it is not found.
 
     Parameters
@@ -56,13 +56,13 @@ def crossing(curve: Curve, special: Special, options: ArclengthOptions, side: in
     curve : Curve
     special : Special
         A branch point on it.
-    options : ArclengthOptions
+    options : ContinuationOptions
     side : {1, -1}
     """
     return _leaving(curve, special.x, side * np.real(special.null), options)
 
 
-def _leaving(curve: Curve, x: Array, direction: Array, options: ArclengthOptions) -> Switched | None:
+def _leaving(curve: Curve, x: Array, direction: Array, options: ContinuationOptions) -> Switched | None:
     """The first point in a direction that leads away from a point, at the longest of ever shorter steps."""
     tangent = direction / curve.norm(direction)
     n_rk = curve.n_rk(x)

@@ -28,7 +28,7 @@ from stridemap.solver.cycles.chain import Chain
 from stridemap.solver.cycles.orbits import Orbits
 from stridemap.solver.cycles.search import find_all, merged
 from stridemap.solver.cycles.solver import Solver
-from stridemap.solver.options import ArclengthOptions, SearchOptions
+from stridemap.solver.options import ContinuationOptions, SearchOptions
 
 Array = NDArray[np.float64]
 
@@ -102,7 +102,7 @@ class Line:
         start = at_value(self.curve, x, value, np.eye(len(x))[-1], CORRECTIONS)
         if start is None:
             return x[None, :]
-        points, _ = both_ways(self.curve, start, self.window, ArclengthOptions())
+        points, _ = both_ways(self.curve, start, self.window, ContinuationOptions())
         return np.array([point.x for point in points])
 
 

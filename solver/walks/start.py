@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from stridemap.errors import InputError
+from stridemap.errors import InputError, short
 from stridemap.solver.walks.equations import Equations
 
 Array = NDArray[np.float64]
@@ -32,7 +32,13 @@ def section_start(walker: Equations, state: Array) -> Array:
             f"the state {z.tolist()} is not allowed: {model.name} takes "
             f"{len(model.section)} finite numbers ({', '.join(model.section)})"
         )
-    return walker.start(z)
+    y = walker.start(z)
+    if not np.isfinite(y).all():
+        raise InputError(
+            f"the state {short(z.tolist())} is not allowed: other entries follow from it, and are too "
+            "large to be numbers"
+        )
+    return y
 
 
 def start_within(walker: Equations, start: Mapping[str, Any]) -> tuple[float, Array]:

@@ -52,7 +52,7 @@ def boundary(
     from stridemap.cli.output import print_table
     from stridemap.solver.api.boundaries import boundaries
     from stridemap.solver.branches.tables import table_writer
-    from stridemap.solver.options import ArclengthOptions, SearchOptions
+    from stridemap.solver.options import ContinuationOptions, SearchOptions
     from stridemap.views.branch_diagram import check_picture
 
     if out is not None:
@@ -69,7 +69,7 @@ def boundary(
         seeds=seeds,
         friction_limit=friction_limit,
         search=SearchOptions.from_mapping({"starts": starts, **option_values("--search", search)}),
-        options=ArclengthOptions.from_mapping(option_values("--continuation", continuation)),
+        options=ContinuationOptions.from_mapping(option_values("--continuation", continuation)),
         progress=None if json_ else say,
     )
     if out is not None:

@@ -51,7 +51,7 @@ def branch(
     from stridemap.solver.api.branches import branches
     from stridemap.solver.branches.tables import table_writer
     from stridemap.solver.model.loading import load
-    from stridemap.solver.options import ArclengthOptions, SearchOptions
+    from stridemap.solver.options import ContinuationOptions, SearchOptions
     from stridemap.views.branch_diagram import check_column, check_picture
 
     if out is not None:
@@ -69,7 +69,7 @@ def branch(
         seeds=seeds,
         friction_limit=friction_limit,
         search=SearchOptions.from_mapping({"starts": starts, **option_values("--search", search)}),
-        options=ArclengthOptions.from_mapping(option_values("--continuation", continuation)),
+        options=ContinuationOptions.from_mapping(option_values("--continuation", continuation)),
         progress=None if json_ else say,
     )
     if out is not None:

@@ -32,6 +32,7 @@ def figures(
     A sweep that a figure needs is run if it is not finished. Figures: model, map, profiles, profiles-compass,
     multipliers, d-max, cot, d-profiles.
     """
+    from stridemap.cli.progress import boundary_lines
     from stridemap.paper import figures as draw
     from stridemap.paper.sweeps import default_folder
 
@@ -40,7 +41,14 @@ def figures(
     try:
         with sweep_progress() as progress:
             paths = draw(
-                out, only or (), sweeps=folder, params=params, thin=thin, workers=workers, progress=progress
+                out,
+                only or (),
+                sweeps=folder,
+                params=params,
+                thin=thin,
+                workers=workers,
+                progress=progress,
+                say=boundary_lines(),
             )
     except KeyboardInterrupt:
         say_interrupted(folder)

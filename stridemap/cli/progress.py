@@ -73,6 +73,21 @@ def _lines() -> "Callable[[SweepProgress], None]":
     return update
 
 
+def boundary_lines() -> Callable[[str], None]:
+    """What prints how far boundaries are, on standard error: a line every `LINE_EVERY` seconds."""
+    begun = time.monotonic()
+    last = -LINE_EVERY
+
+    def say(what: str) -> None:
+        nonlocal last
+        now = time.monotonic()
+        if now - last >= LINE_EVERY:
+            last = now
+            print(f"boundaries: {what}, {now - begun:.0f} s", file=sys.stderr, flush=True)
+
+    return say
+
+
 QUIET = 1.0
 """Seconds that a derivation may take without a word."""
 

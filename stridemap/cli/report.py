@@ -29,6 +29,10 @@ def report(
     claims: Annotated[
         Path | None, typer.Option(metavar="FILE", help="What `stridemap claims --json` printed.")
     ] = None,
+    curves: Annotated[
+        Path | None,
+        typer.Option(metavar="FILE", help="Boundaries to draw: what `stridemap boundary --out` wrote."),
+    ] = None,
     sweeps: SweepsOption = None,
     workers: WorkersOption = None,
     set_: SetOption = None,
@@ -40,6 +44,7 @@ def report(
     Without SWEEP_DIR it is the map of the paper's sweeps, with the verdicts of `stridemap claims`; what is
     not finished is swept first. --sweeps, --workers, --set and --thin are for these sweeps.
     """
+    from stridemap.cli.progress import boundary_lines
     from stridemap.paper import report as report_paper
     from stridemap.paper.sweeps import default_folder
     from stridemap.views import write_report
@@ -52,7 +57,12 @@ def report(
                 f"{', '.join(unusable)} cannot be given with the sweep in {folder}, but only for the paper's "
                 "sweeps; leave it out, or leave the folder out"
             )
-        summary = write_report(folder, out, claims, model)
+        summary = write_report(folder, out, claims, model, curves)
+    elif curves is not None:
+        raise InputError(
+            "--curves is for the sweep in SWEEP_DIR; give that folder, or leave --curves out: the paper's "
+            "map has its own"
+        )
     elif model is not None:
         raise InputError("--model is for the sweep in SWEEP_DIR; give that folder, or leave --model out")
     else:
@@ -68,6 +78,7 @@ def report(
                     thin=thin,
                     workers=workers,
                     progress=progress,
+                    say=boundary_lines(),
                 )
         except KeyboardInterrupt:
             say_interrupted(where)

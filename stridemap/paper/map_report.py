@@ -7,9 +7,10 @@ from typing import Any
 
 from stridemap.paper.cycle_tables import cycle_tables
 from stridemap.paper.evaluate import evaluate
+from stridemap.paper.map_boundaries import map_boundaries
 from stridemap.paper.sweeps import paper_sweeps
 from stridemap.sweeps.run import Progress
-from stridemap.views.report.write import ReportSummary, write_report
+from stridemap.views.report.write import ReportSummary, check_out, write_report
 
 
 def report(
@@ -22,8 +23,11 @@ def report(
     workers: int | None = None,
     executor: Executor | None = None,
     progress: Callable[[str, Progress], None] | None = None,
+    say: Callable[[str], None] | None = None,
 ) -> ReportSummary:
-    """Write the map of the paper's sweeps, with the verdicts, as one HTML file that needs no network.
+    """Write the map of the paper's sweeps, with its boundaries and the verdicts, as one HTML file.
+
+    It needs no network.
 
     Parameters
     ----------
@@ -34,12 +38,16 @@ def report(
         from the sweeps.
     sweeps, params, thin, workers, executor, progress
         As for `claims`: sweeps that are not finished are run.
+    say : callable, optional
+        Takes a line that says what is being done when boundaries are computed.
 
     Raises
     ------
     InputError
         As for `claims` and `stridemap.views.write_report`.
     """
+    check_out(out)
     paper = paper_sweeps(sweeps, params, thin, workers=workers, executor=executor, progress=progress)
     verdicts = claims or [claim.to_dict() for claim in evaluate(cycle_tables(paper))]
-    return write_report(paper.run("map"), out, verdicts)
+    curves = map_boundaries(paper, say)
+    return write_report(paper.run("map"), out, verdicts, curves=None if curves.empty else curves)

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stridemap.solver.boundaries.boundaries import Boundaries
-from stridemap.views.markers import MARKERS, POINTS
+from stridemap.views.markers import BOUNDARY_LINES, BOUNDARY_NAMES, MARKERS, POINTS
 from stridemap.views.optional import require_pictures
 
 if TYPE_CHECKING:
@@ -14,9 +14,6 @@ if TYPE_CHECKING:
 
 SIZE = (6.2, 4.2)
 """Width and height in inches."""
-
-LINES = {"fold": "-", "pd": (0, (6, 2)), "ns": (0, (6, 2, 1, 2)), "period_limit": (0, (1, 1.5))}
-"""Dashes of each type; ends of gaits are solid, with colours of their own."""
 
 
 def boundary_map(boundaries: Boundaries, *, gaits_only: bool = True, stable_only: bool = False) -> "Figure":
@@ -45,12 +42,6 @@ def boundary_map(boundaries: Boundaries, *, gaits_only: bool = True, stable_only
     require_pictures()
     from stridemap.views import style
 
-    colours = {
-        "fold": style.DARK,
-        "pd": style.VERMILION,
-        "ns": style.BLUE,
-        "period_limit": style.GREY,
-    }
     with style.styled():
         figure = style.new_figure(*SIZE)
         axes = figure.subplots()
@@ -58,7 +49,8 @@ def boundary_map(boundaries: Boundaries, *, gaits_only: bool = True, stable_only
         for one in boundaries:
             plane = one.cycles[:, -2:]
             gait, stable = one.is_gait, one.borders_stable
-            label = MARKERS[one.type][1] if one.type in MARKERS else "period limit"
+            label = MARKERS[one.type][1] if one.type in MARKERS else BOUNDARY_NAMES[one.type]
+            colour, dashes = BOUNDARY_LINES[one.type]
             for weight in (0, 1, 2):
                 shown = (gait & stable, gait & ~stable, ~gait)[2 - weight]
                 if (weight == 0 and gaits_only) or (weight < 2 and stable_only):
@@ -70,8 +62,8 @@ def boundary_map(boundaries: Boundaries, *, gaits_only: bool = True, stable_only
                 axes.plot(
                     x,
                     y,
-                    color=colours.get(one.type, style.GREEN),
-                    linestyle=LINES.get(one.type, "-"),
+                    color=colour,
+                    linestyle=(0, dashes) if dashes else "-",
                     linewidth=(0.4, 0.8, 1.8)[weight],
                     label=None if label in labelled else label,
                 )

@@ -1,7 +1,6 @@
-"""How all figures look: colours, sizes, line styles, and how they are written.
+"""How all figures look: sizes, line styles, and how they are written.
 
-Colours are from the set of Okabe and Ito (jfly.uni-koeln.de/color), which people with any colour vision can
-tell apart. Nothing depends on colour alone: classes of the map differ in luminance, lines in width or dashes.
+Nothing depends on colour alone: classes of the map differ in luminance, lines in width or dashes.
 """
 
 import io
@@ -17,15 +16,29 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from stridemap.errors import InputError
+from stridemap.views.palette import (
+    BLACK,
+    BLUE,
+    DARK,
+    GREEN,
+    GREY,
+    PALE,
+    PURPLE,
+    SKY,
+    VERMILION,
+    WHITE,
+)  # fmt: skip
+
+__all__ = [
+    "BLACK", "BLUE", "COLUMN", "COMPASS_LINE", "DARK", "DPI", "GREEN", "GREY", "MM", "NONE", "PALE", "PURPLE",
+    "RC", "SKY", "SOLUTIONS", "STABLE", "STABLE_LINE", "UNSTABLE", "UNSTABLE_LINE", "VERMILION", "WHITE",
+    "new_figure", "panel_label", "put", "styled", "write",
+]  # fmt: skip
 
 MM = 1 / 25.4
 COLUMN = 80 * MM
 """Width of a single column of the paper, in inches."""
 DPI = 200
-
-BLACK, WHITE = "#000000", "#ffffff"
-BLUE, VERMILION, GREEN, PURPLE, SKY = "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9"
-DARK, GREY, PALE = "#404040", "#b4b4b4", "#e6e6e6"
 
 STABLE, UNSTABLE, NONE = BLUE, GREY, WHITE
 """Classes of the map."""

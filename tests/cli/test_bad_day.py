@@ -171,6 +171,11 @@ def test_numbers_that_would_take_for_ever(refused, done, monkeypatch, line, word
 def test_messages_quote_little():
     assert len(str(StridemapError("x" * 1_000_000))) <= 300
     assert len(str(InputError("word " * 1_000_000))) <= 800
+    quoted = str(InputError(f"--set {'word ' * 100_000!r} is not understood; write --set NAME=VALUE"))
+    assert len(quoted) <= 300
+    assert quoted.endswith("d ' is not understood; write --set NAME=VALUE")
+    two = f"a walker's spring, {'x ' * 40}, and another walker's spring, {'y ' * 90}"
+    assert str(InputError(two)) == two  # no quotation begins within a word
     assert str(InputError("a short sentence, as it is")) == "a short sentence, as it is"
     assert bounded("a" * 250) == "a" * 250
     assert short("a\nb\x1b") == "'a\\nb\\x1b'"
@@ -182,3 +187,20 @@ def test_characters_that_steer_terminals_are_not_printed(run):
     assert status == 2
     one_sentence(err)
     assert err.rstrip("\n").isprintable()
+
+
+@pytest.mark.parametrize("digits", [17, 400, 4000])
+def test_starts_of_many_digits(refused, digits):
+    refused(["orbit", "--model", "compass", "--starts", "9" * digits], "starts", "at most 1,000,000")
+
+
+def test_options_that_cannot_even_be_printed():
+    for name in ("starts", "seed", "max_starts"):
+        with pytest.raises(InputError, match=name):
+            stridemap.SearchOptions(**{name: 10**5000})
+
+
+def test_a_state_whose_other_entries_are_too_large(refused):
+    state = ["theta1=-1e308", "dtheta1=-0.2", "dtheta2=0"]
+    words = [word for entry in state for word in ("--state", entry)]
+    refused(["simulate", "--model", "compass", *words, "--steps", "1"], "too large to be numbers")

@@ -21,7 +21,6 @@ from stridemap.errors import InputError
 X, Y, Z = sp.symbols("x y z", real=True)
 COMPASS = WALKERS["goswami_compass"]
 PLACE = {X: sp.Rational(3, 10), Y: sp.Rational(-7, 10), Z: sp.Rational(11, 10)}
-pytestmark = pytest.mark.quick
 
 
 def grown(seed, size=14):
@@ -41,6 +40,7 @@ def value(expr, place=PLACE):
 
 
 @pytest.mark.parametrize("seed", range(6))
+@pytest.mark.quick
 def test_derivatives_step_by_step_are_those_of_the_whole_at_high_precision(seed):
     expr = grown(seed)
     steps = straight_line(expr)
@@ -58,6 +58,7 @@ def test_derivatives_step_by_step_are_those_of_the_whole_at_high_precision(seed)
             assert abs(value(found) - wanted) < 1e-12 * (1 + abs(wanted))
 
 
+@pytest.mark.quick
 def test_a_chain_of_steps_grows_by_its_length_when_it_is_differentiated():
     """Written out, 60 squarings would have more operations than there are atoms."""
 
@@ -71,6 +72,7 @@ def test_a_chain_of_steps_grows_by_its_length_when_it_is_differentiated():
         assert operations(derivative(chain(60))) < 2.2 * operations(derivative(chain(30)))
 
 
+@pytest.mark.quick
 def test_terms_are_values():
     term = Term("a", sp.sin(X) * Y)
     assert pickle.loads(pickle.dumps(term * 2)) == term * 2
@@ -84,6 +86,7 @@ def test_terms_are_values():
 
 
 @pytest.mark.parametrize("seed", range(5))
+@pytest.mark.quick
 def test_the_normal_form_is_equal_and_what_cancels_is_gone(seed):
     rng = random.Random(seed)
     waves = [sp.sin(X), sp.cos(X - Y), sp.sin(2 * Y + sp.pi / 3), sp.cos(Z), Z, sp.tanh(X), sp.Rational(2, 3)]
@@ -96,6 +99,7 @@ def test_the_normal_form_is_equal_and_what_cancels_is_gone(seed):
     assert normal_form(expr**3, 10) is None
 
 
+@pytest.mark.quick
 def test_simplification_is_bounded_whatever_it_is_given():
     begun = time.process_time()
     for seed in range(3):
@@ -114,6 +118,7 @@ def at_random(walker, seed=3):
 
 
 @pytest.mark.parametrize("name", ["wobbling", "goswami_compass", "rimless_wheel"])
+@pytest.mark.quick
 def test_derived_quantities_are_those_of_the_generated_equations(name):
     from importlib import import_module
 
@@ -146,6 +151,7 @@ def test_derived_quantities_are_those_of_the_generated_equations(name):
         close(walker.rate(walker.swing_foot)[i], foot["dfoot"][i])
 
 
+@pytest.mark.quick
 def test_rates_of_rates_are_what_no_acceleration_brings():
     """Along a motion of constant rates, the second derivative in time by mpmath."""
     y = sp.sin(THETA1.symbol) * THETA2.symbol**2
@@ -159,6 +165,7 @@ def test_rates_of_rates_are_what_no_acceleration_brings():
     assert abs(found - mpmath.diff(along, 0, 2)) < 1e-9
 
 
+@pytest.mark.quick
 def test_equations_are_solved_step_by_step():
     matrix = sp.Matrix([[0, X, 1], [Y, X * Y, Z], [1, X, X + Z]])
     right = sp.Matrix([[X, 1], [Z, 2], [3, Y]])
@@ -172,11 +179,13 @@ def test_equations_are_solved_step_by_step():
         solve(sp.Matrix([[1, 0]]), sp.Matrix([1]))
 
 
+@pytest.mark.quick
 def test_a_massless_limit_has_no_mass_matrix_to_offer():
     with pytest.raises(InputError, match="massless limit"):
         _ = WALKERS["simplest_walker"].M
 
 
+@pytest.mark.quick
 def test_decimal_numbers_inside_terms_are_fractions():
     walker = COMPASS.with_(name="decimals", torques={THETA2: Term("a", 0.1 * sp.sin(THETA1.symbol)) * 0.5})
     assert opened(walker.torques[THETA2]) == sp.sin(THETA1.symbol) / 20

@@ -215,9 +215,9 @@ def test_pages_show_public_names_only():
 def test_tables_of_options_have_every_word():
     """They are made from the docstrings of the records."""
     _, text = words_of("sweeps")
-    shown = re.findall(r"```\{stridemap-options\} stridemap\.(\w+)", text)
-    assert shown == ["AcceptanceOptions", "ContinuationOptions"]
-    for name in (*shown, "SearchOptions"):
+    shown = re.findall(r"```\{stridemap-options\} stridemap\.([\w.]+)", text)
+    assert shown == ["AcceptanceOptions", "SweepConfig.continuation"]
+    for name in ("AcceptanceOptions", "ContinuationOptions", "SearchOptions"):
         record = getattr(stridemap, name)
         entries = re.findall(r"^ {4}([\w, ]+) : ", record.__doc__, re.MULTILINE)
         assert [word for entry in entries for word in entry.split(", ")] == [f.name for f in fields(record)]

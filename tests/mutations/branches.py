@@ -71,8 +71,8 @@ CURVES = (
     ),
     Mutation(
         "solver/branches/arclength.py",
-        "turn < options.min_tangent_cosine or",
-        "turn < -2 or",
+        "or astray or turn < options.min_tangent_cosine:",
+        "or astray or turn < -2:",
         "the tangent may turn by any angle in one step",
         (f"{MAPS}::test_the_tangent_turns_little_from_point_to_point",),
     ),
@@ -242,6 +242,13 @@ GAITS = (
         "return max(found, key",
         "of two conditions the one that is met last ends a gait",
         (f"{MAPS}::test_a_gait_ends_at_the_condition_that_is_met_first",),
+    ),
+    Mutation(
+        "solver/branches/ends.py",
+        "while n_rk < CYCLE_N_RK[-1]:",
+        "while n_rk < 0:",
+        "the ends of gaits are those at the resolution with which the branch was followed",
+        (f"{ENDS}::test_an_end_is_one_at_the_finest_resolution_too",),
     ),
     Mutation(
         "solver/branches/ends.py",

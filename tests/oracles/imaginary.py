@@ -50,8 +50,7 @@ namespace {
 """
 
 CALL = """
-}
-extern "C" int call(long long n_in, const long long* in_size, const double* in, long long n_out,
+extern "C" int call_KERNEL(long long n_in, const long long* in_size, const double* in, long long n_out,
     const long long* out_size, double* out)
 {
     casadi_int n_arg, n_res, n_iw, n_w;
@@ -69,23 +68,36 @@ extern "C" int call(long long n_in, const long long* in_size, const double* in, 
 """
 
 
-class Imaginary:
-    """A kernel of a model, with complex numbers.
+def imaginary(model, kernels, functions):
+    """Kernels of a model with complex numbers, compiled together.
 
     Parameters
     ----------
     model : Model
-    kernel : Kernel
-    function : casadi.Function
-        The kernel as CasADi has it, for the sizes of its inputs and outputs.
-    """
+    kernels : sequence of Kernel
+    functions : mapping of Kernel to casadi.Function
+        The kernels as CasADi has them, for the sizes of their inputs and outputs.
 
-    def __init__(self, model, kernel, function):
-        text = NUMBERS + model.text(kernels_file(model.name)) + CALL.replace("KERNEL", c_name(model, kernel))
-        library = compile_shared(
-            f"{model.name}_{kernel.name}_complex.cpp", text, find_compiler(), [*FLAGS, "-O0"]
-        )
-        self.call = ctypes.CDLL(str(library)).call
+    Returns
+    -------
+    list of Imaginary
+    """
+    names = [c_name(model, kernel) for kernel in kernels]
+    calls = "".join(CALL.replace("KERNEL", name) for name in names)
+    text = f"{NUMBERS}{model.text(kernels_file(model.name))}}}\n{calls}"
+    built = compile_shared(f"{model.name}_complex.cpp", text, find_compiler(), [*FLAGS, "-O0"])
+    library = ctypes.CDLL(str(built))
+    return [
+        Imaginary(library[f"call_{name}"], functions[kernel])
+        for name, kernel in zip(names, kernels, strict=True)
+    ]
+
+
+class Imaginary:
+    """A kernel of a model, with complex numbers."""
+
+    def __init__(self, call, function):
+        self.call = call
         self.n_in = [function.nnz_in(i) for i in range(function.n_in())]
         self.shapes = [function.size_out(i) for i in range(function.n_out())]
 

@@ -22,13 +22,14 @@ x, y, p, T = sp.symbols("x y p T", real=True)
 
 @dataclass(frozen=True)
 class MapKernels:
-    """Kernels of the residual ``(P(z) - z, T - period)``.
+    """Kernels of the residual ``(P(z, T) - z, condition(z, T))``.
 
     Parameters
     ----------
     images : tuple of sympy.Expr
-        P, in terms of x, y and p: one for each entry of z.
-    period : sympy.Expr
+        P, in terms of x, y, T and p: one for each entry of z.
+    condition : sympy.Expr
+        What is zero at the end of a step.
     error : float
         By how much p is off with 24 RK steps, as if something were integrated; the order is 8.
     variables, parameters : tuple of sympy.Symbol
@@ -36,7 +37,7 @@ class MapKernels:
     """
 
     images: tuple[Any, ...]
-    period: Any = sp.S.One
+    condition: Any = T - 1
     error: float = 0.0
     variables: tuple[Any, ...] = (x, y)
     parameters: tuple[Any, ...] = (p,)
@@ -62,7 +63,7 @@ class MapKernels:
     def functions(self):
         """The residual, and its first and second derivatives with respect to (z, T, p)."""
         unknowns = (*self.z, T, *self.parameters)
-        residual = sp.Matrix([*(a - b for a, b in zip(self.images, self.z, strict=True)), T - self.period])
+        residual = sp.Matrix([*(a - b for a, b in zip(self.images, self.z, strict=True)), self.condition])
         first = residual.jacobian(unknowns)
         second = [sp.hessian(row, unknowns) for row in residual]
         return tuple(sp.lambdify(unknowns, one, "numpy") for one in (residual, first, second))
@@ -93,9 +94,9 @@ class MapEquations(CycleEquations):
         return 24
 
 
-def curve(*images, period=sp.S.One, width=1.0, error=0.0):
+def curve(*images, period=sp.S.One, width=1.0, error=0.0, condition=None):
     """Cycles of a map over p; 1 along the curve is 1 in every entry of z and in the period, `width` in p."""
-    kernels = MapKernels(images, period, error)
+    kernels = MapKernels(images, T - period if condition is None else condition, error)
     return Curve(MapEquations(Chain(kernels), np.zeros(1), ("p",), (width,)))
 
 

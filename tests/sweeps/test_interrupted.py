@@ -90,7 +90,6 @@ def test_what_is_finished_stays_and_resume_does_the_rest(reference, tmp_path, mo
     assert summary.orbits == reference[1].orbits
 
 
-@pytest.mark.quick
 def test_resume_at_every_piece_gives_the_same_bytes(reference, tmp_path):
     """Stopped after one piece, again and again, from the first to the last."""
     turns = 0

@@ -237,7 +237,7 @@ def test_a_part_keeps_special_points(wobbling):
 
 
 def test_they_can_be_left_out(tmp_path):
-    summary, special = swept({**SIMPLEST, "continuation": {"special_points": False}}, tmp_path)
+    summary, special = swept({**SIMPLEST, "special_points": False}, tmp_path)
     assert len(special) == 0
     assert summary.special == {}
     assert list(special.columns) == special_schema(load("simplest_walker")).names

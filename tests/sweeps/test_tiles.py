@@ -1,17 +1,18 @@
 """One tile of a sweep from guesses that are known: which branches are followed, and where to."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 import pytest
 
 from stridemap.solver.backends.lanes import Lanes
+from stridemap.solver.branches import continuation
 from stridemap.solver.cycles.search import find_all
 from stridemap.solver.cycles.solver import Solver
 from stridemap.solver.cycles.status import Status
 from stridemap.solver.model.loading import load
 from stridemap.solver.model.scales import Scales
-from stridemap.solver.options import AcceptanceOptions, ContinuationOptions, SearchOptions
+from stridemap.solver.options import IN_SWEEPS, AcceptanceOptions, ContinuationOptions, SearchOptions
 from stridemap.sweeps.families import families
 from stridemap.sweeps.grid import Grid
 from stridemap.sweeps.solutions import NONE, Guesses, Solutions
@@ -30,7 +31,7 @@ class Line:
     k: tuple[float, ...]
     params: dict[str, float]
     period_range: tuple[float, float] = (0.3, 3.0)
-    continuation: ContinuationOptions = field(default_factory=ContinuationOptions)
+    continuation: ContinuationOptions = field(default_factory=lambda: IN_SWEEPS)
 
     def result(self, incoming, cells=None):
         """What a tile finds from guesses (cell, cycle)."""
@@ -44,6 +45,7 @@ class Line:
             search=SearchOptions(starts=1, period_min=low, period_max=high),
             acceptance=AcceptanceOptions(),
             continuation=self.continuation,
+            special_points=True,
             backend=Lanes(),
             round=1,
             tile=0,
@@ -99,9 +101,10 @@ def test_a_branch_is_followed_through_cells_in_which_it_is_not_a_gait():
     assert np.abs(line.cycles(1.5).period - period).min() < 1e-10
 
 
-def test_a_branch_is_followed_as_long_as_it_is_a_gait_however_little_patience_there_is():
+def test_a_branch_is_followed_as_long_as_it_is_a_gait_however_little_patience_there_is(monkeypatch):
+    monkeypatch.setattr(continuation, "PATIENCE", 0.1)
     k = tuple(np.linspace(20.5, 25.0, 10))
-    line = Line(k, {}, continuation=ContinuationOptions(ds_max=0.02, patience=0.1))
+    line = Line(k, {}, continuation=replace(IN_SWEEPS, ds_max=0.02))
     assert line.result([(5, line.cycles(k[5]).u[0])]).orbits["cell"].to_pylist()[-1] == 9
 
 
@@ -164,7 +167,7 @@ def test_from_a_branch_the_cells_beside_it_are_tried():
     for cells in (np.arange(6), np.array([1, 3, 5])):
         task = Task(
             model, Grid(("k", "alpha"), axes), fixed, SearchOptions(starts=1, period_min=0.3, period_max=3.0),
-            AcceptanceOptions(), ContinuationOptions(), Lanes(), round=1, tile=3, cells=cells,
+            AcceptanceOptions(), IN_SWEEPS, Lanes(), round=1, tile=3, cells=cells,
             seeds=np.array([], dtype=np.int64),
             incoming=Guesses(np.array([3]), start[None], np.array([NONE]), np.array([3])),
             known=Solutions.empty(6), seen=Solutions.empty(6),

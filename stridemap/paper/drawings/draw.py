@@ -35,6 +35,7 @@ def figures(
     workers: int | None = None,
     executor: Executor | None = None,
     progress: Callable[[str, Progress], None] | None = None,
+    say: Callable[[str], None] | None = None,
 ) -> list[Path]:
     """Draw the paper's figures from computed limit cycles, each as SVG and PNG.
 
@@ -49,6 +50,8 @@ def figures(
         Names of `FIGURES`; by default all. Sweeps that they do not need are not run.
     sweeps, params, thin, workers, executor, progress
         As for `claims`.
+    say : callable, optional
+        Takes a line that says what is being done when the boundaries of the map are computed.
 
     Returns
     -------
@@ -69,7 +72,7 @@ def figures(
     from stridemap.views import style
 
     material = Material(
-        paper_sweeps(sweeps, params, thin, workers=workers, executor=executor, progress=progress)
+        paper_sweeps(sweeps, params, thin, workers=workers, executor=executor, progress=progress), say
     )
     paths = []
     for name, home in FIGURES.items():

@@ -1,5 +1,6 @@
 """What the figures are drawn from: cycles of the paper's sweeps, and their motions."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -9,6 +10,7 @@ import pandas as pd
 
 from stridemap.errors import InputError
 from stridemap.paper.branch_tables import branch_tables
+from stridemap.paper.map_boundaries import map_boundaries
 from stridemap.paper.points import PLANE, TYPICAL
 from stridemap.paper.select import at
 from stridemap.paper.sweeps import PaperSweeps
@@ -55,14 +57,22 @@ class Material:
     Parameters
     ----------
     sweeps : PaperSweeps
+    say : callable, optional
+        Takes a line that says what is being done when boundaries are computed.
     """
 
     sweeps: PaperSweeps
+    say: Callable[[str], None] | None = None
 
     @cached_property
     def map(self) -> pd.DataFrame:
         """The gaits in the plane of spring stiffness and mass ratio, at the typical solutions' frequency."""
         return at(self.sweeps.gaits("map"), omega=PLANE["omega"])
+
+    @cached_property
+    def boundaries(self) -> pd.DataFrame:
+        """The boundaries of gaits in that plane, as lines."""
+        return map_boundaries(self.sweeps, self.say)
 
     @cached_property
     def branch_sets(self) -> dict[tuple[float, float], list[pd.DataFrame]]:

@@ -1,11 +1,12 @@
-// The map: a cell of the grid is a rectangle; a click, or the arrow keys and Enter, choose one.
+// The map: a cell of the grid is a rectangle; a click, or the arrow keys and Enter, choose one. Boundaries lie over it.
 
 const INSET = { left: 58, right: 14, top: 12, bottom: 46 };
 
 class GridMap {
   // `onChoose(cell)` is called when the reader chooses a cell, `onPoint(cell)` when one is pointed at.
-  constructor(canvas, onChoose, onPoint) {
+  constructor(canvas, curves, onChoose, onPoint) {
     this.canvas = canvas;
+    this.curves = curves;
     this.onPoint = onPoint;
     canvas.addEventListener("click", (event) => onChoose(this.under(event)));
     canvas.addEventListener("pointermove", (event) => onPoint(this.under(event)));
@@ -20,6 +21,7 @@ class GridMap {
     const cursor = this.cursor;
     Object.assign(this, { across, up, indices: [...indices], look, chosen });
     this.scales = [across, up].map((i) => (i === null ? null : new CellScale(grid.axes[i])));
+    this.curves.show(across, up, this.indices);
     const here = grid.indices(chosen);
     this.cursor = cursor && chosen === this.before ? cursor : [here[across], up === null ? 0 : here[up]];
     this.before = chosen;
@@ -97,10 +99,13 @@ class GridMap {
     this.letters(pen);
     this.frame(pen, width, height);
     this.marks(pen);
+    const { left, right, top, bottom } = INSET;
+    this.curves.draw(this.scales, { left, top, width: width - left - right, height: height - top - bottom }, this.lettered);
   }
 
   // One letter for each connected patch of cells of a group that is large enough to hold it.
   letters(pen) {
+    this.lettered = [];
     const seen = this.looks.map((row) => row.map(() => false));
     pen.font = `600 13px ${styled("font")}`;
     pen.textAlign = "center";
@@ -123,6 +128,7 @@ class GridMap {
         pen.fillStyle = styled("map-letter");
         pen.strokeText(letter, x, y);
         pen.fillText(letter, x, y);
+        this.lettered.push([letter, x, y]);
       }
     }
   }

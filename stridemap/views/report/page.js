@@ -75,7 +75,8 @@ const stage = new Stage(byId("stage"), (time, seen) => {
   view.mark(time);
 });
 const view = new CycleView(stage, (row) => choose(state.cell, row));
-const map = new GridMap(byId("map"), (cell) => cell !== null && choose(cell), (cell, spoken) => readOut(cell ?? state.cell, spoken));
+const curves = new CurveLayer(byId("curves"));
+const map = new GridMap(byId("map"), curves, (cell) => cell !== null && choose(cell), (cell, spoken) => readOut(cell ?? state.cell, spoken));
 
 const slice = new Slice(byId("slice"), (row) => choose(orbits.numbers("cell")[row], row));
 
@@ -96,6 +97,7 @@ function redraw() {
   byId("map").classList.toggle("strip", state.up === null);
   map.show({ across: state.across, up: state.up, indices: state.indices, look, chosen: state.cell });
   legend();
+  curveLegend();
   showSlice();
   for (const [i, output] of sliders) output(state.indices[i]);
 }
@@ -109,6 +111,7 @@ function showSlice() {
   slice.show({
     across: state.across, indices: state.indices, keep: wanted, measure, scale: scaleOf(measure.name, "slice"),
     level: measure.name === "spectral_radius" ? 1 : null, chosen: state.row,
+    crossings: state.up === null ? [] : curves.crossings(grid.axes[state.up].values[state.indices[state.up]]),
   });
 }
 
@@ -122,6 +125,23 @@ function readOut(cell, spoken) {
   const words = rows.length ? `${rows.length} ${rows.length === 1 ? "cycle" : "cycles"}; ${kind}${value}` : "no cycle";
   byId("readout").textContent = `${position.join(", ")}: ${words}`;
   if (spoken) byId("spoken").textContent = byId("readout").textContent;
+}
+
+// The switch for boundaries, where there are any, and what each line is; or at which values there are some.
+function curveLegend() {
+  byId("curves-toggle").hidden = boundaries.length === 0;
+  const box = byId("curves-legend");
+  box.hidden = boundaries.length === 0 || !curves.on;
+  if (box.hidden) return;
+  if (curves.shown.length) {
+    box.replaceChildren(html("span", { class: "key" }, "boundaries, thick where stable gaits end:"), ...curves.legend());
+    return;
+  }
+  const { names, at } = boundaries[0];
+  const values = Object.entries(at).map(([name, value]) => `${grid.axes.find((axis) => axis.name === name).symbol} = ${brief(value, 6)}`);
+  const where = values.length ? ` at ${values.join(", ")}` : "";
+  const symbols = names.map((name) => grid.axes.find((axis) => axis.name === name).symbol);
+  box.replaceChildren(html("span", { class: "key" }, `boundaries are shown over ${symbols.join(" and ")}${where}`));
 }
 
 function legend() {
@@ -221,6 +241,15 @@ function buildControls() {
   options(byId("group"), [["", "all"], ...letters.map((l) => [l, l])], "", change("group"));
 }
 
+function buildCurves() {
+  byId("curves-shown").onchange = (event) => {
+    curves.on = event.target.checked;
+    redraw();
+  };
+  if (orbits.has("branch")) byId("slice-lines").textContent = " Lines join the cycles of one branch, dashed where they are unstable.";
+  if (boundaries.length) byId("slice-lines").textContent += " Upright lines are where boundaries are crossed.";
+}
+
 function buildPlayer() {
   const button = byId("play");
   const play = (on) => {
@@ -268,6 +297,7 @@ buildAxes();
 buildSliders();
 choose(startingCell, startingRow);
 buildPlayer();
+buildCurves();
 
 // Canvases are drawn anew when their size or the colours change.
 for (const [id, drawn] of [["map", map], ["slice", slice], ["stage", stage]]) new ResizeObserver(() => drawn.draw()).observe(byId(id));
@@ -277,5 +307,5 @@ matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
 });
 
 // For scripts and for tests: the tables, the equations, and the page itself.
-window.stridemap = { report, orbits, cells, grid, equations, evaluate, Path, map, stage, state, choose };
+window.stridemap = { report, orbits, cells, grid, equations, evaluate, Path, map, slice, curves, joinedBy, stage, state, choose };
 document.documentElement.dataset.ready = "yes";

@@ -6,7 +6,7 @@ table and with the equations of the model.
 """
 
 import base64
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 from typing import Any
 
@@ -18,6 +18,7 @@ from stridemap.quantities import QUANTITIES
 from stridemap.solver.model.model import Model
 from stridemap.spec import Parameter
 from stridemap.views.notation import printed, rate_symbol, symbol, units
+from stridemap.views.report.curves import looks
 from stridemap.words import is_multiplier
 
 NEEDED = ("section_state", "state_derivative", "impact_map", "swing_foot", "drawing")
@@ -26,7 +27,13 @@ NEEDED = ("section_state", "state_derivative", "impact_map", "swing_foot", "draw
 _STAGES = len(DOP853.B)
 
 
-def payload(model: Model, configuration: Mapping[str, Any], orbits: pd.DataFrame, cells: pd.DataFrame) -> Any:
+def payload(
+    model: Model,
+    configuration: Mapping[str, Any],
+    orbits: pd.DataFrame,
+    cells: pd.DataFrame,
+    curves: Sequence[Mapping[str, Any]] = (),
+) -> Any:
     """Return plain values for JSON.
 
     Parameters
@@ -36,6 +43,8 @@ def payload(model: Model, configuration: Mapping[str, Any], orbits: pd.DataFrame
         Of the sweep, as in its provenance.
     orbits, cells : pandas.DataFrame
         The sweep's tables.
+    curves : sequence of mapping
+        Boundaries, as from `stridemap.views.report.curves.curves`.
     """
     hidden = {"cell", *(parameter.name for parameter in model.parameters)}
     return {
@@ -55,6 +64,8 @@ def payload(model: Model, configuration: Mapping[str, Any], orbits: pd.DataFrame
         "cells": _table(cells[["status", "reason"]]),
         "orbits": _table(orbits[["cell", *(name for name in orbits if name not in hidden)]]),
         "measures": _measures(model, orbits, hidden),
+        "curves": list(curves),
+        "looks": looks(curves),
         "tableau": {
             "a": [[float(a) for a in row[:i]] for i, row in enumerate(DOP853.A[:_STAGES])],
             "b": DOP853.B.tolist(),

@@ -45,6 +45,17 @@ class CellScale {
     return (position - this.edges[0]) / (this.edges.at(-1) - this.edges[0]);
   }
 
+  // Any value of the parameter from 0 to 1; between the values of a list it is interpolated.
+  unitOf(value) {
+    if (this.kind === "linear") return this.toUnit(value);
+    if (this.kind === "log") return this.toUnit(Math.log(value));
+    const { values } = this;
+    if (values.length < 2) return value === values[0] ? 0.5 : NaN;
+    const after = values.findIndex((v) => v > value);
+    const i = Math.max(0, Math.min((after < 0 ? values.length : after) - 1, values.length - 2));
+    return this.toUnit(i + (value - values[i]) / (values[i + 1] - values[i]));
+  }
+
   // The ends of a value's cell, and the position of the value.
   span(index) {
     return [this.toUnit(this.edges[index]), this.toUnit(this.edges[index + 1])];

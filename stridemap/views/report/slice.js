@@ -1,5 +1,5 @@
 // The slice: a measure of all cycles along the map's horizontal axis, through the chosen cell. Filled marks are
-// stable cycles, open ones unstable.
+// stable cycles, open ones unstable; lines join the cycles of one branch, and are dashed where they are unstable.
 
 const SLICE = { top: 12, bottom: 30 };
 
@@ -13,15 +13,17 @@ class Slice {
     });
   }
 
-  // Draw `measure` of the cycles that `keep(cell)` gives; `level` is a value to mark with a line, or null.
-  show({ across, indices, keep, measure, scale, level, chosen }) {
-    Object.assign(this, { across, measure, scale, level, chosen });
+  // Draw `measure` of the cycles that `keep(cell)` gives; `level` is a value to mark with a line, or null;
+  // `crossings` are values of the axis at which boundaries are crossed, with their types.
+  show({ across, indices, keep, measure, scale, level, chosen, crossings }) {
+    Object.assign(this, { across, measure, scale, level, chosen, crossings });
     this.columns = new CellScale(grid.axes[across]);
     this.rows = grid.axes[across].values.flatMap((_, column) => {
       const at = [...indices];
       at[across] = column;
       return keep(grid.cell(at)).map((row) => [column, row]);
     });
+    this.joined = joined(this.rows);
     this.draw();
   }
 
@@ -63,7 +65,43 @@ class Slice {
       segment(pen, INSET.left, y(this.level), right, y(this.level));
     }
     this.axis(pen, right, bottom);
+    // Many cells leave little room: marks are smaller, so that the lines between them can be seen.
+    this.size = (right - INSET.left) / this.columns.values.length < 6 ? 1.6 : 3;
+    this.boundaries(pen, right, bottom);
+    this.lines(pen, width, height);
     for (const [column, row] of this.rows) this.dot(pen, this.locate(column, row, width, height), row);
+  }
+
+  // Where boundaries cross the slice.
+  boundaries(pen, right, bottom) {
+    for (const [value, type] of this.crossings) {
+      const unit = this.columns.unitOf(value);
+      if (!(unit >= 0 && unit <= 1)) continue;
+      const x = INSET.left + unit * (right - INSET.left);
+      pen.strokeStyle = type === "fold" ? styled("ink-soft") : report.looks[type].colour;
+      pen.lineWidth = 1;
+      pen.setLineDash(report.looks[type].dashes.map((d) => 1.5 * d));
+      segment(pen, x, SLICE.top, x, bottom);
+    }
+    pen.setLineDash([]);
+  }
+
+  // Branches: half of each line between two cycles looks as the cycle that it begins at.
+  lines(pen, width, height) {
+    const columns = new Map(this.rows.map(([column, row]) => [row, column]));
+    pen.lineWidth = 1.4;
+    for (const [one, other] of this.joined) {
+      const [a, b] = [one, other].map((row) => this.locate(columns.get(row), row, width, height));
+      if (a.missing || b.missing || (a.beyond && a.beyond === b.beyond)) continue;
+      const [x, y] = [(a.x + b.x) / 2, (a.y + b.y) / 2];
+      for (const [end, row] of [[a, one], [b, other]]) {
+        const stable = stableColumn[row] === 1;
+        pen.strokeStyle = styled(stable ? "map-stable" : "open");
+        pen.setLineDash(stable ? [] : [4, 3]);
+        segment(pen, end.x, end.y, x, y);
+      }
+    }
+    pen.setLineDash([]);
   }
 
   axis(pen, right, bottom) {
@@ -82,7 +120,7 @@ class Slice {
   dot(pen, { x, y, beyond, missing }, row) {
     if (missing) return;
     const [stable, chosen] = [stableColumn[row] === 1, row === this.chosen];
-    const size = chosen ? 6 : 3;
+    const size = chosen ? 6 : this.size;
     pen.beginPath();
     if (beyond) {
       pen.moveTo(x, y - beyond * (size + 2));

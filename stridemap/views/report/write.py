@@ -13,17 +13,23 @@ from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
+import pandas as pd
+
 from stridemap.errors import InputError
 from stridemap.solver.model.model import Model
 from stridemap.sweeps.reading import read_sweep
 from stridemap.views.report import sections
+from stridemap.views.report.curves import curves as encoded
+from stridemap.views.report.curves import read_curves
 from stridemap.views.report.payload import NEEDED, payload
 
 SCRIPTS = (
     "data.js",
     "walker.js",
     "scale.js",
+    "curves.js",
     "map.js",
+    "joining.js",
     "slice.js",
     "charts.js",
     "stage.js",
@@ -68,6 +74,7 @@ def write_report(
     out: str | Path,
     claims: str | Path | Sequence[Mapping[str, Any]] | None = None,
     model: str | Path | None = None,
+    curves: str | Path | pd.DataFrame | None = None,
 ) -> ReportSummary:
     """Write a sweep as one HTML file that needs no other file and no network.
 
@@ -82,20 +89,24 @@ def write_report(
     model : str or path, optional
         What the model is loaded by, where it is not a built-in one: the path of its file. Nothing that
         `folder` holds or names is run.
+    curves : path or DataFrame, optional
+        Boundaries to draw over the map: what ``stridemap boundary --out`` wrote, over two parameters of the
+        sweep's grid.
 
     Raises
     ------
     InputError
         When the folder does not hold a finished sweep, the sweep found nothing, is of another version of the
-        model or of one that is neither built in nor given, when the claims cannot be read, or the file cannot
-        be written.
+        model or of one that is neither built in nor given, when the claims or the boundaries cannot be read
+        or do not belong to it, or the file cannot be written.
     """
     sweep = read_sweep(folder, model)
     loaded, provenance, orbits, cells = sweep.model, sweep.provenance, sweep.orbits, sweep.cells
     _check_functions(loaded)
     if orbits.empty:
         raise InputError(f"the sweep in {folder} found no limit cycle, so there is nothing to show")
-    data = payload(loaded, provenance["configuration"], orbits, cells)
+    lines = _curves(loaded, provenance["configuration"], curves)
+    data = payload(loaded, provenance["configuration"], orbits, cells, lines)
     verdicts = sections.read_claims(claims) if isinstance(claims, str | Path) else claims
     page = _page(
         title=sections.text(f"Limit cycles: {loaded.title}"),
@@ -116,6 +127,17 @@ def write_report(
     path = Path(out)
     _write(path, page)
     return ReportSummary(path, len(page), orbits=len(orbits), cells=len(cells))
+
+
+def _curves(
+    model: Model, configuration: Mapping[str, Any], given: str | Path | pd.DataFrame | None
+) -> list[dict[str, Any]]:
+    """The boundaries that were given, as the page takes them."""
+    if given is None:
+        return []
+    if isinstance(given, pd.DataFrame):
+        return encoded(model, configuration, given)
+    return encoded(model, configuration, read_curves(given), f"the boundaries in {given}")
 
 
 def _check_functions(model: Model) -> None:
@@ -145,8 +167,19 @@ def _page(**parts: str) -> str:
     return re.sub(r"\{\{(\w+)\}\}", lambda match: parts[match[1]], template)
 
 
-def _write(path: Path, page: bytes) -> None:
-    """Write the file whole or not at all."""
+def check_out(out: str | Path) -> None:
+    """Try whether a page can be written, before hours are spent on what it shows.
+
+    Raises
+    ------
+    InputError
+        When it cannot.
+    """
+    _write(Path(out), None)
+
+
+def _write(path: Path, page: bytes | None) -> None:
+    """Write the file whole or not at all; without a page, only try."""
     if os.path.isdir(path):
         raise InputError(
             f"{path} is a folder; give the name of a file to write, such as {path / 'report.html'}"
@@ -158,6 +191,8 @@ def _write(path: Path, page: bytes) -> None:
         path.parent.mkdir(parents=True, exist_ok=True)
         handle, temporary = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
         with open(handle, "wb") as file:
+            if page is None:
+                return
             file.write(page)
         mask = os.umask(0)
         os.umask(mask)

@@ -3,9 +3,11 @@
 A compiler that is missing skips its tests, except where the environment variable CI is set: there it fails.
 """
 
+import os
 import re
 import shutil
 import subprocess
+from functools import cache
 
 import numpy as np
 import pytest
@@ -218,7 +220,7 @@ def example_by_python(name):
     """What example.c prints, from the Python module."""
     model = load(name)
     text = (folder(name) / "example.c").read_text()
-    p, z = (np.array(eval(f"[{m}]")) for m in re.findall(r"double [pz]\[\d+\] = \{([^}]*)\}", text))
+    p, z = (np.array(eval(f"[{m}]")) for m in re.findall(r"_real [pz]\[\d+\] = \{([^}]*)\}", text))
     np.testing.assert_array_equal(p, model.point({}))
     at = {"t": 0.0, "p": p, **model.evaluate("section_state", z=z)}
     energy = model.evaluate("kinetic_energy", **at)["kinetic"]
@@ -245,6 +247,16 @@ def test_the_example_prints_what_python_computes(name, compiler, tmp_path):
     assert len(printed) == len(expected)
     np.testing.assert_allclose(printed, expected, rtol=0, atol=5.1e-7)  # it prints 6 digits and more
     assert len(set(np.abs(printed))) > len(printed) / 2, "a dull example"
+
+
+@all_models
+@both_compilers
+def test_the_example_is_right_in_single_precision(name, compiler, tmp_path):
+    sources = [folder(name) / "example.c", folder(name) / f"{name}.c"]
+    run(need(compiler), *STRICT, "-DSTRIDEMAP_FLOAT", *sources, "-lm", "-o", tmp_path / "example")
+    expected = example_by_python(name)
+    printed = numbers(run(tmp_path / "example"))
+    np.testing.assert_allclose(printed, expected, rtol=0, atol=1e-4 * np.abs(expected).max())
 
 
 @all_models
@@ -396,17 +408,25 @@ def kernels_main(name):
     return "\n".join([*lines, "    return bad;", "}", ""]), kernels
 
 
+SANITIZED = ["-std=c99", "-O0", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"]
+
+
+@cache
+def has_sanitizers(compiler):
+    """Whether a compiler can link with the sanitizers."""
+    command = [compiler, *SANITIZED, "-x", "c", "-", "-o", os.devnull]
+    return not subprocess.run(
+        command, input="int main(void) { return 0; }\n", text=True, capture_output=True, check=False
+    ).returncode
+
+
 def sanitized(compiler, source, *others, includes, tmp_path):
     """Build with address and undefined-behaviour sanitizers, run, and return what is printed."""
-    flags = ["-std=c99", "-g", "-O0", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"]
-    probe = tmp_path / "probe.c"
-    probe.write_text("int main(void) { return 0; }\n")
-    command = [need(compiler), *flags, probe, "-o", tmp_path / "probe"]
-    if subprocess.run(command, capture_output=True, check=False).returncode:
+    if not has_sanitizers(need(compiler)):
         lacking(f"{compiler} cannot link with the sanitizers")
     (tmp_path / "main.c").write_text(source)
     program = tmp_path / "program"
-    run(compiler, *flags, f"-I{includes}", tmp_path / "main.c", *others, "-lm", "-o", program)
+    run(compiler, *SANITIZED, f"-I{includes}", tmp_path / "main.c", *others, "-lm", "-o", program)
     return run(program).split("\n")[:-1]
 
 

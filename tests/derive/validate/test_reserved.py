@@ -105,3 +105,11 @@ def test_a_model_of_ones_own_does_not_take_a_built_in_name():
     from stridemap.codegen import _own
 
     assert _own(COMPASS.with_()) == COMPASS
+
+
+@pytest.mark.parametrize(
+    "name", ["stridemap_real", "STRIDEMAP_FLOAT", "linux", "unix", "char16_t", "co_await"]
+)
+def test_types_and_macros_that_the_c_compiler_or_the_generated_c_defines_are_taken(name):
+    assert name in reserved.C
+    assert reserved.in_code(name)

@@ -3,13 +3,14 @@
 import pytest
 import sympy as sp
 
-from stridemap.derive import UnitNames
+from stridemap.derive import Term, UnitNames, rolling_arc, solve
 from stridemap.derive.models import WALKERS
 from stridemap.derive.validate.model_name import LONGEST
 from stridemap.errors import InputError
 from tests.fuzz.inputs import PLACES, changed
 
 COMPASS = WALKERS["compass"]
+ANGLE = COMPASS.q[0]
 WRONG = (
     3,
     None,
@@ -109,3 +110,40 @@ def test_names_that_are_too_long(name):
 def test_names_that_a_model_can_have():
     for name in ("walker", "a" * LONGEST, "Walker", "my_wobbling", "M", "x1"):
         assert COMPASS.with_(name=name).name == name
+
+
+@pytest.mark.parametrize(
+    ("call", "words"),
+    [
+        (lambda: Term("two\nlines", ANGLE**2), "a Term has the name 'two"),
+        (lambda: Term("*/", ANGLE**2), "a Term has the name '\\*/'"),
+        (lambda: Term("_hidden", ANGLE**2), "a Term has the name '_hidden'"),
+        (lambda: Term(3, ANGLE**2), "a Term has the name 3"),
+        (
+            lambda: Term("a", None),
+            "what the Term 'a' stands for is None; it must be a single SymPy expression",
+        ),
+        (lambda: Term("a", [ANGLE]), "must be a single SymPy expression"),
+        (lambda: Term("a", "theta1"), "must be a single SymPy expression"),
+        (lambda: COMPASS.rate(COMPASS.coordinates[0]), "take its symbol"),
+        (lambda: COMPASS.rate(sp.eye(2)), "give an expression or a single column"),
+        (lambda: COMPASS.jacobian(None), "what jacobian or rate was given is None"),
+        (lambda: solve(3, sp.Matrix([1])), "what solve was given first is 3; it must be a sympy.Matrix"),
+        (lambda: solve(sp.eye(2), [1, 2]), "it must be a sympy.Matrix"),
+        (
+            lambda: rolling_arc(COMPASS.parameters[0], ANGLE),
+            "the radius of rolling_arc is Parameter.*take its",
+        ),
+        (lambda: rolling_arc(0.2, "angle"), "the angle of rolling_arc is 'angle'"),
+        (lambda: Term("a", ANGLE * sp.Integer(10) ** 5000), "too large or too small for double precision"),
+        (
+            lambda: COMPASS.with_(dissipation=sp.Integer(10) ** 5000),
+            "dissipation has a number that is too large",
+        ),
+        (lambda: COMPASS.with_(potentials={"a": ANGLE / sp.Integer(10) ** 400}), "too large or too small"),
+        (lambda: COMPASS.with_(colour=3), "with_ was given colour, which a Walker does not have"),
+    ],
+)
+def test_what_declarations_are_written_with_refuses_in_a_sentence(call, words):
+    with pytest.raises(InputError, match=words):
+        call()

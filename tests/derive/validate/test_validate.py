@@ -228,6 +228,7 @@ SYMBOLS = [
     ({"locks": (THETA1.rate,)}, "lock 1 has the symbol dtheta1"),
     ({"spring_mode": theta1}, "spring_mode has the symbol theta1"),
     ({"dissipation": sp.Symbol("c") * THETA1.rate**2}, "the dissipation has the symbol c"),
+    ({"dissipation": THETA1.symbol**2}, "the dissipation theta1**2 has no rate in it, so it damps nothing"),
     (
         {"clock": Clock(COMPASS.clock.rate, resets=False, turn=sp.Symbol("turn"))},
         "the symbol turn, which is not a parameter",

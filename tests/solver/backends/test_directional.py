@@ -1,4 +1,4 @@
-"""Exact derivatives of the residual in two directions, against C with complex numbers and CasADi's own."""
+"""Exact derivatives of the residual in two directions, against complex numbers, Taylor series and CasADi."""
 
 import numpy as np
 import pytest
@@ -10,12 +10,13 @@ from stridemap.solver.cycles.solver import Solver
 from stridemap.solver.kernels import catalogue
 from stridemap.solver.model.loading import available, load
 from stridemap.solver.options import SearchOptions
-from tests.oracles.imaginary import Imaginary
+from tests.oracles import taylor
+from tests.oracles.imaginary import imaginary
 from tests.oracles.kernels import needs_compiler
 
 pytestmark = needs_compiler
 
-N_RK = 24
+N_RK, FINE_N_RK = 24, 192
 
 
 def points(name):
@@ -48,10 +49,8 @@ def test_against_an_imaginary_step(name):
     model, kernels, u, p, a, b = points(name)
     found = kernels.directional(N_RK, u, p, a, b)
     np.testing.assert_array_equal(found.residual, kernels.residual(N_RK, u, p))
-    first, second = (
-        Imaginary(model, kernel, kernels.functions[kernel])
-        for kernel in (catalogue.residual(N_RK), catalogue.jacobian(N_RK))
-    )
+    shown = (catalogue.residual(N_RK), catalogue.jacobian(N_RK))
+    first, second = imaginary(model, shown, kernels.functions)
     nu = u.shape[1]
     for i in range(len(u)):
         x = np.concatenate([u[i], p[i]])
@@ -62,6 +61,16 @@ def test_against_an_imaginary_step(name):
         in_u = a[i] * (np.arange(len(x)) < nu - 1)
         mixed = kernels.directional(N_RK, u[i : i + 1], p[i : i + 1], in_u[None], b[i : i + 1]).mixed[0]
         assert_close(mixed, second.derivative(x, b[i])[0] @ in_u[:nu])
+
+
+@pytest.mark.parametrize("name", sorted(available()))
+def test_against_taylor_series_of_second_order(heyoka, name):
+    """Another integrator, which differentiates the differential equations and not their discretisation."""
+    model, kernels, u, p, a, b = points(name)
+    found = kernels.directional(FINE_N_RK, u[-1:], p[-1:], a[-1:], b[-1:])
+    expected = taylor.directional(heyoka, model, u[-1], p[-1], a[-1], b[-1])
+    for own, other in zip(found[1:], expected[1:], strict=True):
+        np.testing.assert_allclose(own[0], other, rtol=0, atol=1e-13 * np.abs(other).max())
 
 
 @pytest.mark.parametrize("name", ["simplest_walker", "wobbling"])

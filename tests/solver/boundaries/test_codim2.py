@@ -7,7 +7,7 @@ import sympy as sp
 from stridemap.solver.boundaries.codim2 import codim2_points, with_ends
 from stridemap.solver.boundaries.systems import MultiplierBoundary, TorusBoundary
 from stridemap.solver.branches.arclength import CurvePoint, Window, both_ways
-from stridemap.solver.options import ArclengthOptions
+from stridemap.solver.options import ContinuationOptions
 from tests.oracles.maps import equations
 
 pytestmark = pytest.mark.quick
@@ -29,7 +29,9 @@ def followed(curve, start, window=WIDE, **options):
         curve,
         point,
         window,
-        ArclengthOptions(ds=0.05, ds_max=0.2, min_tangent_cosine=0.95, easy_tangent_cosine=0.98, **options),
+        ContinuationOptions(
+            ds=0.05, ds_max=0.2, min_tangent_cosine=0.95, easy_tangent_cosine=0.98, **options
+        ),
     )
     if isinstance(curve, TorusBoundary):
         points = with_ends(curve, points)

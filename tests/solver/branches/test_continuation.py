@@ -1,14 +1,17 @@
 """Branches of limit cycles: where they lead, past folds and not across to other branches."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
+from stridemap.solver.branches import continuation
 from stridemap.solver.branches.continuation import Known, follow
 from stridemap.solver.cycles.search import find_all
 from stridemap.solver.cycles.solver import Solver
 from stridemap.solver.model.loading import load
 from stridemap.solver.model.scales import Scales
-from stridemap.solver.options import ContinuationOptions
+from stridemap.solver.options import IN_SWEEPS
 from tests.oracles.reference import REFERENCE, TWO_CYCLES
 
 RANGE = (0.3, 3.0)
@@ -142,17 +145,19 @@ def test_a_branch_ends_where_another_one_begins_that_it_leads_to():
     assert len(followed(model, u[[0]], *line, s=s, known=known).x) < alone[0]
 
 
-def test_a_branch_without_gaits_ends_when_patience_does():
+def test_a_branch_without_gaits_ends_when_patience_does(monkeypatch):
     model = load("wobbling")
     u, p = cycles_at(model, k=22.5)
     q = model.point({"k": 30.5})
-    whole = followed(model, u[:1], p, q, ContinuationOptions(ds_max=0.02))
+    short = replace(IN_SWEEPS, ds_max=0.02)
+    whole = followed(model, u[:1], p, q, short)
+    monkeypatch.setattr(continuation, "PATIENCE", 0.1)
     none = followed(
-        model, u[:1], p, q, ContinuationOptions(ds_max=0.02, patience=0.1),
+        model, u[:1], p, q, short,
         may_be_gaits=lambda u, params: np.zeros(len(u), dtype=bool),
     )  # fmt: skip
     all_ = followed(
-        model, u[:1], p, q, ContinuationOptions(ds_max=0.02, patience=0.1),
+        model, u[:1], p, q, short,
         may_be_gaits=lambda u, params: np.ones(len(u), dtype=bool),
     )  # fmt: skip
     assert len(none.x) < len(whole.x)
@@ -166,9 +171,9 @@ def test_options_bound_the_steps():
     ends = at_target(followed(model, u, p, q).crossings(ENDS))
     assert len(ends) == len(u)
     # In one step of a tenth of the whole distance no branch gets to its end.
-    short = ContinuationOptions(ds=0.1, ds_max=0.1, max_steps=1)
+    short = replace(IN_SWEEPS, ds=0.1, ds_max=0.1, max_steps=1)
     assert not len(at_target(followed(model, u, p, q, short).crossings(ENDS)))
-    fine = at_target(followed(model, u, p, q, ContinuationOptions(ds_max=0.02)).crossings(ENDS))
+    fine = at_target(followed(model, u, p, q, replace(IN_SWEEPS, ds_max=0.02)).crossings(ENDS))
     for end, other in zip(fine, ends, strict=True):
         np.testing.assert_allclose(converged(model, end, q), converged(model, other, q), rtol=0, atol=1e-10)
 

@@ -9,7 +9,7 @@ from stridemap.solver.branches.ends import conditions_along, gait_ends, searches
 from stridemap.solver.cycles.search import find_all
 from stridemap.solver.cycles.solver import Solver
 from stridemap.solver.model.loading import load
-from stridemap.solver.options import ArclengthOptions, SearchOptions
+from stridemap.solver.options import ContinuationOptions, SearchOptions
 from stridemap.solver.walks.swing import swing
 
 
@@ -74,7 +74,7 @@ def test_where_a_gait_ends_it_begins_the_other_way():
     for branch in found:
         back = [point.reversed() for point in reversed(branch.points)]
         values = conditions_along(branch.curve, back, conditions)
-        ((_, begins),) = gait_ends(branch.curve, back, values, conditions, ArclengthOptions())
+        ((_, begins),) = gait_ends(branch.curve, back, values, conditions, ContinuationOptions())
         ((_, ends),) = branch.ends
         assert begins.point.x == pytest.approx(ends.point.x, rel=0, abs=1e-10)
 
@@ -100,7 +100,7 @@ def test_an_end_takes_few_trials():
     for branch in found:
         points = branch.points[:: len(branch.points) - 1]  # a long bracket
         values = conditions_along(branch.curve, points, conditions)
-        ((_, search),) = searches(branch.curve, points, values, ArclengthOptions())
+        ((_, search),) = searches(branch.curve, points, values, ContinuationOptions())
         trial, count = next(search), 1
         with pytest.raises(StopIteration) as stop:
             while True:

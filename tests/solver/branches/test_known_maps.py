@@ -5,18 +5,21 @@ import itertools
 import numpy as np
 import pytest
 import sympy as sp
+from scipy.linalg import expm
+from scipy.optimize import brentq
 
 from stridemap.solver.branches.arclength import EndReason, Window, advanced, at_value, both_ways, follow
 from stridemap.solver.branches.conditions import GaitEnd
 from stridemap.solver.branches.ends import conditions_along, gait_ends
 from stridemap.solver.branches.special import SpecialType, special_points
 from stridemap.solver.branches.switching import crossing, doubled, supercritical
-from stridemap.solver.options import ArclengthOptions
-from tests.oracles.maps import curve, p, x, y
+from stridemap.solver.cycles.floquet import sorted_eigenvalues, step_map_derivative
+from stridemap.solver.options import ContinuationOptions
+from tests.oracles.maps import T, curve, p, x, y
 
 pytestmark = pytest.mark.quick
 
-OPTIONS = ArclengthOptions()
+OPTIONS = ContinuationOptions()
 
 
 def window(low, high):
@@ -125,6 +128,31 @@ def test_the_torus_of_the_delayed_logistic_map():
     assert torus.slope == pytest.approx(0.5 * torus.direction, rel=1e-8)
 
 
+def test_a_ball_that_bounces_on_a_table():
+    """Once per oscillation A sin t of the table, with g = 1 and restitution 1/2: a fold and a doubling.
+
+    The unknowns are the phase x at which it leaves the table, its velocity y, and the time T of its flight.
+    """
+    e, A = sp.Rational(1, 2), p
+    lands = A * sp.sin(x) + y * T - T**2 / 2 - A * sp.sin(x + T)
+    after = (1 + e) * A * sp.cos(x + T) - e * (y - T)
+    on = curve(x + T - 2 * sp.pi, after, condition=lands)
+    guess = np.array([np.arccos(np.pi / 3 / 1.3), np.pi, 2 * np.pi, 1.3])
+    start = at_value(on, guess, 1.3, np.eye(4)[-1], 20)
+    points, _ = both_ways(on, start, Window((1.0,), (1.7,), 5.0, 8.0), OPTIONS)
+    found = {special.type: special for special in specials(on, points)}
+    assert found.keys() == {SpecialType.FOLD, SpecialType.PD}
+    ratio = np.pi * (1 - 0.5) / (1 + 0.5)
+    assert found[SpecialType.FOLD].x[-1] == pytest.approx(ratio, abs=1e-12)
+    doubling = np.hypot(ratio, 2 * (1 + 0.5**2) / (1 + 0.5) ** 2)
+    assert found[SpecialType.PD].x[-1] == pytest.approx(doubling, abs=1e-12)
+    for kind, expected in ((SpecialType.FOLD, (1, 0.25)), (SpecialType.PD, (-1, -0.25))):
+        point = min(points, key=lambda one, x=found[kind].x: on.norm(one.x - x))
+        there = on.linearised(found[kind].x, point.n_rk)[0]
+        multipliers = sorted_eigenvalues(step_map_derivative(there[None, :3, :3]))[0]
+        np.testing.assert_allclose(multipliers, expected, rtol=0, atol=1e-6)  # of a fold, a square root
+
+
 def test_real_multipliers_whose_product_is_one_are_not_a_torus():
     on = curve(shifted(lambda z: 2 * z), p * y)
     points, _ = traced(on, [0.5, 0.0], 0.3, 0.2, 0.8)
@@ -155,7 +183,7 @@ def test_a_pitchfork_is_a_branch_point_from_which_both_sides_are_reached():
 def test_two_doublings_between_two_points_are_both_found(apart):
     """Of two maps that know nothing of each other: the test function has the same sign before and after."""
     on = curve(shifted(lambda z: -(1 + p) * z), -(1 + p - apart) * y)
-    coarse = ArclengthOptions(ds=0.3, ds_max=0.3)
+    coarse = ContinuationOptions(ds=0.3, ds_max=0.3)
     points, _ = traced(on, [0.5, 0.0], -0.4, -0.5, 0.5, coarse)
     found = specials(on, points, coarse)
     assert [special.type for special in found] == [SpecialType.PD] * 2
@@ -165,7 +193,7 @@ def test_two_doublings_between_two_points_are_both_found(apart):
 def test_a_fold_and_a_doubling_between_two_points_are_both_found():
     """The fold of one map, and the doubling of another just beside it."""
     on = curve(x + p - x**2, -(1 + x - sp.Rational(1, 100)) * y)
-    coarse = ArclengthOptions(ds=0.05, ds_max=0.2)
+    coarse = ContinuationOptions(ds=0.05, ds_max=0.2)
     points, _ = traced(on, [0.6, 0.0], 0.36, -1.0, 0.8, coarse)
     found = {special.type: special for special in specials(on, points, coarse)}
     assert set(found) == {SpecialType.FOLD, SpecialType.PD}
@@ -208,7 +236,7 @@ def test_second_derivatives_are_differences_of_the_first():
 
 def test_every_point_of_a_branch_closes_to_rounding():
     on = logistic()
-    points, _ = traced(on, 0.6, 2.5, 1.2, 3.9, ArclengthOptions(ds=0.05, ds_max=0.3))
+    points, _ = traced(on, 0.6, 2.5, 1.2, 3.9, ContinuationOptions(ds=0.05, ds_max=0.3))
     assert len(points) > 8
     for point in points:
         assert abs(point.x[0] - (1 - 1 / point.x[-1])) < 2e-14
@@ -222,7 +250,7 @@ def wavy():
 
 def test_the_tangent_turns_little_from_point_to_point():
     on = curve(x + x**2 + p**2 - sp.Rational(1, 4))
-    for options in (OPTIONS, ArclengthOptions(ds=0.1, ds_max=0.4)):
+    for options in (OPTIONS, ContinuationOptions(ds=0.1, ds_max=0.4)):
         points, _ = traced(on, 0.5, 0.0, -1.0, 1.0, options)
         turns = [on.dot(a.tangent, b.tangent) for a, b in itertools.pairwise(points)]
         assert min(turns) >= options.min_tangent_cosine
@@ -236,7 +264,7 @@ def test_a_correction_that_leads_far_is_not_taken():
     there = advanced(on, here, ds, 10)
     assert there.x[-1] == pytest.approx(wave, abs=1e-12)  # so that only its distance speaks against it
     assert on.dot(there.tangent, here.tangent) == pytest.approx(1.0, abs=1e-12)
-    options = ArclengthOptions(ds=ds, ds_max=ds, max_steps=8)
+    options = ContinuationOptions(ds=ds, ds_max=ds, max_steps=8)
     points, _ = follow(on, here, window(-0.6, 0.6), options)
     assert 0 < points[1].x[-1] < 0.2 * wave
 
@@ -290,7 +318,7 @@ def test_a_branch_that_does_not_go_on_stalls():
 
 def test_the_number_of_steps_is_bounded():
     on = curve(x + x - p)
-    options = ArclengthOptions(max_steps=3)
+    options = ContinuationOptions(max_steps=3)
     points, reasons = traced(on, 0.5, 0.5, 0.0, 1.0, options)
     assert reasons == (EndReason.STEPS, EndReason.STEPS)
     assert len(points) == 7
@@ -322,7 +350,7 @@ class Conditions:
 def test_a_gait_ends_at_the_condition_that_is_met_first():
     """Along x = p: both are broken at the next point of the branch, the fall before the friction."""
     on = curve(x + x - p)
-    coarse = ArclengthOptions(ds=0.2, ds_max=0.2)
+    coarse = ContinuationOptions(ds=0.2, ds_max=0.2)
     conditions = Conditions(fall=lambda z, _: 0.5 - z, friction=lambda z, _: np.exp(0.52 - z) - 1)
     for back in (False, True):
         points, _ = traced(on, 0.11, 0.11, 0.0, 1.0, coarse)
@@ -341,6 +369,50 @@ def test_a_condition_that_is_broken_on_both_sides_hides_others():
     points, _ = traced(on, 0.11, 0.11, 0.0, 1.0)
     found = list(gait_ends(on, points, conditions_along(on, points, conditions), conditions, OPTIONS))
     assert [end.type for _, end in found] == [GaitEnd.FRICTION]
+
+
+@pytest.mark.parametrize("wall", [0.7, 1.9])
+def test_an_oscillator_grazes_a_wall(wall):
+    """x'' + c x' + k x = A cos(w t) touches x = d at A = d sqrt((k - w^2)^2 + (c w)^2)."""
+    c, k, w = 0.2, 1.5, 1.1
+    size = np.hypot(k - w**2, c * w)
+    lag = np.arctan2(c * w, k - w**2)  # x = A / size cos(w t - lag)
+    flow = expm(np.array([[0, 1], [-k, -c]]) * 2 * np.pi / w)
+    steady = sp.Matrix([np.cos(lag), w * np.sin(lag)]) * p / size
+    z = sp.Matrix([x, y])
+    on = curve(*(steady + sp.Matrix(flow) * (z - steady)))
+    middle = 1.3 * wall * size
+    points, _ = traced(on, [middle / size, 0.1], middle, 0.5 * wall * size, 1.6 * wall * size)
+    modes, vectors = np.linalg.eig(np.array([[0, 1], [-k, -c]]))
+
+    def largest(state, amplitude):
+        """The largest excursion along an oscillation from a state."""
+        start = amplitude / size * np.array([np.cos(lag), w * np.sin(lag)])
+        apart = np.linalg.solve(vectors, state - start)
+
+        def at(t):
+            forced = amplitude / size * np.array([np.cos(w * t - lag), -w * np.sin(w * t - lag)])
+            return forced + np.real(vectors @ (np.exp(modes * t) * apart))
+
+        times = np.linspace(0, 2 * np.pi / w, 17)
+        rates = [at(t)[1] for t in times]
+        turns = [
+            brentq(lambda t: at(t)[1], t0, t1, xtol=1e-14)
+            for (t0, t1), (r0, r1) in zip(itertools.pairwise(times), itertools.pairwise(rates), strict=True)
+            if r0 > 0 >= r1
+        ]
+        return max(at(t)[0] for t in turns)
+
+    class Wall(Conditions):
+        """The distance that is left to the wall."""
+
+        def of_cycles(self, n_rk, u, params, n_steps, names=None):
+            distances = [wall - largest(z[:2], amplitude) for z, (amplitude,) in zip(u, params, strict=True)]
+            return {GaitEnd.GRAZING: np.array(distances)}
+
+    ((_, end),) = gait_ends(on, points, conditions_along(on, points, Wall()), Wall(), OPTIONS)
+    assert end.type is GaitEnd.GRAZING
+    assert end.point.x[-1] == pytest.approx(wall * size, rel=1e-12)
 
 
 def test_a_condition_that_jumps_has_no_end_on_the_branch():

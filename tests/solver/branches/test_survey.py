@@ -8,10 +8,10 @@ from stridemap.solver.branches.arclength import Window, at_value, both_ways, fol
 from stridemap.solver.branches.special import special_points
 from stridemap.solver.branches.survey import Branch, on_branch
 from stridemap.solver.branches.switching import doubled
-from stridemap.solver.options import ArclengthOptions
+from stridemap.solver.options import ContinuationOptions
 from tests.oracles.maps import curve, p, x
 
-OPTIONS = ArclengthOptions()
+OPTIONS = ContinuationOptions()
 
 
 def branch(on, points, reasons=()):

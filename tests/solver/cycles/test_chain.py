@@ -9,7 +9,7 @@ from stridemap.solver.cycles.floquet import multipliers
 from stridemap.solver.cycles.search import find_all
 from stridemap.solver.cycles.solver import Solver
 from stridemap.solver.model.loading import load
-from tests.oracles.maps import MapKernels, p, x
+from tests.oracles.maps import MapKernels, T, p, x
 
 N_RK = 48
 
@@ -78,7 +78,7 @@ def test_a_guess_that_leads_nowhere_is_reported_as_nan(simplest):
 @pytest.mark.quick
 def test_each_step_leads_to_the_next_and_the_last_to_the_first():
     """Three steps of a map that is known: the residual by hand, and its derivative by differences."""
-    chain, value = Chain(MapKernels((p * x * (1 - x),), 1 + p * x), 3), 3.7
+    chain, value = Chain(MapKernels((p * x * (1 - x),), T - 1 - p * x), 3), 3.7
     z, periods = np.array([0.2, 0.5, 0.9]), np.array([1.0, 2.0, 3.0])
     u, params = np.stack([z, periods], axis=1).reshape(1, -1), np.array([[value]])
     images = value * z * (1 - z)

@@ -1,7 +1,6 @@
 """The step map and its derivative against integrators that it shares nothing with."""
 
 import cmath
-import os
 
 import casadi as ca
 import numpy as np
@@ -66,18 +65,6 @@ def test_residual_agrees_with_the_event_driven_simulator(entry):
     residual = call(StepMap(model).residual(96), np.append(u[:-1], step.period), p)
     np.testing.assert_allclose(residual[:-1], section_point(step) - u[:-1], rtol=0, atol=2e-12)
     assert residual[-1] == pytest.approx(0, abs=2e-12)
-
-
-@pytest.fixture(scope="module")
-def heyoka():
-    """heyoka, which CI must have."""
-    if os.environ.get("CI"):
-        import heyoka
-
-        return heyoka
-    return pytest.importorskip(
-        "heyoka", reason="heyoka is not installed: no Taylor integrator to compare with"
-    )
 
 
 @pytest.mark.parametrize("name", ["wobbling", "compass"])

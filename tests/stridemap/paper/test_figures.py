@@ -17,12 +17,14 @@ pytest.importorskip("PIL")
 
 from matplotlib.colors import to_rgb
 
+from stridemap.paper import map_boundaries
 from stridemap.paper.drawings import curves, sketch
 from stridemap.paper.drawings import map as maps
 from stridemap.paper.drawings import time_profiles as profiles
 from stridemap.paper.drawings.material import Material
 from stridemap.solver.branches.plane import NONE, STABLE, UNSTABLE
 from stridemap.solver.cycles.gait import is_physical_gait
+from stridemap.solver.model.loading import load
 from stridemap.views import style
 
 K = [float(k) for k in np.round(np.linspace(4.5, 12.0, 16), 3)]
@@ -44,21 +46,31 @@ def data(configs, tmp_path_factory):
     return Material(PaperSweeps(tmp_path_factory.mktemp("sweeps"), configs, executor=Inline()))
 
 
+def class_at(axes, k, alpha):
+    """The class whose region a point of the map lies in."""
+    inside = [
+        int(collection.get_gid().removeprefix("class-"))
+        for collection in axes.collections
+        if any(path.contains_point((k, alpha)) for path in collection.get_paths())
+    ]
+    assert len(inside) <= 1
+    return inside[0] if inside else None
+
+
 def test_the_map_is_the_table(data):
     orbits = read_orbits(data.sweeps.run("map"))
     orbits = orbits[is_physical_gait(orbits) & (orbits["omega"] == 3.0)]
     with style.styled():
         axes = maps.draw(data).axes[0]
     image = axes.images[0]
-    fine = np.asarray(image.get_array())
-    assert fine.shape == (4 * (len(ALPHA) - 1) + 1, 4 * (len(K) - 1) + 1)
-    shown = fine[::4, ::4]
+    cells = np.asarray(image.get_array())
+    assert cells.shape == (len(ALPHA), len(K))
     for i, alpha in enumerate(ALPHA):
         for j, k in enumerate(K):
             here = orbits[(orbits["alpha"] == alpha) & (orbits["k"] == k)]
             wanted = NONE if here.empty else STABLE if here["stable"].any() else UNSTABLE
-            assert shown[i, j] == wanted, (k, alpha)
-    assert {STABLE, UNSTABLE} <= set(shown.ravel().tolist())
+            assert cells[i, j] == class_at(axes, k, alpha) == wanted, (k, alpha)
+    assert {STABLE, UNSTABLE} <= set(cells.ravel().tolist())
     left, right, bottom, top = image.get_extent()
     assert (left + right) / 2 == pytest.approx((K[0] + K[-1]) / 2)
     assert (bottom + top) / 2 == pytest.approx(0.25)
@@ -67,18 +79,36 @@ def test_the_map_is_the_table(data):
 
 
 def test_edges_run_where_a_search_finds_them(data):
+    """Between rows of cells, a thousandth of the map's width to either side of each edge of a region."""
+    alpha, beside = 0.2627, 0.001 * (K[-1] - K[0])
     with style.styled():
-        image = maps.draw(data).axes[0].images[0]
-    fine = np.asarray(image.get_array())
-    ks, alphas = (np.linspace(v[0], v[-1], n) for v, n in ((K, fine.shape[1]), (ALPHA, fine.shape[0])))
-    row = 4  # alpha = 0.25
-    edges = np.flatnonzero(fine[row, 1:] != fine[row, :-1])
-    assert len(edges)
-    for j in sorted({*edges.tolist(), *(edges + 1).tolist()})[:8]:
-        found = stridemap.find_orbits("wobbling", k=float(ks[j]), alpha=float(alphas[row]), omega=3.0)
+        axes = maps.draw(data).axes[0]
+    edges = []
+    for collection in axes.collections:
+        for path in collection.get_paths():
+            x, y = path.vertices.T
+            for i in np.flatnonzero((y[1:] > alpha) != (y[:-1] > alpha)):
+                edges.append(np.interp(alpha, sorted(y[i : i + 2]), x[i : i + 2][np.argsort(y[i : i + 2])]))
+    left, right = axes.get_xlim()
+    inner = {round(float(edge), 6) for edge in edges if left + beside < edge < right - beside}
+    assert len(inner) >= 2
+    for k in sorted({edge + side for edge in inner for side in (-beside, beside)}):
+        found = stridemap.find_orbits("wobbling", k=k, alpha=alpha, omega=3.0)
         found = found[is_physical_gait(found)]
         wanted = NONE if not len(found) else STABLE if found.stable.any() else UNSTABLE
-        assert fine[row, j] == wanted, ks[j]
+        assert class_at(axes, k, alpha) == wanted, k
+
+
+def test_boundaries_are_computed_once(data, monkeypatch):
+    """They lie beside the sweep, and are those of that sweep only."""
+    first = data.boundaries
+    monkeypatch.setattr(map_boundaries.CellSurvey, "boundaries", lambda survey: pytest.fail("computed again"))
+    again = map_boundaries.map_boundaries(data.sweeps)
+    pd.testing.assert_frame_equal(again, first)
+    assert {"boundary", "type", "gait", "borders_stable", *load("wobbling").preset} <= set(first)
+    monkeypatch.setattr(map_boundaries, "FORMAT", map_boundaries.FORMAT + 1)
+    with pytest.raises(pytest.fail.Exception, match="computed again"):
+        map_boundaries.map_boundaries(data.sweeps)
 
 
 def test_classes_differ_in_grey():

@@ -224,7 +224,12 @@ def paper(tmp_path_factory):
     return folder
 
 
-def test_without_a_folder_it_is_the_papers_map(paper, tmp_path, run):
+def test_without_a_folder_it_is_the_papers_map(paper, tmp_path, run, monkeypatch):
+    preset = {**load("wobbling").preset, "k": [6.0, 7.0], "alpha": [0.2, 0.3], "omega": 3.0}
+    lines = {"boundary": 0, "type": "fold", "gait": True, "borders_stable": True}
+    monkeypatch.setattr(
+        "stridemap.paper.map_report.map_boundaries", lambda sweeps, say: pd.DataFrame(preset | lines)
+    )
     (tmp_path / "claims.json").write_text(json.dumps(CLAIMS))
     words = ("report", "--sweeps", paper, *OPTIONS, "--claims", tmp_path / "claims.json")
     status, out, err = run(*words, "--out", tmp_path / "map.html")
@@ -233,6 +238,7 @@ def test_without_a_folder_it_is_the_papers_map(paper, tmp_path, run):
     assert f"in {len(cells)} cells: {tmp_path / 'map.html'}" in out
     assert [axis["name"] for axis in data_of(page)["axes"]] == ["k", "alpha", "omega"]
     assert "3 statements: 1 holds, 1 in part, 1 differs." in page
+    assert [one["type"] for one in data_of(page)["curves"]] == ["fold"]
 
 
 def test_options_of_the_papers_sweeps_are_for_them_alone(done, refused, tmp_path):
@@ -298,6 +304,14 @@ def test_where_it_cannot_be_written(done, refused):
     (done / "file").write_text("")
     refused(f"report {done}/out --out {done}/file/a.html", "cannot write", "a folder on the way is a file")
     refused("report", "Missing option '--out'")
+
+
+def test_the_papers_report_tries_its_file_before_it_sweeps(tmp_path, refused):
+    (tmp_path / "a file").touch()
+    refused(
+        ["report", "--out", tmp_path / "a file" / "report.html", "--sweeps", tmp_path / "sweeps"], "a file"
+    )
+    assert not (tmp_path / "sweeps").exists()
 
 
 def test_a_failed_write_leaves_what_was_there(done, monkeypatch):

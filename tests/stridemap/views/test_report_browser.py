@@ -4,6 +4,7 @@ import shutil
 import time
 
 import numpy as np
+import pandas as pd
 import pytest
 
 import stridemap
@@ -355,3 +356,148 @@ def test_a_cell_without_a_cycle_says_why(report, open_page):
     click_cell(page, int(empty.iloc[0]))
     assert "was found, from the starts or from neighbouring cells" in page.inner_text("#empty")
     assert page.is_hidden("#numbers")
+
+
+# -- boundaries and branches ---------------------------------------------------------------------------------
+
+FINE = {"k": [float(k) for k in np.round(np.linspace(4.5, 12.0, 16), 3)], "alpha": [0.2, 0.25, 0.3]}
+
+
+def ellipse(boundary, kind, gait, n=60):
+    """A closed curve in the plane of FINE, around its middle."""
+    angle = np.linspace(0, 2 * np.pi, n)
+    preset = load("wobbling").preset
+    table = pd.DataFrame({"k": 8.25 + 2 * np.cos(angle), "alpha": 0.25 + 0.04 * np.sin(angle)})
+    known = {"boundary": boundary, "type": kind, "gait": gait, "borders_stable": angle < np.pi}
+    return table.assign(
+        **known, **{name: v for name, v in preset.items() if name not in table} | {"omega": 3.0}
+    )
+
+
+@pytest.fixture(scope="module")
+def lined(tmp_path_factory):
+    """A sweep along lines, with two boundaries that are made up, of which one has no gaits."""
+    folder = tmp_path_factory.mktemp("lined")
+    config = parse_config(
+        {"model": "wobbling", "grid": {**FINE, "omega": [2.5, 3.0]}, "search": {"starts": 24}}
+    )
+    sweep(config, folder / "out", executor=Inline())
+    table = pd.concat([ellipse(0, "pd", True), ellipse(1, "fold", False)])
+    write_report(folder / "out", folder / "page.html", curves=table)
+    return folder
+
+
+def at_omega(page, index):
+    page.evaluate(
+        "i => { const { grid, choose, state } = stridemap; const at = grid.indices(state.cell);"
+        "at[2] = i; choose(grid.cell(at)); }",
+        index,
+    )
+
+
+def test_boundaries_lie_where_their_cells_are(lined, open_page):
+    page = open_page(lined)
+    at_omega(page, 1)
+    paths = page.eval_on_selector_all(
+        "#curves path:not(.halo)", "all => all.map((p) => [p.dataset.type, p.getAttribute('d')])"
+    )
+    assert [kind for kind, _ in paths] == ["pd", "pd"]  # thin, and thick where stable gaits end
+    table, inside = ellipse(0, "pd", True), 0
+    wanted = [
+        page.evaluate(
+            """([k, alpha]) => { const { map, grid } = stridemap;
+            const column = grid.axes[0].values.indexOf(k), row = grid.axes[1].values.indexOf(alpha);
+            const box = map.box(column, row); return [box.x + box.width / 2, box.y + box.height / 2]; }""",
+            [k, alpha],
+        )
+        for k, alpha in ((4.5, 0.2), (12.0, 0.3))
+    ]
+    (x0, y0), (x1, y1) = wanted
+    for _, d in paths:
+        for point in d[1:].split("L"):
+            x, y = map(float, point.split())
+            k, alpha = 4.5 + (x - x0) / (x1 - x0) * 7.5, 0.2 + (y - y0) / (y1 - y0) * 0.1
+            assert ((table["k"] - k).abs() / 7.5 + (table["alpha"] - alpha).abs() / 0.1).min() < 1e-3
+            inside += 1
+    assert inside >= len(table)
+
+
+def test_boundaries_are_those_of_the_values_that_are_chosen(lined, open_page):
+    page = open_page(lined)
+    at_omega(page, 0)
+    assert page.locator("#curves path").count() == 0
+    assert "boundaries are shown over k and α at ω = 3" in page.inner_text("#curves-legend")
+    at_omega(page, 1)
+    assert page.locator("#curves path").count() == 4
+    assert page.locator("#curves-legend [data-type]").all_inner_texts() == ["period doubling"]
+    page.uncheck("#curves-shown")
+    assert page.locator("#curves path").count() == 0
+    assert page.is_hidden("#curves-legend")
+    page.check("#curves-shown")
+    page.select_option("#across", "1")  # the axes change places
+    first = page.locator("#curves path").first.bounding_box()
+    frame = page.locator("#map").bounding_box()
+    assert frame["x"] < first["x"] < first["x"] + first["width"] < frame["x"] + frame["width"]
+    page.select_option("#across", "2")
+    assert page.locator("#curves path").count() == 0
+
+
+def test_the_slice_is_crossed_where_the_ellipse_is(lined, open_page):
+    page = open_page(lined)
+    found = page.evaluate("(stridemap.curves.show(0, 1, [0, 1, 1]), stridemap.curves.crossings(0.25))")
+    assert sorted(k for k, _ in found) == pytest.approx([6.25, 10.25], abs=0.02)
+
+
+def test_lines_join_cycles_of_one_branch(lined, open_page):
+    """Each pair is in neighbouring columns of one branch; single cycles on either side are joined."""
+    page, orbits = open_page(lined), stridemap.read_orbits(lined / "out")
+    joined = 0
+    for row, alpha in enumerate(FINE["alpha"]):
+        page.evaluate(f"stridemap.choose(stridemap.grid.cell([8, {row}, 1]))")
+        pairs = page.evaluate("stridemap.slice.joined")
+        taken = [one for one, _ in pairs], [other for _, other in pairs]
+        assert all(len(set(side)) == len(side) for side in taken)  # no cycle has two ways on
+        for one, other in pairs:
+            here, there = orbits.iloc[one], orbits.iloc[other]
+            assert here.branch == there.branch
+            assert FINE["k"].index(there.k) == FINE["k"].index(here.k) + 1
+            assert here.alpha == there.alpha == alpha
+            assert here.omega == there.omega == 3.0
+        line = orbits[(orbits.alpha == alpha) & (orbits.omega == 3.0)]
+        for number, branch in line.groupby("branch"):
+            alone = {k: rows.index[0] for k, rows in branch.groupby("k") if len(rows) == 1}
+            for k, after in zip(FINE["k"][:-1], FINE["k"][1:], strict=True):
+                if (
+                    k in alone
+                    and after in alone
+                    and abs(branch.period[alone[k]] - branch.period[alone[after]]) < 0.02
+                ):
+                    assert [int(alone[k]), int(alone[after])] in pairs, (number, k)
+                    joined += 1
+    assert joined > 10
+
+
+def test_both_sides_of_a_fold_are_two_lines(lined, open_page):
+    """Made-up states: two sheets that come near each other at a fold, a gap, and one sheet beyond."""
+    page = open_page(lined)
+    script = """(() => { const { orbits } = stridemap; const columns = [];
+        for (let c = 0; c < 6; c++) columns.push(c);
+        const s = (c) => Math.sqrt(6 - c) / 3;
+        const rows = []; const state = [];
+        const add = (c, value) => { rows.push([c, state.length]); state.push(value); };
+        for (const c of columns) for (const side of [1, -1]) add(c, side * s(c));
+        add(8, 0.1);
+        add(9, 0.12);
+        const fake = { distance: (a, b) => Math.abs(state[a] - state[b]) };
+        return stridemap.joinedBy(rows, () => 0, fake); })()"""
+    pairs = page.evaluate(script)
+    upper = [[2 * c, 2 * c + 2] for c in range(5)]
+    lower = [[2 * c + 1, 2 * c + 3] for c in range(5)]
+    assert sorted(pairs) == sorted([*upper, *lower, [12, 13]])
+
+
+def test_without_boundaries_there_is_no_switch(report, open_page):
+    page = open_page(report)
+    assert page.is_hidden("#curves-toggle")
+    assert page.is_hidden("#curves-legend")
+    assert page.locator("#curves path").count() == 0
