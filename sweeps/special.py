@@ -269,7 +269,10 @@ class _Piece:
             others = dict(self.held)
             del others[GaitEnd.CONTACT]
             yield from (search for _, search in searches(self.curve, points, others, options))
-        if self.differ[changes.CONTACT]:
+        # Where the foot keeps contact on both sides, contact is lost with the cycle.
+        if self.differ[changes.CONTACT] and not (
+            self.differ[changes.CYCLE] and (self.held[GaitEnd.CONTACT] > 0).all()
+        ):
             yield from (search for _, search in searches(self.curve, points, self.held, options))
 
     def take_end(self, end: End | None) -> list[_MetEnd]:

@@ -15,8 +15,9 @@ Array = NDArray[np.float64]
 CLOSED, ROUNDING = 1e-11, 1e-14
 """Residuals at which a point is on the curve if the last correction was small, and in any case."""
 
-CORRECTED = 1e-8
-"""A correction after which no other one is needed: the error left is of the order of its square."""
+CORRECTED, NEARLY_CORRECTED = 1e-8, 1e-11
+"""A correction after which no other one is needed: the error left is of the order of its square, or with a
+derivative that is not exact a small part of it."""
 
 
 class ZeroCurve(ABC):
@@ -101,7 +102,8 @@ class ZeroCurve(ABC):
             error = float(np.abs(residual).max())
             if not np.isfinite(error) or not np.isfinite(matrix).all():
                 break
-            if error < CLOSED and ((sizes and sizes[-1] < CORRECTED) or error < ROUNDING):
+            small = CORRECTED if near is None else NEARLY_CORRECTED
+            if error < CLOSED and ((sizes and sizes[-1] < small) or error < ROUNDING):
                 return Corrected(x, matrix, error, tuple(sizes))
             right = np.append(-residual, 0.0)
             change = solved(np.vstack([matrix, across / self.scale**2]), right)

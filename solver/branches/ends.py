@@ -212,8 +212,9 @@ def _bracketed(
     last = low, f_low
     found: _Zero | None = None
     kept = 0  # the side that the last turn kept: 1 for the upper end, -1 for the lower one
-    for turn in range(LOCATE_ITERATIONS):
-        bounded = np.isfinite(f_low) and np.isfinite(f_high) and turn % 6 < 5
+    creeping = 0  # turns that hardly changed the condition: where it jumps, secants creep along from one end
+    for _ in range(LOCATE_ITERATIONS):
+        bounded = np.isfinite(f_low) and np.isfinite(f_high) and creeping < 2
         part = f_low / (f_low - f_high) if bounded else 0.5
         guess, ds = x_low + part * (x_high - x_low), low + part * (high - low)
         here = _corrected(curve, pair, guess, ds / length, n_rk, options)
@@ -222,6 +223,8 @@ def _bracketed(
         f = yield Trial(curve, here, name)
         before = last if np.isfinite(last[1]) and last[1] != f and last[0] != ds else (high, f_high)
         slope = (f - before[1]) / (ds - before[0]) if ds != before[0] else np.nan
+        hardly = not bounded or abs(f) > 0.5 * abs(last[1])
+        creeping = min(creeping + 1, 2) if bounded and hardly else int(hardly)
         found, last = _Zero(here, f, slope), (ds, f)
         left = abs(f / slope) if np.isfinite(slope) and slope != 0.0 else np.inf
         if abs(f) < ROUNDING or (abs(f) < LOCATED and left < settled) or left < 0.01 * settled:
@@ -265,10 +268,14 @@ def _refined(
             if here is None:
                 return None
             f = yield Trial(curve, here, name)
-            if last is not None and abs(ds - last[0]) > 1e-11 * length and f != last[1]:
+            noise = last is not None and abs(f) > 0.2 * abs(last[1])
+            if last is not None and abs(ds - last[0]) > NOISE * length and f != last[1]:
                 slope = (f - last[1]) / (ds - last[0])
             x, last, found = here.x, (ds, f), _Zero(here, f, slope)
-            if abs(f) < ROUNDING or (abs(f) < LOCATED and abs(f / slope) < SETTLED_FINE):
+            left = abs(f / slope)
+            if abs(f) < ROUNDING or (abs(f) < LOCATED and left < SETTLED_FINE):
+                break
+            if noise and abs(f) < LOCATED and left < SETTLED_IN_NOISE:
                 break
             x = here.x - f / slope * one.tangent
         else:
@@ -307,9 +314,15 @@ SETTLED, SETTLED_FINE, ROUGH = 1e-14, 1e-13, 1e-7
 """Arclength by which an end need not be moved any more: by bisection, by secants at a finer resolution, and
 before there are finer ones."""
 
+SETTLED_IN_NOISE = 1e-12
+"""The same where the condition does not become smaller any more."""
+
 UNCHANGED = 3e-11
 """Change of an end at twice the resolution that needs no finer one, in terms of the scale: the next would be
 a hundredth of it, or less."""
 
 SECANTS = 8
 """Secants at one resolution."""
+
+NOISE = 1e-6
+"""Part of the distance of two points that a secant must span, so that rounding does not decide its slope."""
