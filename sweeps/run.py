@@ -18,9 +18,8 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-import pandas as pd
 import pyarrow as pa
-import pyarrow.compute
+import pyarrow.compute as pc
 from numpy.typing import NDArray
 
 from stridemap.errors import InputError, WorkerError, short
@@ -35,8 +34,8 @@ from stridemap.sweeps.lock import held, refuse_if_held
 from stridemap.sweeps.parts import part_table, result_of, solutions_of
 from stridemap.sweeps.provenance import provenance
 from stridemap.sweeps.solutions import Guesses, Solutions
-from stridemap.sweeps.store import Store, read_cells
-from stridemap.sweeps.tables import cell_table, orbit_schema
+from stridemap.sweeps.store import CELLS, Store, read_table
+from stridemap.sweeps.tables import cell_table, orbit_schema, table_of
 from stridemap.sweeps.tasks import Result, Task
 from stridemap.sweeps.tiles import work
 
@@ -249,7 +248,7 @@ class _Run:
                 result = future.result()
                 self.store.write_part(result.round, result.tile, part_table(self.model, result))
                 finished += 1
-                found += int(np.count_nonzero(self._counts(result.orbits["period"].to_numpy())))
+                found += self._counted(result)
                 self._report(round_, finished, len(tasks), found)
         except OSError as error:
             raise _no_workers(error) from None
@@ -275,14 +274,18 @@ class _Run:
         shortest, longest = self.options.period_range
         return (period > shortest) & (period <= longest)
 
+    def _counted(self, result: Result) -> int:
+        """How many limit cycles of a result count."""
+        return int(np.count_nonzero(self._counts(np.asarray(result.orbits["period"]))))
+
     def _absorb(self, results: list[Result]) -> dict[int, Guesses]:
         """Take up the results of a round, in the order of tiles; returns the guesses for each tile."""
         for result in results:
             self.failures |= result.failures
             for (cell, status), n in result.discarded.items():
                 self.discarded[cell][Status(status)] += n
-            self.orbits.append(result.orbits)
-            self.orbits_found += int(np.count_nonzero(self._counts(result.orbits["period"].to_numpy())))
+            self.orbits.append(table_of(self.model, result.orbits))
+            self.orbits_found += self._counted(result)
             self.known[result.tile].append(solutions_of(self.model, result.orbits))
             self.seen[result.tile].append(result.seen)
             self.joins.append(result.joins)
@@ -309,7 +312,7 @@ class _Run:
         status, reason = zip(*(self._cell(cell, n) for cell, n in enumerate(found.tolist())), strict=True)
         cells = cell_table(self.model, points, orbits, status, reason)
         self.store.finish(orbits, cells)
-        return self._summary(cells.to_pandas())
+        return self._summary(cells)
 
     def _cell(self, cell: int, found: int) -> tuple[str, str | None]:
         if cell in self.failures:
@@ -327,15 +330,15 @@ class _Run:
 
     def summary_of_finished(self) -> Summary:
         """Read the summary of a sweep that was finished before."""
-        return self._summary(read_cells(self.store.folder), already_finished=True)
+        return self._summary(read_table(self.store.folder, CELLS), already_finished=True)
 
-    def _summary(self, cells: pd.DataFrame, already_finished: bool = False) -> Summary:
+    def _summary(self, cells: pa.Table, already_finished: bool = False) -> Summary:
         return Summary(
             self.store.folder,
             cells=len(cells),
-            orbits=int(cells["orbits"].sum()),
-            stable_orbits=int(cells["stable_orbits"].sum()),
-            failed_cells=int((cells["status"] == "failed").sum()),
+            orbits=pc.sum(cells["orbits"]).as_py(),
+            stable_orbits=pc.sum(cells["stable_orbits"]).as_py(),
+            failed_cells=pc.sum(pc.equal(cells["status"], "failed")).as_py(),
             already_finished=already_finished,
         )
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -19,7 +19,9 @@ from stridemap.solver.model.loading import load
 from stridemap.solver.model.model import Model
 from stridemap.solver.observables.motion import Motion
 from stridemap.solver.options import AcceptanceOptions, SearchOptions
-from stridemap.solver.walks.simulator import Walk, walk
+
+if TYPE_CHECKING:
+    from stridemap.solver.walks.simulator import Walk
 
 
 def find_orbits(
@@ -109,7 +111,7 @@ def simulate(
     steps: int = 10,
     params: Mapping[str, float] | None = None,
     **keywords: float,
-) -> Walk:
+) -> "Walk":
     """Walk from a state just after touchdown, or from within a step, with an event-driven integrator.
 
     Parameters
@@ -145,6 +147,8 @@ def simulate(
     >>> walk.trajectory(0.1)
     <trajectory of simplest_walker: 409 rows, from 0 to 38.8158>
     """
+    from stridemap.solver.walks.simulator import walk  # SciPy's integrators take a while to load
+
     loaded = load(model)
     point = loaded.point(joined(params, keywords))
     if start is not None and state is not None:

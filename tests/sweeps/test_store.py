@@ -256,6 +256,15 @@ def test_finish_keeps_what_is_not_ours_and_clears_what_is(tmp_path):
 
 
 @pytest.mark.quick
+def test_a_finished_sweep_is_not_begun_again(tmp_path):
+    before = content(finished(tmp_path))
+    assert Store.create(tmp_path, CONFIG, PROVENANCE).finished
+    assert content(tmp_path) == before
+    (tmp_path / "cells.parquet").unlink()
+    assert not Store.create(tmp_path, CONFIG, PROVENANCE).finished
+
+
+@pytest.mark.quick
 def test_create_over_a_finished_sweep_keeps_it_until_the_new_one_is_done(tmp_path):
     finished(tmp_path)
     store = Store.create(tmp_path, CONFIG, {**PROVENANCE, "commit": "newer"})
