@@ -29,7 +29,7 @@ from stridemap.solver.cycles.status import Status
 from stridemap.sweeps.config import MAX_COUNT, SweepConfig, load_config
 from stridemap.sweeps.executors import interrupts_held, processes
 from stridemap.sweeps.families import families
-from stridemap.sweeps.grid import Grid, tiles
+from stridemap.sweeps.grid import Grid, tile_size, tiles
 from stridemap.sweeps.lock import held, refuse_if_held
 from stridemap.sweeps.parts import part_table, result_of, solutions_of
 from stridemap.sweeps.provenance import provenance
@@ -41,10 +41,6 @@ from stridemap.sweeps.tiles import work
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
-
-TILES, SMALLEST_TILE, LARGEST_TILE = 4, 64, 2160
-"""Into how many tiles a grid is cut, and the cells of the smallest and the largest one. Branches are followed
-fastest where many are followed at a time; each worker needs a tile."""
 
 MOST_WORKERS = 1024
 """Processes of one sweep: each takes some 200 MB, and no machine has as many cores."""
@@ -118,7 +114,7 @@ def sweep(
     backend : str or Backend, optional
         What runs the kernels: "lanes", "scalar" or "interpreter"; by default the fastest that works here.
     tile_cells : int, optional
-        Largest number of cells in a piece of work; by default a quarter of the grid, within bounds. Which
+        Largest number of cells in a piece of work; by default some quarter of the grid, within bounds. Which
         cycles are found may depend on it, never on the number of workers.
     progress : callable, optional
         Called with a `Progress` after each tile.
@@ -140,7 +136,7 @@ def sweep(
     if workers is not None:
         _check_count("workers", workers, MOST_WORKERS)
     if tile_cells is None:
-        tile_cells = min(max(config.n_cells // TILES, SMALLEST_TILE), LARGEST_TILE)
+        tile_cells = tile_size(Grid.from_mapping(config.grid))
     _check_count("tile_cells", tile_cells, MAX_COUNT)
     refuse_if_held(out)
     kernels = load_kernels(config.loaded, named_backend(backend))

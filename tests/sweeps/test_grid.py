@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from stridemap.solver.model.loading import load
 from stridemap.sweeps.config import parse_config
-from stridemap.sweeps.grid import Grid, tiles
+from stridemap.sweeps.grid import Grid, tile_size, tiles
 
 pytestmark = pytest.mark.quick
 
@@ -80,6 +80,25 @@ def test_tiles_are_no_smaller_than_needed():
     assert len(tiles(grid, grid.n_cells)) == 1
     with pytest.raises(ValueError, match="0"):
         tiles(grid, 0)
+
+
+@pytest.mark.parametrize(
+    ("shape", "cut"),
+    [
+        ((60,), 4),
+        ((24,), 4),
+        ((8,), 2),
+        ((3,), 1),
+        ((16, 3), 3),  # whole lines
+        ((3, 16), 3),
+        ((6, 5, 2), 5),
+        ((120, 18, 4), 8),  # the paper's map
+        ((1000, 100), 64),
+    ],
+)
+def test_small_grids_have_tiles_for_several_workers(shape, cut):
+    grid = make_grid([range(n) for n in shape])
+    assert len(tiles(grid, tile_size(grid))) == cut
 
 
 def test_subgrid_has_every_stride_and_both_ends():
