@@ -9,7 +9,6 @@ import sys
 import tempfile
 import traceback
 from collections.abc import Callable, Mapping
-from contextlib import nullcontext
 from dataclasses import fields, is_dataclass, replace
 from importlib.metadata import version
 from importlib.resources import files
@@ -23,7 +22,7 @@ from stridemap.derive.emit import emit
 from stridemap.derive.models import WALKERS
 from stridemap.derive.walker import Walker
 from stridemap.errors import InputError
-from stridemap.services import offered, service
+from stridemap.services import shown
 from stridemap.solver.backends.compiler import cache_folder
 from stridemap.solver.model import derivation
 from stridemap.solver.model.files import MANIFEST, Folder, contents, kernels_file
@@ -61,7 +60,11 @@ def write_model(walker: Walker, folder: Path) -> list[Path]:
     # Only here: SciPy takes half of the start of a process, in which most models are found in the cache.
     from stridemap.solver.kernels.catalogue import c_source
 
-    with service("show_deriving")(walker.name) if offered("show_deriving") else nullcontext() as progress:
+    with shown(f"deriving {walker.name}", "functions", announced=True) as update:
+
+        def progress(done: int, total: int, name: str) -> None:
+            update(done, total, f"{name} done" if done < total else "writing the kernels")
+
         texts, spec = emit(walker, f"stridemap {version('stridemap')}", progress)
         # The kernels are printed from the equations as written; a half-written folder is never seen.
         with tempfile.TemporaryDirectory() as scratch:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stridemap.errors import InputError
+from stridemap.services import shown
 from stridemap.solver.api.arguments import MAX_PERIOD_N, joined, section_state, whole
 from stridemap.solver.backends.base import Backend
 from stridemap.solver.backends.selection import named_backend
@@ -81,9 +82,10 @@ def find_orbits(
     accepted = AcceptanceOptions.from_mapping(acceptance or {})
     whole("period_n", period_n, 1, MAX_PERIOD_N)
     solver = Solver.for_model(loaded, named_backend(backend), accepted)
-    if period_n > 1:
-        return find_all_of_steps(solver, point, period_n, search)
-    return find_all(solver, point[None, :], search)[1]
+    with shown("searching for limit cycles"):
+        if period_n > 1:
+            return find_all_of_steps(solver, point, period_n, search)
+        return find_all(solver, point[None, :], search)[1]
 
 
 def motion(orbit: Orbit, samples: int = 201) -> Motion:

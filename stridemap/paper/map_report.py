@@ -9,6 +9,7 @@ from stridemap.paper.cycle_tables import cycle_tables
 from stridemap.paper.evaluate import evaluate
 from stridemap.paper.map_boundaries import map_boundaries
 from stridemap.paper.sweeps import paper_sweeps
+from stridemap.services import shown
 from stridemap.sweeps.run import Progress
 from stridemap.views.report.write import ReportSummary, check_out, write_report
 
@@ -50,4 +51,5 @@ def report(
     paper = paper_sweeps(sweeps, params, thin, workers=workers, executor=executor, progress=progress)
     verdicts = claims or [claim.to_dict() for claim in evaluate(cycle_tables(paper))]
     curves = map_boundaries(paper, say)
-    return write_report(paper.run("map"), out, verdicts, curves=None if curves.empty else curves)
+    with shown("writing the report"):
+        return write_report(paper.run("map"), out, verdicts, curves=None if curves.empty else curves)
