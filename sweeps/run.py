@@ -25,6 +25,7 @@ from numpy.typing import NDArray
 from stridemap.errors import InputError, WorkerError, short
 from stridemap.solver.backends.base import Backend
 from stridemap.solver.backends.selection import load_kernels, named_backend
+from stridemap.solver.cycles.degenerate import why_no_cycle
 from stridemap.solver.cycles.status import Status
 from stridemap.sweeps.config import MAX_COUNT, SweepConfig, load_config
 from stridemap.sweeps.executors import interrupts_held, processes
@@ -322,7 +323,20 @@ class _Run:
             f"no limit cycle with {lower:g} < period <= {upper:g} was found, from the starts or from "
             "neighbouring cells"
         )
-        return "empty", f"{why}; thrown away: {_thrown_away(thrown)}" if thrown else why
+        if thrown:
+            why += f"; thrown away: {_thrown_away(thrown)}"
+        degenerate = why_no_cycle(self.model, self._point(cell)) if self._at_an_end(cell) else None
+        return "empty", why if degenerate is None else f"{why}; {degenerate}"
+
+    def _point(self, cell: int) -> Floats:
+        """The parameters of a cell."""
+        point: Floats = self.grid.points(self.model, self.config.params, [cell])[0]
+        return point
+
+    def _at_an_end(self, cell: int) -> bool:
+        """Whether a parameter of a cell is at an end of its allowed range, where equations degenerate."""
+        values = zip(self.model.parameters, self._point(cell).tolist(), strict=True)
+        return any(value in (one.lower, one.upper) for one, value in values)
 
     def summary_of_finished(self) -> Summary:
         """Read the summary of a sweep that was finished before."""

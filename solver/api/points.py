@@ -1,16 +1,19 @@
 """Limit cycles and walks at one point of parameter space."""
 
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from stridemap.errors import InputError
 from stridemap.services import shown
 from stridemap.solver.api.arguments import MAX_PERIOD_N, joined, section_state, whole
 from stridemap.solver.backends.base import Backend
 from stridemap.solver.backends.selection import named_backend
+from stridemap.solver.cycles.degenerate import why_no_cycle
 from stridemap.solver.cycles.orbit import Orbit
 from stridemap.solver.cycles.orbits import Orbits
 from stridemap.solver.cycles.search import find_all
@@ -85,7 +88,15 @@ def find_orbits(
     with shown("searching for limit cycles"):
         if period_n > 1:
             return find_all_of_steps(solver, point, period_n, search)
-        return find_all(solver, point[None, :], search)[1]
+        found = find_all(solver, point[None, :], search)[1]
+    return found if len(found) else _explained(found, point)
+
+
+def _explained(none: Orbits, point: NDArray[np.float64]) -> Orbits:
+    """No limit cycles, with the reason where the equations have one."""
+    if none.search is None:
+        return none
+    return replace(none, search=replace(none.search, reason=why_no_cycle(none.model, point)))
 
 
 def motion(orbit: Orbit, samples: int = 201) -> Motion:
@@ -165,6 +176,10 @@ def simulate(
     if state is None:
         orbits = find_all(Solver.for_model(loaded), point[None, :])[1]
         if not len(orbits):
-            raise InputError("there is no limit cycle to start from at this point; give a state")
+            why = why_no_cycle(loaded, point)
+            raise InputError(
+                "there is no limit cycle to start from at this point; give a state"
+                + ("" if why is None else f" ({why})")
+            )
         state = orbits[int(orbits.spectral_radius.argmin())].state
     return walk(loaded, point, section_state(loaded.section, state), steps)
