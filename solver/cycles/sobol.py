@@ -55,15 +55,16 @@ def sobol_points(dimensions: int, m: int, rng: np.random.Generator) -> Array:
     if dimensions > DIMENSIONS:
         from scipy.stats import qmc  # takes a second to load, so only where it is needed
 
-        points: Array = qmc.Sobol(dimensions, rng=rng).random_base2(m)
-        return points
+        by_scipy: Array = qmc.Sobol(dimensions, rng=rng).random_base2(m)
+        return by_scipy
     # SciPy leaves the generator that it is given to its owner, and draws from a child of it.
     bits, shift = _scrambled(_directions(dimensions), rng.spawn(1)[0])
     # Neighbours in a reflected Gray code differ in one digit, and so in one direction number.
     points_as_bits = shift[None]
     for column in bits.T[:m]:
         points_as_bits = np.concatenate([points_as_bits, points_as_bits[::-1] ^ column])
-    return points_as_bits * 2.0**-DIGITS
+    points: Array = points_as_bits * np.float64(2.0**-DIGITS)
+    return points
 
 
 def _directions(dimensions: int) -> Bits:

@@ -123,7 +123,8 @@ class _Watch:
         update: Callable[..., None],
     ) -> None:
         self.process, self.path, self.report, self.seconds = process, path, report, seconds
-        self.update, self.last = update, {}
+        self.update = update
+        self.last: dict[str, Any] = {}
         self.said, self.heard = 0, time.monotonic()
         self.listener = threading.Thread(target=self._listen, daemon=True)
 

@@ -148,7 +148,7 @@ CYCLES = (
     ),
     Mutation(
         "solver/cycles/errors.py",
-        "apart[i] = min(apart[i], distance[rows, columns].max())",
+        "apart[i] = min(apart[i], own.max())",
         "apart[i] = apart[i]",
         "multipliers of equal modulus that change places count as errors",
         (f"{ERRORS}::test_eigenvalues_are_matched_whatever_their_order",),
