@@ -219,7 +219,7 @@ def test_ctrl_c(larger, tmp_path, when):
         time.sleep(0.4)  # into the imports of a worker, which by itself would print a traceback
     os.killpg(process.pid, signal.SIGINT)  # the terminal sends it to all of them
     status, said, shown = ended(process)
-    lines = [line for line in shown.splitlines() if not line.startswith("round ")]
+    lines = [line for line in shown.splitlines() if not line.startswith(("round ", "preparing: "))]
     assert lines == [f"interrupted: finished tiles are kept in {out}; continue with --resume"]
     assert (status, said) == (130, "")
     held = unfinished(out)
@@ -249,7 +249,7 @@ def test_a_worker_that_dies(larger, tmp_path):
     wait_for(lambda: len(parts(out)) >= 2, process)
     os.kill(workers_of(process)[0], signal.SIGKILL)
     status, said, shown = ended(process)
-    lines = [line for line in shown.splitlines() if not line.startswith("round ")]
+    lines = [line for line in shown.splitlines() if not line.startswith(("round ", "preparing: "))]
     assert (status, said, len(lines)) == (2, "", 1)
     assert lines[0].startswith("error: a worker process died")
     assert "--resume" in lines[0]
