@@ -147,6 +147,27 @@ CYCLES = (
         (f"{ERRORS}::test_a_badly_conditioned_multiplier_is_off_by_its_condition",),
     ),
     Mutation(
+        "solver/cycles/sobol.py",
+        "for k in range(1, degree):",
+        "for k in range(2, degree):",
+        "direction numbers leave out a term of their recurrence",
+        ("tests/solver/cycles/test_sobol.py::test_points_are_those_of_scipy",),
+    ),
+    Mutation(
+        "solver/cycles/degenerate.py",
+        '(impact := model.evaluate("impact_map", q=at, v=v, p=p))["q_plus"] - moved',
+        '(impact := model.evaluate("impact_map", q=at, v=v, p=p))["q_plus"]',
+        "a coordinate that an impact leaves where it is counts as held",
+        ("tests/solver/cycles/test_degenerate.py::test_what_vanishes_at_an_end_of_a_range_is_named",),
+    ),
+    Mutation(
+        "solver/cycles/errors.py",
+        "if not (own <= distance.min(axis=1)).all():",
+        "if not (own <= distance.max(axis=1)).all():",
+        "multipliers are taken for matched that are not",
+        (f"{ERRORS}::test_sets_of_eigenvalues_are_matched_at_the_least_cost",),
+    ),
+    Mutation(
         "solver/cycles/errors.py",
         "apart[i] = min(apart[i], own.max())",
         "apart[i] = apart[i]",
