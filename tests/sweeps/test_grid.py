@@ -123,7 +123,7 @@ def test_points_are_in_the_models_order():
     assert grid.names == ("k", "omega", "S")
     model = load("wobbling")
     points = grid.points(model, resolved.params)
-    assert points.shape == (8, 8)
+    assert points.shape == (8, 9)
     for cell, (k, omega, amplitude) in enumerate(itertools.product([1, 5], [2, 3], [0.1, 0.2])):
         expected = model.point({"k": k, "omega": omega, "S": amplitude, "beta": 0.2})
         np.testing.assert_array_equal(points[cell], expected)
