@@ -62,7 +62,7 @@ class C(Printer):
     def function(self, program: Program, model: str) -> list[str]:
         """The lines of one function, in sections: inputs, intermediate terms, outputs."""
         count = "1 operation" if program.operations == 1 else f"{program.operations} operations"
-        lines = [f"/* {program.summary}. {count}.", *_wrapped(f" * {program.source}. */")]
+        lines = [f"/* {program.summary}. {count}.", *wrapped(f" * {program.source}. */")]
         lines += [*signature(model, program), "{"]
         inputs = [f"    const {REAL} {name} = {a.name}[{i}];" for name, a, i in self.inputs(program)]
         if inputs:
@@ -71,13 +71,13 @@ class C(Printer):
         if program.statements:
             lines.append(f"    /* intermediate terms ({len(program.statements)}) */")
             for name, value in self.terms(program):
-                lines += _wrapped(f"    const {REAL} {name} = {value};")
+                lines += wrapped(f"    const {REAL} {name} = {value};")
             lines.append("")
         lines.append(f"    /* outputs ({sum(len(o.entries) for o in program.outputs)}) */")
         for out, entries in self.results(program):
             for i, value in enumerate(entries):
                 result = self.result_name(program, out)
-                lines += _wrapped(f"    {result}[{i}] = {value};{_position(out, i)}")
+                lines += wrapped(f"    {result}[{i}] = {value};{_position(out, i)}")
         return [*lines, *(["", "    /* not needed */", f"    {unused}"] if unused else []), "}", ""]
 
     def text(self, equations: Equations) -> str:
@@ -117,14 +117,14 @@ def banner(equations: Equations) -> list[str]:
     ]
 
 
-def _array(kind: str, name: str, size: int) -> str:
+def array(kind: str, name: str, size: int) -> str:
     """The declaration of an array argument; C has no arrays without entries."""
     return f"{kind} {name}[{size}]" if size else f"{kind} *{name}"
 
 
 def _declared(arguments: Iterable[Argument]) -> list[str]:
     return [
-        f"{REAL} {a.name}" if a.scalar else _array(f"const {REAL}", a.name, len(a.entries)) for a in arguments
+        f"{REAL} {a.name}" if a.scalar else array(f"const {REAL}", a.name, len(a.entries)) for a in arguments
     ]
 
 
@@ -132,9 +132,9 @@ def _prototype(
     name: str, program: Program, arguments: Iterable[Argument], end: str = "", kind: str = "void"
 ) -> list[str]:
     """A declaration as lines, with a hard space wherever a line may not break."""
-    results = [_array(REAL, C().result_name(program, o), len(o.entries)) for o in program.outputs]
+    results = [array(REAL, C().result_name(program, o), len(o.entries)) for o in program.outputs]
     parameters = ", ".join(part.replace(" ", _HARD) for part in [*_declared(arguments), *results])
-    lines = _wrapped(f"{kind.replace(' ', _HARD)}{_HARD}{name}({parameters}){end}")
+    lines = wrapped(f"{kind.replace(' ', _HARD)}{_HARD}{name}({parameters}){end}")
     return [line.replace(_HARD, " ") for line in lines]
 
 
@@ -162,7 +162,7 @@ def _old_signatures(equations: Equations) -> list[str]:
         head = _prototype(old, program, program.arguments, kind="static inline void")
         given = [a.name if a in program.arguments else "0" for a in program.signature]
         given += [C().result_name(program, out) for out in program.outputs]
-        lines += [*head, "{", *_wrapped(f"    {name}({', '.join(given)});"), "}"]
+        lines += [*head, "{", *wrapped(f"    {name}({', '.join(given)});"), "}"]
         lines += [f"#undef {name}", f"#define {name} {old}", ""]
     return [*lines, f"#endif /* {OLD} */", ""]
 
@@ -179,7 +179,7 @@ def _macros(body: str) -> list[str]:
 
 def _documentation(program: Program) -> list[str]:
     """The comment above a declaration: of the arguments it lists what the function reads."""
-    lines = [f"/** {program.summary}.", " *", *_wrapped(f" * Source: {program.source}."), " *"]
+    lines = [f"/** {program.summary}.", " *", *wrapped(f" * Source: {program.source}."), " *"]
     for argument in program.arguments:
         for i, entry in enumerate(argument.entries):
             if entry.symbol in program.used:
@@ -201,6 +201,7 @@ def _position(out: Output, index: int) -> str:
     return f" /* {out.name}({row + 1},{column + 1}) */"
 
 
-def _wrapped(line: str) -> list[str]:
+def wrapped(line: str) -> list[str]:
+    """A line as several, where it is longer than 110 characters."""
     indent = " * " if line.startswith(" * ") else " " * (len(line) - len(line.lstrip()) + 8)
     return textwrap.wrap(line, 110, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False)
