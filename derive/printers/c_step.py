@@ -151,11 +151,11 @@ def _parameters(walker: Declaration) -> list[str]:
     preset = _fit(f"#define {upper}_PRESET {{{values}}}")
     lines += [line + " \\" * (i + 1 < len(preset)) for i, line in enumerate(preset)] + [""]
     both = [
-        ("to_array", f"const {name}_parameters *named, {REAL} p[{size}]", "p[{i}] = named->{a};"),
-        ("from_array", f"{name}_parameters *named, const {REAL} p[{size}]", "named->{a} = p[{i}];"),
+        ("to_array", [f"const {name}_parameters *named", f"{REAL} p[{size}]"], "p[{i}] = named->{a};"),
+        ("from_array", [f"{name}_parameters *named", f"const {REAL} p[{size}]"], "named->{a} = p[{i}];"),
     ]
     for way, arguments, assignment in both:
-        lines += [*_fit(f"static inline void {name}_parameters_{way}({arguments})"), "{"]
+        lines += [*_head("static inline void", f"{name}_parameters_{way}", arguments), "{"]
         lines += [f"    {assignment.format(i=i, a=a.name)}" for i, a in enumerate(walker.parameters)]
         lines += ["}", ""]
     return lines
@@ -171,22 +171,22 @@ def _status(walker: Declaration) -> list[str]:
 def _swing(walker: Declaration) -> list[str]:
     n = len(walker.coordinates)
     arguments = [f"{REAL} *t", f"{REAL} q[{n}]", f"{REAL} v[{n}]", *_given(walker)]
-    return _declared(walker, "swing", arguments)
+    return _head(f"{walker.name}_status", f"{walker.name}_swing", arguments)
 
 
 def _step(walker: Declaration) -> list[str]:
     arguments = [f"{REAL} z[{len(walker.section_names)}]", *_given(walker), f"{REAL} *period"]
-    return _declared(walker, "step", arguments)
+    return _head(f"{walker.name}_status", f"{walker.name}_step", arguments)
 
 
 def _given(walker: Declaration) -> list[str]:
     return [array(f"const {REAL}", "p", len(walker.parameters)), f"{REAL} dt", "int most"]
 
 
-def _declared(walker: Declaration, function: str, arguments: Iterable[str]) -> list[str]:
+def _head(kind: str, name: str, arguments: Iterable[str]) -> list[str]:
+    """The head of a function, as lines; a line does not break within an argument."""
     hard = "\N{NO-BREAK SPACE}"
-    head = f"{walker.name}_status{hard}{walker.name}_{function}"
-    text = f"{head}({', '.join(a.replace(' ', hard) for a in arguments)})"
+    text = f"{kind} {name}".replace(" ", hard) + f"({', '.join(a.replace(' ', hard) for a in arguments)})"
     return [line.replace(hard, " ") for line in wrapped(text)]
 
 

@@ -275,10 +275,12 @@ static stridemap_real crossing(const moment *begin, stridemap_real low, stridema
     const stridemap_real sign = rising ? REAL(1.0) : REAL(-1.0);
     const stridemap_real close = 2 * EPSILON * (begin->t + high);
     const moment first = after(begin, low, p), last = after(begin, high, p);
+    const condition left = look(&first, p);
     stridemap_real tau = (low + high) / 2;
 
-    if (!(sign * look(&first, p).h < REAL(0.0) && sign * look(&last, p).h >= REAL(0.0)))
-        return low; /* rounding leaves no bracket, as just after touchdown */
+    /* Just after touchdown the condition is zero, and its rate says on which side it goes on. */
+    if (!(sign * left.h < REAL(0.0) || sign * left.dh < REAL(0.0)) || sign * look(&last, p).h < REAL(0.0))
+        return low;
     for (int tries = 0; tries < TRIES && high - low > close; tries++) {
         const moment at = after(begin, tau, p);
         const condition seen = look(&at, p);
@@ -300,7 +302,6 @@ static stridemap_real crossing(const moment *begin, stridemap_real low, stridema
 static int event(const moment *begin, stridemap_real tau, condition left, condition right, int *below,
         const stridemap_real *p, moment *found)
 {
-    const int retreats = right.side > left.side;
     stridemap_real ends[3];
     int changes = 0;
 
@@ -316,12 +317,16 @@ static int event(const moment *begin, stridemap_real tau, condition left, condit
     for (int i = 0; i < changes; i++) {
         const int rising = *below;
         stridemap_real side;
+        moment later;
         *found = after(begin, crossing(begin, ends[i], ends[i + 1], rising, p), p);
         side = look(found, p).side;
         *below = !*below;
         if (rising && side < REAL(0.0))
             return @MODEL@_TOUCHDOWN;
-        if (!(side < REAL(0.0)) && retreats && on_the_foot_behind(found, p))
+        if (side < REAL(0.0))
+            continue;
+        later = after(found, tau / 64, p);
+        if (look(&later, p).side > side && on_the_foot_behind(found, p))
             return @MODEL@_ROCKS_BACK;
     }
     return GOES_ON;
