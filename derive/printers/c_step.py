@@ -57,7 +57,9 @@ def step_header(equations: Equations) -> str:
     guard = f"STRIDEMAP_{upper}_STEP_H"
     lines = [*banner(equations), f"#ifndef {guard}", f"#define {guard}", ""]
     lines += [f'#include "{equations.model}.h"', "", "#ifdef STRIDEMAP_FLOAT"]
-    lines += [f"#define {equations.model}_{name} {equations.model}_{name}_float" for name in ("swing", "step")]
+    lines += [
+        f"#define {equations.model}_{name} {equations.model}_{name}_float" for name in ("swing", "step")
+    ]
     lines += ["#endif", "", "#ifdef __cplusplus", 'extern "C" {', "#endif", ""]
     lines += [*_places(walker), *_parameters(walker), *_status(walker)]
     for declared, (summary, text, arguments) in ((_swing(walker), SWING), (_step(walker), STEP)):
@@ -97,7 +99,9 @@ def step_source(equations: Equations) -> str:
     text = SOURCE
     for name, value in filled.items():
         text = text.replace(f"@{name}@", value)
-    return "\n".join([*banner(equations), *(part for line in text.lstrip().split("\n") for part in _fit(line))])
+    return "\n".join(
+        [*banner(equations), *(part for line in text.lstrip().split("\n") for part in _fit(line))]
+    )
 
 
 def _fit(line: str) -> list[str]:
@@ -107,7 +111,10 @@ def _fit(line: str) -> list[str]:
 def _places(walker: Declaration) -> list[str]:
     """Enumerations of what each array holds; names of the user's stand behind a prefix, as they are."""
     counts = [("P", len(walker.parameters), "parameters"), ("Q", len(walker.coordinates), "coordinates")]
-    counts += [("U", len(walker.actuators), "motors"), ("Z", len(walker.section_names), "entries of a section point")]
+    counts += [
+        ("U", len(walker.actuators), "motors"),
+        ("Z", len(walker.section_names), "entries of a section point"),
+    ]
     lines = ["/** Numbers of entries. */", "enum {"]
     lines += _aligned([(f"{walker.name.upper()}_N_{x} = {n}", meaning) for x, n, meaning in counts])
     lines += ["};", ""]
@@ -116,7 +123,11 @@ def _places(walker: Declaration) -> list[str]:
     motors = [record(walker, one) for one in walker.actuators]
     arrays = [
         ("P", "parameter in the array p", [(a.name, a.unit, a.meaning) for a in walker.parameters]),
-        ("Q", "coordinate in q, and of its rate in v", [(c.name, c.unit, c.meaning) for c in walker.coordinates]),
+        (
+            "Q",
+            "coordinate in q, and of its rate in v",
+            [(c.name, c.unit, c.meaning) for c in walker.coordinates],
+        ),
         ("U", "motor's torque in u", [(m.name, m.unit, m.meaning) for m in motors]),
         ("Z", "entry of a section point z", [(s, *known[s]) for s in walker.section_names]),
     ]
@@ -143,7 +154,10 @@ def _parameters(walker: Declaration) -> list[str]:
         return []
     name, upper, size = walker.name, walker.name.upper(), len(walker.parameters)
     width = max(len(a.name) for a in walker.parameters) + 1
-    lines = ["/** Parameters by name, in the order of the array p. */", f"typedef struct {name}_parameters {{"]
+    lines = [
+        "/** Parameters by name, in the order of the array p. */",
+        f"typedef struct {name}_parameters {{",
+    ]
     lines += [f"    {REAL} {a.name + ';':<{width}} /* [{a.unit}] {a.meaning} */" for a in walker.parameters]
     lines += [f"}} {name}_parameters;", ""]
     values = ", ".join(repr(float(a.default)) for a in walker.parameters)
@@ -163,7 +177,9 @@ def _parameters(walker: Declaration) -> list[str]:
 
 def _status(walker: Declaration) -> list[str]:
     name, upper = walker.name, walker.name.upper()
-    entries = [(f"{upper}_{word}" + (" = 0" if i == 0 else ""), text) for i, (word, text) in enumerate(STATUS)]
+    entries = [
+        (f"{upper}_{word}" + (" = 0" if i == 0 else ""), text) for i, (word, text) in enumerate(STATUS)
+    ]
     head = ["/** How a swing phase or a walking step ended. */", f"typedef enum {name}_status {{"]
     return [*head, *_aligned(entries), f"}} {name}_status;", ""]
 
