@@ -1,4 +1,4 @@
-"""C for a controller: a model's equations, the function that takes a step, and a limit cycle, in one folder."""
+"""C for a controller: a model's equations, a function that takes a step, and a limit cycle, in one folder."""
 
 import re
 from pathlib import Path
@@ -114,12 +114,12 @@ def _between(q: Array, v: Array, t: Array) -> tuple[float, float]:
     return float(np.abs(middle - q[:, 1::2]).max()), float(np.abs(rate - v[:, 1::2]).max())
 
 
-def _measured(orbit: Orbit) -> list[tuple[str, str, str]]:
-    """A few measured quantities, each with value, unit and meaning."""
+def _measured(orbit: Orbit) -> list[tuple[str, str]]:
+    """A few measured quantities, each with its value and unit."""
     units, shown = orbit.model.spec.units, []
     of = {"step_length": units.length, "speed": units.rate(units.length), "cot": "1", "spectral_radius": "1"}
     for name, unit in {**of, "integration_error": "1"}.items():
         value = orbit.measures.get(name)
         if isinstance(value, float):
-            shown.append((name, f"{value:.9g} [{unit}]", orbit.model.measured[name].label))
+            shown.append((orbit.model.measured[name].label, f"{value:.9g} [{unit}]"))
     return shown

@@ -8,7 +8,7 @@ float where ``STRIDEMAP_FLOAT`` is defined.
 import math
 import re
 import textwrap
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 from stridemap.derive.elementary import CALLS
 from stridemap.derive.printers.printer import Equations, Printer
@@ -205,3 +205,11 @@ def wrapped(line: str) -> list[str]:
     """A line as several, where it is longer than 110 characters."""
     indent = " * " if line.startswith(" * ") else " " * (len(line) - len(line.lstrip()) + 8)
     return textwrap.wrap(line, 110, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False)
+
+
+def aligned(entries: Sequence[tuple[str, str]]) -> list[str]:
+    """Entries of a list in braces, with comments beside them."""
+    last = len(entries) - 1
+    texts = [name + ("," if i < last else "") for i, (name, _) in enumerate(entries)]
+    width = max(map(len, texts))
+    return [f"    {text:<{width}} /* {meaning} */" for text, (_, meaning) in zip(texts, entries, strict=True)]

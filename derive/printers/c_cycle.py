@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
-from stridemap.derive.printers.c import REAL, wrapped
+from stridemap.derive.printers.c import REAL, aligned, wrapped
 from stridemap.spec import ModelSpec
 
 Rows = Sequence[Sequence[float]]
@@ -17,8 +17,8 @@ class Cycle:
     ----------
     summary : str
         The cycle in a few words.
-    measured : sequence of (str, str, str)
-        Name, value with its unit, and meaning of what is worth knowing of it.
+    measured : sequence of (str, str)
+        What is worth knowing of it: name, and value with its unit.
     params : sequence of float
     z : sequence of rows
         Section point just after the touchdown that begins each walking step.
@@ -33,7 +33,7 @@ class Cycle:
     """
 
     summary: str
-    measured: Sequence[tuple[str, str, str]]
+    measured: Sequence[tuple[str, str]]
     params: Sequence[float]
     z: Rows
     periods: Sequence[float]
@@ -68,9 +68,14 @@ def cycle_header(spec: ModelSpec, cycle: Cycle, name: str) -> str:
         "",
         f'#include "{spec.name}_step.h"',
         "",
+        *_QUIET,
         "enum {",
-        f"    {upper}_STEPS = {len(cycle.z)}, /* walking steps after which it closes */",
-        f"    {upper}_ROWS = {len(cycle.q[0])} /* of the motion of each step, with both ends */",
+        *aligned(
+            [
+                (f"{upper}_STEPS = {len(cycle.z)}", "walking steps after which it closes"),
+                (f"{upper}_ROWS = {len(cycle.q[0])}", "of the motion of each step, with both ends"),
+            ]
+        ),
         "};",
         "",
         *_parameters(spec, cycle, name),
@@ -88,6 +93,7 @@ def cycle_header(spec: ModelSpec, cycle: Cycle, name: str) -> str:
         "};",
         "",
         *_tables(spec, cycle, name),
+        *_AGAIN,
         *_between(spec, cycle, name),
         f"#endif /* {guard} */",
         "",
@@ -95,14 +101,26 @@ def cycle_header(spec: ModelSpec, cycle: Cycle, name: str) -> str:
     return "\n".join(lines)
 
 
-def _facts(measured: Sequence[tuple[str, str, str]]) -> list[str]:
+_QUIET = (
+    "#if defined STRIDEMAP_FLOAT && defined __GNUC__",
+    "#pragma GCC diagnostic push",
+    '#pragma GCC diagnostic ignored "-Wfloat-conversion" /* the digits are those of doubles */',
+    "#endif",
+    "",
+)
+_AGAIN = (
+    "#if defined STRIDEMAP_FLOAT && defined __GNUC__",
+    "#pragma GCC diagnostic pop",
+    "#endif",
+    "",
+)
+
+
+def _facts(measured: Sequence[tuple[str, str]]) -> list[str]:
     if not measured:
         return []
-    widths = [max(len(row[i]) for row in measured) for i in range(2)]
-    return [
-        " *",
-        *(f" *  {name:<{widths[0]}}  {value:<{widths[1]}}  {text}" for name, value, text in measured),
-    ]
+    width = max(len(name) for name, _ in measured)
+    return [" *", *(f" *  {name:<{width}}  {value}" for name, value in measured)]
 
 
 def _parameters(spec: ModelSpec, cycle: Cycle, name: str) -> list[str]:
@@ -120,13 +138,8 @@ def _parameters(spec: ModelSpec, cycle: Cycle, name: str) -> list[str]:
 
 def _described(values: Sequence[float], entries: Sequence[tuple[str, str, str]]) -> list[str]:
     """Numbers with what they are beside them."""
-    last = len(values) - 1
-    texts = [_number(value) + ("," if i < last else "") for i, value in enumerate(values)]
-    width = max(map(len, texts))
-    return [
-        f"    {text:<{width}} /* {name} [{unit}] {meaning} */"
-        for text, (name, unit, meaning) in zip(texts, entries, strict=True)
-    ]
+    described = (f"{name} [{unit}] {meaning}" for name, unit, meaning in entries)
+    return aligned(list(zip(map(_number, values), described, strict=True)))
 
 
 def _tables(spec: ModelSpec, cycle: Cycle, name: str) -> list[str]:
@@ -175,8 +188,10 @@ static inline void {name}_at(int step, {REAL} t, {REAL} q[{n}], {REAL} v[{n}])
     row = s < {last} ? (int) s : {last - 1};
     s -= ({REAL}) row;
     for (i = 0; i < {n}; i++) {{
-        const {REAL} a = {name}_q[step][row][i], b = {name}_q[step][row + 1][i];
-        const {REAL} da = h * {name}_v[step][row][i], db = h * {name}_v[step][row + 1][i];
+        const {REAL} a = {name}_q[step][row][i];
+        const {REAL} b = {name}_q[step][row + 1][i];
+        const {REAL} da = h * {name}_v[step][row][i];
+        const {REAL} db = h * {name}_v[step][row + 1][i];
         const {REAL} c2 = 3 * (b - a) - 2 * da - db, c3 = da + db - 2 * (b - a);
         q[i] = a + s * (da + s * (c2 + s * c3));
         v[i] = (da + s * (2 * c2 + s * (3 * c3))) / h;

@@ -4,11 +4,11 @@ It is built on the readable equations of `stridemap.derive.printers.c`, and like
 keeps nothing between calls.
 """
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 
 from stridemap.derive.declaration import Declaration
 from stridemap.derive.motors import record
-from stridemap.derive.printers.c import REAL, array, banner, wrapped
+from stridemap.derive.printers.c import REAL, aligned, array, banner, wrapped
 from stridemap.derive.printers.c_step_source import SOURCE
 from stridemap.derive.printers.printer import Equations
 
@@ -39,7 +39,7 @@ integration step, with its rate, and a zero between two of them is located to ro
 )
 STEP = (
     "One walking step: from just after one touchdown to just after the next, with the legs swapped.",
-    """Where it does not end with a touchdown, z stays as it is, and the period is the time at which the motion
+    """Where it does not end with a touchdown, z stays as it is, and period is the time at which the motion
 ended. As in the simulator, the walk goes on where the ground would have to pull.""",
     (
         ("inout", "z", "point on the section, just after touchdown"),
@@ -116,7 +116,7 @@ def _places(walker: Declaration) -> list[str]:
         ("Z", len(walker.section_names), "entries of a section point"),
     ]
     lines = ["/** Numbers of entries. */", "enum {"]
-    lines += _aligned([(f"{walker.name.upper()}_N_{x} = {n}", meaning) for x, n, meaning in counts])
+    lines += aligned([(f"{walker.name.upper()}_N_{x} = {n}", meaning) for x, n, meaning in counts])
     lines += ["};", ""]
     known = {c.name: (c.unit, c.meaning) for c in walker.coordinates}
     known |= {c.rate.name: (walker.units.rate(c.unit), f"rate of {c.name}") for c in walker.coordinates}
@@ -135,24 +135,16 @@ def _places(walker: Declaration) -> list[str]:
         if entries:
             lines += [f"/** Place of each {what}. */", "enum {"]
             prefix = f"{walker.name.upper()}_{letter}_"
-            lines += _aligned([(f"{prefix}{name}", f"[{unit}] {meaning}") for name, unit, meaning in entries])
+            lines += aligned([(f"{prefix}{name}", f"[{unit}] {meaning}") for name, unit, meaning in entries])
             lines += ["};", ""]
     return lines
 
 
-def _aligned(entries: Sequence[tuple[str, str]]) -> list[str]:
-    """Enumerators with comments beside them."""
-    last = len(entries) - 1
-    texts = [name + ("," if i < last else "") for i, (name, _) in enumerate(entries)]
-    width = max(map(len, texts))
-    return [f"    {text:<{width}} /* {meaning} */" for text, (_, meaning) in zip(texts, entries, strict=True)]
-
-
 def _parameters(walker: Declaration) -> list[str]:
-    """The parameters as a structure, with the preset, and their ways to the array and back."""
+    """The parameters as a structure, with the preset, and the ways to the array and back."""
     if not walker.parameters:
         return []
-    name, upper, size = walker.name, walker.name.upper(), len(walker.parameters)
+    name, size = walker.name, len(walker.parameters)
     width = max(len(a.name) for a in walker.parameters) + 1
     lines = [
         "/** Parameters by name, in the order of the array p. */",
@@ -160,17 +152,16 @@ def _parameters(walker: Declaration) -> list[str]:
     ]
     lines += [f"    {REAL} {a.name + ';':<{width}} /* [{a.unit}] {a.meaning} */" for a in walker.parameters]
     lines += [f"}} {name}_parameters;", ""]
-    values = ", ".join(repr(float(a.default)) for a in walker.parameters)
-    lines += ["/** The preset, which begins a structure or an array. */"]
-    preset = _fit(f"#define {upper}_PRESET {{{values}}}")
-    lines += [line + " \\" * (i + 1 < len(preset)) for i, line in enumerate(preset)] + [""]
-    both = [
+    ways = [
+        ("preset", [f"{name}_parameters *named"], "named->{a} = ({real}) {default!r};"),
         ("to_array", [f"const {name}_parameters *named", f"{REAL} p[{size}]"], "p[{i}] = named->{a};"),
         ("from_array", [f"{name}_parameters *named", f"const {REAL} p[{size}]"], "named->{a} = p[{i}];"),
     ]
-    for way, arguments, assignment in both:
+    for way, arguments, assignment in ways:
         lines += [*_head("static inline void", f"{name}_parameters_{way}", arguments), "{"]
-        lines += [f"    {assignment.format(i=i, a=a.name)}" for i, a in enumerate(walker.parameters)]
+        for i, a in enumerate(walker.parameters):
+            one = assignment.format(i=i, a=a.name, real=REAL, default=float(a.default))
+            lines.append(f"    {one}")
         lines += ["}", ""]
     return lines
 
@@ -181,7 +172,7 @@ def _status(walker: Declaration) -> list[str]:
         (f"{upper}_{word}" + (" = 0" if i == 0 else ""), text) for i, (word, text) in enumerate(STATUS)
     ]
     head = ["/** How a swing phase or a walking step ended. */", f"typedef enum {name}_status {{"]
-    return [*head, *_aligned(entries), f"}} {name}_status;", ""]
+    return [*head, *aligned(entries), f"}} {name}_status;", ""]
 
 
 def _swing(walker: Declaration) -> list[str]:

@@ -41,8 +41,8 @@ def derive(
         str | None,
         typer.Argument(
             metavar="MODEL",
-            help="Python file that declares a model, or with --out the name of a built-in one; without it, all "
-            "built-in ones.",
+            help="Python file that declares a model, or with --out the name of a built-in one; without it, "
+            "all built-in ones.",
         ),
     ] = None,
     out: Annotated[Path | None, typer.Option(help="Folder for the files of the model.")] = None,
@@ -53,15 +53,13 @@ def derive(
         str | None,
         typer.Option(
             metavar="N|stable",
-            help="Write a limit cycle, too, as a C header: this one, as `stridemap orbit` numbers them, or the "
-            "most stable one.",
+            help="Write a limit cycle, too, as a C header: this one, as `stridemap orbit` numbers them, or "
+            "the most stable one.",
         ),
     ] = None,
     set_: SetOption = None,
     period_n: PeriodNOption = 1,
-    samples: Annotated[
-        int | None, whole("Rows of the cycle's reference motion per step; 65 by default.")
-    ] = None,
+    samples: Annotated[int | None, whole("Rows of the cycle's motion per step; 65 by default.")] = None,
     header: Annotated[
         str | None, typer.Option(metavar="NAME", help="Name of the cycle's header; MODEL_cycle by default.")
     ] = None,
