@@ -25,11 +25,11 @@ class Cycle:
     periods : sequence of float
         Of each walking step.
     multipliers : sequence of complex
-    q, v, u : sequence of tables
-        Coordinates, rates and torques of each walking step, one row for each of evenly spaced times, from the
-        beginning of the step to its end.
+    q, v, dv, u : sequence of tables
+        Coordinates, rates, accelerations and torques of each walking step, one row for each of evenly spaced
+        times, from the beginning of the step to its end.
     between : (float, float)
-        Largest differences of coordinates and of rates between rows, from cubic interpolation.
+        Largest errors of cubic interpolation between rows, in coordinates and in rates.
     """
 
     summary: str
@@ -40,6 +40,7 @@ class Cycle:
     multipliers: Sequence[complex]
     q: Sequence[Rows]
     v: Sequence[Rows]
+    dv: Sequence[Rows]
     u: Sequence[Rows]
     between: tuple[float, float]
 
@@ -105,6 +106,7 @@ _QUIET = (
     "#if defined STRIDEMAP_FLOAT && defined __GNUC__",
     "#pragma GCC diagnostic push",
     '#pragma GCC diagnostic ignored "-Wfloat-conversion" /* the digits are those of doubles */',
+    '#pragma GCC diagnostic ignored "-Wconversion"',
     "#endif",
     "",
 )
@@ -148,6 +150,7 @@ def _tables(spec: ModelSpec, cycle: Cycle, name: str) -> list[str]:
     tables = [
         ("q", "Coordinates", [c.name for c in spec.coordinates], cycle.q),
         ("v", "Rates", [f"d{c.name}" for c in spec.coordinates], cycle.v),
+        ("dv", "Accelerations", [f"dd{c.name}" for c in spec.coordinates], cycle.dv),
         ("u", "Torques", list(spec.actuated), cycle.u),
     ]
     lines = []
@@ -167,9 +170,18 @@ def _between(spec: ModelSpec, cycle: Cycle, name: str) -> list[str]:
     """The function that interpolates the motion."""
     n, last, (off_q, off_v) = len(spec.coordinates), len(cycle.q[0]) - 1, cycle.between
     text = f"""
+/* The cubic from a to b with these rates at its ends, at s from 0 to 1. */
+static inline {REAL} {name}_cubic({REAL} a, {REAL} b, {REAL} da,
+        {REAL} db, {REAL} s)
+{{
+    const {REAL} cubic = da + db - 2 * (b - a);
+
+    return a + s * (da + s * (b - a - da - cubic + s * cubic));
+}}
+
 /** The motion at a time since touchdown, by cubic interpolation.
  *
- * Between two rows it is off by at most {off_q:.1g} in q and {off_v:.1g} in v.
+ * Between two rows it is off by at most {off_q:.1e} in q and {off_v:.1e} in v.
  *
  *  in   step  walking step of the cycle, from 0
  *  in   t     time since touchdown; before 0 and after the period the motion is that at the end
@@ -188,13 +200,10 @@ static inline void {name}_at(int step, {REAL} t, {REAL} q[{n}], {REAL} v[{n}])
     row = s < {last} ? (int) s : {last - 1};
     s -= ({REAL}) row;
     for (i = 0; i < {n}; i++) {{
-        const {REAL} a = {name}_q[step][row][i];
-        const {REAL} b = {name}_q[step][row + 1][i];
-        const {REAL} da = h * {name}_v[step][row][i];
-        const {REAL} db = h * {name}_v[step][row + 1][i];
-        const {REAL} c2 = 3 * (b - a) - 2 * da - db, c3 = da + db - 2 * (b - a);
-        q[i] = a + s * (da + s * (c2 + s * c3));
-        v[i] = (da + s * (2 * c2 + s * (3 * c3))) / h;
+        q[i] = {name}_cubic({name}_q[step][row][i], {name}_q[step][row + 1][i],
+                h * {name}_v[step][row][i], h * {name}_v[step][row + 1][i], s);
+        v[i] = {name}_cubic({name}_v[step][row][i], {name}_v[step][row + 1][i],
+                h * {name}_dv[step][row][i], h * {name}_dv[step][row + 1][i], s);
     }}
 }}
 """

@@ -62,8 +62,15 @@ typedef struct compass_parameters {
     stridemap_real gamma; /* [rad] amplitude of the desired hip angle */
 } compass_parameters;
 
-/** The preset, which begins a structure or an array. */
-#define COMPASS_PRESET {3.0, 0.15, 10.0, 0.6, 0.18, 0.18}
+static inline void compass_parameters_preset(compass_parameters *named)
+{
+    named->omega = (stridemap_real) 3.0;
+    named->beta = (stridemap_real) 0.15;
+    named->Kp = (stridemap_real) 10.0;
+    named->Kd = (stridemap_real) 0.6;
+    named->S = (stridemap_real) 0.18;
+    named->gamma = (stridemap_real) 0.18;
+}
 
 static inline void compass_parameters_to_array(const compass_parameters *named, stridemap_real p[6])
 {
@@ -114,7 +121,7 @@ compass_status compass_swing(stridemap_real *t, stridemap_real q[2], stridemap_r
 
 /** One walking step: from just after one touchdown to just after the next, with the legs swapped.
  *
- * Where it does not end with a touchdown, z stays as it is, and the period is the time at which the motion
+ * Where it does not end with a touchdown, z stays as it is, and period is the time at which the motion
  * ended. As in the simulator, the walk goes on where the ground would have to pull.
  *
  *  inout z       point on the section, just after touchdown

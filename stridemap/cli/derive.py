@@ -176,7 +176,5 @@ def _chosen(orbits: "Orbits", cycle: str) -> "Orbit | None":
         best = min(orbits, key=lambda orbit: orbit.spectral_radius)
         return best if best.stable else None
     if not 1 <= int(cycle) <= len(orbits):
-        raise InputError(
-            f"--cycle {cycle} is not allowed: there are {len(orbits)} cycles at this point, from 1"
-        )
+        raise InputError(f"--cycle {cycle} is not allowed: 1 to {len(orbits)} (the cycles at this point)")
     return orbits[int(cycle) - 1]

@@ -193,7 +193,8 @@ def names_in_c():
     found = set()
     for path in (generated_folder() / "rimless_wheel").iterdir():
         if path.name in ("rimless_wheel_step.c", "rimless_wheel_step.h", "rimless_wheel.h"):
-            found |= set(WORD.findall(path.read_text()))
+            code = re.sub(r"/\*.*?\*/", "", path.read_text(), flags=re.DOTALL)
+            found |= set(WORD.findall(code))
     own = {"theta", "dtheta", "slope", "spokes", "lambda2"}
     found = {n for n in found if not n.startswith("_") and meaning(n) is None and n not in own}
     return sorted(n for n in found if not VARIANT.search(n))
@@ -213,7 +214,7 @@ def test_no_name_of_a_parameter_collides(tmp_path):
     """A header with every such name, and names that differ in case only, used as C and as C++."""
     names = [*names_in_c(), "c_arm", "C_arm", "kp", "COUNT", "STEPS"]
     assert {"N", "REAL", "STAGES", "moment", "after", "named", "rimless_wheel_step"} <= {*names}
-    assert len(names) > 200
+    assert len(names) > 150
     wheel = WALKERS["rimless_wheel"]
     extra = tuple(Parameter(name, 0.5, "1", "a parameter") for name in names)
     # The header needs the declaration alone.
