@@ -25,7 +25,7 @@ MOST_SAMPLES = 10_001
 
 
 def write_c(
-    orbit: Orbit, folder: str | Path, *, samples: int = SAMPLES, header: str | None = None
+    orbit: Orbit, folder: str | Path, *, samples: int | None = None, header: str | None = None
 ) -> list[Path]:
     """Write a limit cycle as a C header, beside the generated code of its model.
 
@@ -34,8 +34,8 @@ def write_c(
     orbit : Orbit
     folder : path
         Made if it does not exist.
-    samples : int
-        Rows of the reference motion of each walking step, both ends included.
+    samples : int, optional
+        Rows of the reference motion of each walking step, both ends included; by default 65.
     header : str, optional
         Name of the header without its ending, with which all that is in it begins; by default
         ``<model>_cycle``. Headers of several cycles may be included together.
@@ -52,10 +52,11 @@ def write_c(
         holds another model's code.
     """
     orbit._require_found()
-    whole("samples", samples, 2, MOST_SAMPLES)
+    rows = SAMPLES if samples is None else samples
+    whole("samples", rows, 2, MOST_SAMPLES)
     model, target = orbit.model, Path(folder)
     name = _header_name(model, header)
-    text = cycle_header(model.spec, _cycle(orbit, samples), name)
+    text = cycle_header(model.spec, _cycle(orbit, rows), name)
     check_folder(target, model.name)
     return put_all(target, {**contents_of(model), f"{name}.h": text.encode()})
 

@@ -11,8 +11,10 @@ from stridemap.cli.options import (
     NOTHING,
     DeriveTimeoutOption,
     PeriodNOption,
+    SearchOption,
     SetOption,
     WithParameters,
+    option_values,
     parameters,
     whole,
 )
@@ -59,6 +61,10 @@ def derive(
     ] = None,
     set_: SetOption = None,
     period_n: PeriodNOption = 1,
+    starts: Annotated[
+        int | None, whole("Number of quasi-random starts of the search; 512 by default.")
+    ] = None,
+    search: SearchOption = None,
     samples: Annotated[int | None, whole("Rows of the cycle's motion per step; 65 by default.")] = None,
     header: Annotated[
         str | None, typer.Option(metavar="NAME", help="Name of the cycle's header; MODEL_cycle by default.")
@@ -72,19 +78,14 @@ def derive(
     """
     _check_words(context.args, model, out, check, cycle)
     if cycle is None:
-        of_cycles = {"--set": set_, "--samples": samples, "--header": header}
-        given = [name for name, value in of_cycles.items() if value is not None]
-        given += ["--period-n"] * (period_n != 1)
-        if given:
-            raise InputError(
-                f"{given[0]} is for a limit cycle; add --cycle {STABLE}, or leave {given[0]} out"
-            )
+        _refuse_of_cycles(set_, period_n, starts, search, samples, header)
     if model is None:
         return _built_in(check)
     if cycle is not None:
         assert out is not None
-        options: dict[str, Any] = {"header": header} | ({} if samples is None else {"samples": samples})
-        return _with_cycle(model, out, cycle, parameters(context.args, set_), period_n, options)
+        point = {"params": parameters(context.args, set_), "period_n": period_n}
+        how = option_values("--search", search) | ({} if starts is None else {"starts": starts})
+        return _with_cycle(model, out, cycle, point, how, samples=samples, header=header)
     return _written(model, out)
 
 
@@ -103,6 +104,15 @@ def _check_words(
         raise InputError(f"{what} (parameters are those of a limit cycle: they need --cycle)")
     if model is None and out is not None:
         raise InputError("--out is for one model; name it, or leave --out out")
+
+
+def _refuse_of_cycles(set_: Any, period_n: int, *others: Any) -> None:
+    """Refuse options that say which limit cycle and how, where none is asked for."""
+    names = ("--starts", "--search", "--samples", "--header")
+    given = {"--set": set_, **dict(zip(names, others, strict=True)), "--period-n": period_n != 1 or None}
+    for name, value in given.items():
+        if value is not None and value != []:
+            raise InputError(f"{name} is for a limit cycle; add --cycle {STABLE}, or leave {name} out")
 
 
 def _built_in(check: bool) -> int:
@@ -146,15 +156,16 @@ def _written(model: str, out: Path | None) -> int:
 
 
 def _with_cycle(
-    model: str, out: Path, cycle: str, params: dict[str, Any], period_n: int, options: dict[str, Any]
+    model: str, out: Path, cycle: str, point: dict[str, Any], search: dict[str, Any], **header: Any
 ) -> int:
     """Write the files of a model and a limit cycle."""
     from stridemap.controller import write_c
     from stridemap.solver.api.points import find_orbits
+    from stridemap.solver.options import SearchOptions
 
-    if cycle != STABLE and not cycle.isdecimal():
+    if cycle != STABLE and not (cycle.isdecimal() and len(cycle) < 10):
         raise InputError(f"--cycle {cycle} is not allowed: a number from 1, or {STABLE}")
-    orbits = find_orbits(model, params, period_n=period_n)
+    orbits = find_orbits(model, **point, options=SearchOptions.from_mapping(search))
     if not len(orbits):
         print("no limit cycle found", file=sys.stderr)
         return NOTHING
@@ -165,7 +176,7 @@ def _with_cycle(
             file=sys.stderr,
         )
         return NOTHING
-    for path in write_c(chosen, out, **options):
+    for path in write_c(chosen, out, **header):
         print(path)
     return FOUND
 

@@ -134,3 +134,16 @@ def test_each_example_is_a_page(script):
 def test_every_example_has_a_test():
     tested = re.findall(r"example\((\d)\)", Path(__file__).read_text("utf-8"))
     assert tested == [script.stem[0] for script in SCRIPTS]
+
+
+def test_walk_with_the_c(example):
+    names, out = example(7)
+    assert len(names["simulated"]) == 20
+    assert names["off_double"].max() < 1e-9
+    assert 1e-9 < names["off_float"].max() < 1e-4
+    # The push is felt: the walk does not merely stand on the cycle.
+    assert np.abs(names["simulated"][0] - names["fixed_point"]).max() > 1e-3
+    room = names["room"]  # code of the step and of the equations, and stack
+    assert all(500 < size < 20_000 for sizes in room.values() for size in sizes)
+    assert room["float"][2] < 0.8 * room["double"][2]
+    assert len(re.findall(r"[\d,]+ bytes of code in the step function, [\d,]+ in the equations", out)) == 2

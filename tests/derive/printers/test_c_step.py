@@ -250,3 +250,12 @@ def test_names_and_arrays_have_the_same_order():
             assert f"{name.upper()}_N_{letter} = {spec.size(argument)}" in header
         fields = re.search(r"typedef struct \w+ \{(.*?)\}", header, flags=re.S)[1]
         assert re.findall(r"^    stridemap_real (\w+);", fields, flags=re.M) == list(spec.names)
+
+
+def test_the_page_says_what_the_header_says():
+    """Prototype and statuses on the page are those of the wobbling walker."""
+    page = (generated_folder().parent / "docs" / "controller.md").read_text()
+    header = load("wobbling").text("wobbling_step.h")
+    (prototype,) = re.findall(r"^wobbling_status wobbling_step\(.*?;$", header, flags=re.M | re.S)
+    assert prototype in page
+    assert set(re.findall(r"`WOBBLING_([A-Z_]+)`", page)) - {"N_P"} == set(STATUS)
