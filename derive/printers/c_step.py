@@ -51,11 +51,60 @@ ended. As in the simulator, the walk goes on where the ground would have to pull
 )
 
 
+CALLED = r"""
+/* -- what callers call -------------------------------------------------------------------------------- */
+
+@swing@
+{
+    moment at;
+    int how;
+
+    if (!(dt > REAL(0.0) && dt <= LARGEST) || most < 1)
+        return @MODEL@_NOT_ALLOWED;
+    at.t = *t;
+    for (int i = 0; i < N; i++) {
+        at.q[i] = q[i];
+        at.v[i] = v[i];
+    }
+    how = swing_phase(&at, p, dt, most);
+    *t = at.t;
+    for (int i = 0; i < N; i++) {
+        q[i] = at.q[i];
+        v[i] = at.v[i];
+    }
+    return (@model@_status) how;
+}
+
+@step@
+{
+    moment at, next;
+    int how;
+
+    *period = REAL(0.0);
+    if (!(dt > REAL(0.0) && dt <= LARGEST) || most < 1)
+        return @MODEL@_NOT_ALLOWED;
+    at.t = REAL(0.0);
+    @model@_section_state(z, p, at.q, at.v);
+    how = swing_phase(&at, p, dt, most);
+    *period = at.t;
+    if (how != @MODEL@_TOUCHDOWN)
+        return (@model@_status) how;
+    next.t = REAL(0.0);
+    @model@_impact_map(at.t, at.q, at.v, 0, p, next.q, next.v);
+    if (!is_finite(&next))
+        return @MODEL@_NOT_FINITE;
+@landed@
+    return @MODEL@_TOUCHDOWN;
+}
+"""
+"""What callers call, behind the rest of the source."""
+
+
 def step_header(equations: Equations) -> str:
     """The header file: places in the arrays, parameters by name, statuses, and the two functions."""
     walker, upper = equations.walker, equations.model.upper()
     guard = f"STRIDEMAP_{upper}_STEP_H"
-    lines = [*banner(equations), f"#ifndef {guard}", f"#define {guard}", ""]
+    lines = [*banner(equations, "a walking step"), f"#ifndef {guard}", f"#define {guard}", ""]
     lines += [f'#include "{equations.model}.h"', "", "#ifdef STRIDEMAP_FLOAT"]
     lines += [
         f"#define {equations.model}_{name} {equations.model}_{name}_float" for name in ("swing", "step")
@@ -96,11 +145,14 @@ def step_source(equations: Equations) -> str:
         "step": "\n".join(_step(walker)),
         "landed": "\n".join(_landed(walker)),
     }
-    text = SOURCE
+    text = SOURCE + CALLED
     for name, value in filled.items():
         text = text.replace(f"@{name}@", value)
     return "\n".join(
-        [*banner(equations), *(part for line in text.lstrip().split("\n") for part in _fit(line))]
+        [
+            *banner(equations, "a walking step"),
+            *(part for line in text.lstrip().split("\n") for part in _fit(line)),
+        ]
     )
 
 

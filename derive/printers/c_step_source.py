@@ -1,4 +1,4 @@
-"""The C of the step function, for any walker: what is written @SO@ is filled in by `c_step`.
+"""What the step function in C is made of, for any walker: what is written @SO@ is filled in by `c_step`.
 
 It decides as `stridemap.solver.walks` does what ends a swing phase. Between two samples of the motion, which
 are the ends of Runge-Kutta steps, a zero is located by Newton's method on the length of a step from the first
@@ -32,7 +32,7 @@ SOURCE = r"""
 #endif
 
 enum {
-    N = @n@,      /* coordinates */
+    N = @n@, /* coordinates */
     STAGES = 6, /* of the Runge-Kutta method */
     TRIES = 60, /* most steps of a search for a zero; half a dozen are usual */
     AUTONOMOUS = @autonomous@, /* whether the motion depends on the state alone, not on a clock */
@@ -359,50 +359,5 @@ static int swing_phase(moment *at, const stridemap_real *p, stridemap_real dt, i
         left = right;
     }
     return @MODEL@_NO_TOUCHDOWN;
-}
-
-/* -- what callers call -------------------------------------------------------------------------------- */
-
-@swing@
-{
-    moment at;
-    int how;
-
-    if (!(dt > REAL(0.0) && dt <= LARGEST) || most < 1)
-        return @MODEL@_NOT_ALLOWED;
-    at.t = *t;
-    for (int i = 0; i < N; i++) {
-        at.q[i] = q[i];
-        at.v[i] = v[i];
-    }
-    how = swing_phase(&at, p, dt, most);
-    *t = at.t;
-    for (int i = 0; i < N; i++) {
-        q[i] = at.q[i];
-        v[i] = at.v[i];
-    }
-    return (@model@_status) how;
-}
-
-@step@
-{
-    moment at, next;
-    int how;
-
-    *period = REAL(0.0);
-    if (!(dt > REAL(0.0) && dt <= LARGEST) || most < 1)
-        return @MODEL@_NOT_ALLOWED;
-    at.t = REAL(0.0);
-    @model@_section_state(z, p, at.q, at.v);
-    how = swing_phase(&at, p, dt, most);
-    *period = at.t;
-    if (how != @MODEL@_TOUCHDOWN)
-        return (@model@_status) how;
-    next.t = REAL(0.0);
-    @model@_impact_map(at.t, at.q, at.v, 0, p, next.q, next.v);
-    if (!is_finite(&next))
-        return @MODEL@_NOT_FINITE;
-@landed@
-    return @MODEL@_TOUCHDOWN;
 }
 """
