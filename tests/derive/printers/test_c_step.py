@@ -4,6 +4,7 @@ import re
 import shutil
 import subprocess
 from collections import Counter
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -13,7 +14,7 @@ from stridemap.codegen import generated_folder
 from stridemap.derive import Parameter
 from stridemap.derive.models import WALKERS
 from stridemap.derive.printers.c_step import STATUS as DOCUMENTED
-from stridemap.derive.printers.c_step import step_header
+from stridemap.derive.printers.c_step import step_header, step_source
 from stridemap.derive.printers.printer import Equations
 from stridemap.derive.validate.reserved import meaning
 from stridemap.solver.model.loading import load
@@ -144,6 +145,17 @@ def test_every_way_to_fail_has_a_status(in_c):
     for dt, most in ((0.0, 10), (-0.01, 10), (np.nan, 10), (np.inf, 10), (0.01, 0), (0.01, -1)):
         assert step(z, p, dt, most)[0] == "NOT_ALLOWED", (dt, most)
     assert STATUS == tuple(word for word, _ in DOCUMENTED)
+
+
+@pytest.mark.parametrize("name", MODELS)
+def test_what_is_generated_is_what_the_printer_writes(name):
+    """What is tested here is what would be printed now; no equation needs to be derived for that."""
+    spec = load(name).spec
+    read = [SimpleNamespace(name=a) for a in spec.functions["state_derivative"].arguments]
+    program = SimpleNamespace(name="state_derivative", arguments=read)
+    equations = Equations(WALKERS[name], (program,), spec.generator, spec.hash)
+    assert step_header(equations) == load(name).text(f"{name}_step.h")
+    assert step_source(equations) == load(name).text(f"{name}_step.c")
 
 
 # -- compilers -----------------------------------------------------------------------------------------------
