@@ -175,12 +175,14 @@ def test_it_compiles_without_a_warning(name, tmp_path):
     """In both precisions, as C and as C++; with both compilers, but not in every combination."""
     where = generated_folder() / name
     source, target = where / f"{name}_step.c", tmp_path / "out.o"
-    for compiler, flags in [
-        ("gcc", AS_C),
-        ("clang", [*AS_C, "-DSTRIDEMAP_FLOAT"]),
-        ("g++", [*AS_CPP, "-DSTRIDEMAP_FLOAT"]),
-        ("clang++", AS_CPP),
-    ]:
+    ways = [("gcc", AS_C), ("clang++", [*AS_CPP, "-DSTRIDEMAP_FLOAT"])]
+    if name in ("wobbling", "rimless_wheel"):  # falls are told in two ways, by a leg's angle and by a height
+        ways += [
+            ("clang", [*AS_C, "-DSTRIDEMAP_FLOAT"]),
+            ("g++", AS_CPP),
+            ("gcc", [*AS_C, "-DSTRIDEMAP_FLOAT"]),
+        ]
+    for compiler, flags in ways:
         compiled(compiler, flags, where, source, target)
 
 
