@@ -176,7 +176,7 @@ def test_it_compiles_without_a_warning(name, tmp_path):
     where = generated_folder() / name
     source, target = where / f"{name}_step.c", tmp_path / "out.o"
     ways = [("gcc", AS_C), ("clang++", [*AS_CPP, "-DSTRIDEMAP_FLOAT"])]
-    if name in ("wobbling", "rimless_wheel"):  # falls are told in two ways, by a leg's angle and by a height
+    if name in ("wobbling", "rimless_wheel"):  # a fall is seen by an angle, or by a height
         ways += [
             ("clang", [*AS_C, "-DSTRIDEMAP_FLOAT"]),
             ("g++", AS_CPP),
