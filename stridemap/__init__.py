@@ -19,6 +19,7 @@ from stridemap.services import provide
 # `import stridemap` loads next to nothing.
 if TYPE_CHECKING:
     from stridemap.codegen import derive_model
+    from stridemap.controller import write_c
     from stridemap.errors import CompilerError, InputError, StorageError, StridemapError, WorkerError
     from stridemap.paper.claim import Claim, Verdict
     from stridemap.paper.evaluate import claims

@@ -18,7 +18,7 @@ from stridemap.cli.animate import animate
 from stridemap.cli.boundary import boundary
 from stridemap.cli.branch import branch
 from stridemap.cli.claims import claims
-from stridemap.cli.derive import derive
+from stridemap.cli.derive import WithModel, derive
 from stridemap.cli.figures import figures
 from stridemap.cli.find import find
 from stridemap.cli.options import (
@@ -50,9 +50,10 @@ app = typer.Typer(
 )
 
 _WITH_PARAMETERS: tuple[Callable[..., int], ...] = (orbit, find, branch, simulate, animate)
-_PLAIN: tuple[Callable[..., int], ...] = (sweep, report, claims, figures, derive, version)
+_PLAIN: tuple[Callable[..., int], ...] = (sweep, report, claims, figures, version)
 for command in _WITH_PARAMETERS:
     app.command(cls=WithParameters, context_settings=PARAMETERS)(with_quiet(command))
+app.command(cls=WithModel, context_settings=PARAMETERS)(with_quiet(derive))
 app.command(cls=WithRanges, context_settings=PARAMETERS)(with_quiet(boundary))
 for command in _PLAIN:
     app.command()(command if command is version else with_quiet(command))
