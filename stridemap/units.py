@@ -11,10 +11,8 @@ product or a quotient with a unit that is formed from these three.
 31.392
 """
 
-import ast
 import difflib
 import math
-import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
@@ -22,6 +20,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stridemap import quantities
+from stridemap.columns import unit_value
 from stridemap.errors import InputError
 from stridemap.quantities import KINDS as KINDS
 
@@ -141,10 +140,7 @@ class Units:
         values = {"M": self.mass, "L": self.leg_length, "g": self.gravity, "rad": 1.0}
         try:
             text = KINDS[quantity][0] if quantity in KINDS else quantity
-            # Between two factors a blank means a product.
-            tree = ast.parse(re.sub(r"(?<=[\w)])\s+(?=[\w(])", "*", text.strip()).replace("^", "**"))
-            (statement,) = tree.body
-            return _value(statement.value, values)  # type: ignore[attr-defined]
+            return unit_value(text, values)
         except (
             ArithmeticError,
             AttributeError,
@@ -280,24 +276,6 @@ def _load(model: Any) -> Any:
     from stridemap.solver.model.loading import load
 
     return load(model)
-
-
-def _value(node: ast.expr, values: Mapping[str, float]) -> float:
-    """The value of a parsed unit; raises anything for what is not a unit."""
-    match node:
-        case ast.Name(id=name):
-            return values[name]
-        case ast.Constant(value=int(one)) if one == 1 and one is not True:
-            return 1.0
-        case ast.BinOp(left=left, op=ast.Pow(), right=ast.Constant(value=int(power))) if power <= 9:
-            return _value(left, values) ** power
-        case ast.BinOp(left=left, op=ast.Mult(), right=right):
-            return _value(left, values) * _value(right, values)
-        case ast.BinOp(left=left, op=ast.Div(), right=right):
-            return _value(left, values) / _value(right, values)
-        case ast.Call(func=ast.Name(id="sqrt"), args=[radicand], keywords=[]):
-            return math.sqrt(_value(radicand, values))
-    raise ValueError
 
 
 def _number(value: Any, name: str) -> float:
