@@ -55,6 +55,8 @@ if TYPE_CHECKING:
     from stridemap.sweeps.config import SweepConfig, load_config, parse_config
     from stridemap.sweeps.run import Progress, Summary, sweep
     from stridemap.sweeps.store import read_cells, read_orbits, read_provenance
+    from stridemap.tables.reading import read_table
+    from stridemap.tables.table import Table
     from stridemap.units import Units
     from stridemap.views.animation import animate
 
@@ -78,7 +80,12 @@ provide(
     branch_diagram="stridemap.views.branch_diagram:branch_diagram",
     derive_file="stridemap.codegen:derive_file",
     plot="stridemap.views.plots:plot",
+    plot_table="stridemap.views.scatter:plot_table",
+    show_html="stridemap.views.notebook:show_html",
     simulate="stridemap.solver.api.points:simulate",
+    table_of="stridemap.tables.table:table_of",
+    table_si="stridemap.tables.conversion:table_si",
+    to_xarray="stridemap.tables.gridded:to_xarray",
 )
 
 

@@ -159,7 +159,9 @@ def _si_unit(scale: str) -> str:
     if dimension in _NAMED:
         return f"{_NAMED[dimension]}{angle and f' {angle}'}"
     factors = [
-        f"{name}^{power:g}" if power != 1 else name for name, power in zip(_SI, dimension, strict=True) if power
+        f"{name}^{power:g}" if power != 1 else name
+        for name, power in zip(_SI, dimension, strict=True)
+        if power
     ]
     return " ".join([*factors, *([angle] if angle else [])])
 

@@ -3,7 +3,9 @@
 A leaf, like `stridemap.spec`: tables take their columns from here, and a declaration is checked against it.
 """
 
+import difflib
 import re
+from collections.abc import Iterable
 
 from stridemap.quantities import QUANTITIES
 
@@ -92,3 +94,10 @@ def column(name: str) -> str | None:
     if name.startswith("tangent_"):
         return "the tangent of a branch"
     return CELL_COLUMNS.get(name)
+
+
+def hint(name: str, known: Iterable[str]) -> str:
+    """Return " (did you mean ...?)" if one of the `known` names is close to `name`, else nothing."""
+    folded = {candidate.casefold(): candidate for candidate in known}
+    close = difflib.get_close_matches(name.casefold(), folded, n=1)
+    return f" (did you mean {folded[close[0]]}?)" if close else ""

@@ -9,7 +9,9 @@ from typing import Any, Self, overload
 import numpy as np
 from numpy.typing import NDArray
 
+from stridemap.columns import described
 from stridemap.errors import InputError
+from stridemap.services import service
 from stridemap.solver.cycles.orbit import Orbit, missing, plain
 from stridemap.solver.cycles.report import SearchReport
 from stridemap.solver.cycles.status import CODES, FOUND, STATUSES, Status
@@ -284,7 +286,15 @@ class Orbits(Sequence[Orbit]):
         for name, quantity in self.model.measured.items():
             if quantity.optional and quantity.type in NULLABLE:
                 frame[name] = frame[name].astype(NULLABLE[quantity.type])
-        return frame
+        return described(frame, self.model.spec, "limit cycles")
+
+    def to_xarray(self) -> Any:
+        """The cycles as an `xarray.Dataset` over the dimension ``cycle``, each variable with its unit."""
+        return service("to_xarray")(service("table_of")(self))
+
+    def plot(self, x: str, y: str, **options: Any) -> Any:
+        """Draw one column over another with matplotlib, a mark per cycle: see `stridemap.views.plot_table`."""
+        return service("plot_table")(service("table_of")(self), x, y, **options)
 
     # -- shown -------------------------------------------------------------------------------------------
 

@@ -19,10 +19,12 @@ from stridemap.cli.boundary import boundary
 from stridemap.cli.branch import branch
 from stridemap.cli.claims import claims
 from stridemap.cli.derive import derive
+from stridemap.cli.export import export
 from stridemap.cli.figures import figures
 from stridemap.cli.find import find
 from stridemap.cli.options import FOUND, INTERRUPTED, PARAMETERS, UNUSABLE, WithParameters, WithRanges
 from stridemap.cli.orbit import orbit
+from stridemap.cli.plot import plot
 from stridemap.cli.report import report
 from stridemap.cli.simulate import simulate
 from stridemap.cli.sweep import sweep
@@ -41,7 +43,7 @@ app = typer.Typer(
 )
 
 _WITH_PARAMETERS: tuple[Callable[..., int], ...] = (orbit, find, branch, simulate, animate)
-_PLAIN: tuple[Callable[..., int], ...] = (sweep, report, claims, figures, derive, version)
+_PLAIN: tuple[Callable[..., int], ...] = (sweep, plot, export, report, claims, figures, derive, version)
 for command in _WITH_PARAMETERS:
     app.command(cls=WithParameters, context_settings=PARAMETERS)(command)
 app.command(cls=WithRanges, context_settings=PARAMETERS)(boundary)

@@ -135,6 +135,18 @@ ContinuationOption = Annotated[
 TableOption = Annotated[
     Path | None, typer.Option("--out", metavar="FILE.parquet", help="Write all points as a table.")
 ]
+TableArgument = Annotated[
+    Path,
+    typer.Argument(
+        metavar="TABLE", help="Output folder of a sweep, or a table (.parquet, .csv) that stridemap wrote."
+    ),
+]
+TableModelOption = Annotated[
+    str | None,
+    typer.Option(
+        "--model", help="The table's model, where that is not a built-in one or a .csv does not say it."
+    ),
+]
 JsonOption = Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")]
 
 

@@ -125,6 +125,29 @@ def write(figure: Figure, folder: Path, name: str) -> list[Path]:
     return paths
 
 
+def save(figure: Figure, path: Path) -> Path:
+    """Write a figure in the format of its path's ending, without a date: equal figures are equal bytes.
+
+    Raises
+    ------
+    InputError
+        When the file cannot be written.
+    """
+    kind = path.suffix[1:]
+    content = io.BytesIO()
+    with styled():
+        figure.savefig(content, format=kind, metadata=_UNDATED.get(kind))
+    return put(path, content.getvalue())
+
+
+_UNDATED: dict[str, dict[str, None]] = {
+    "svg": {"Date": None, "Creator": None},
+    "png": {"Software": None},
+    "pdf": {"CreationDate": None, "Creator": None, "Producer": None},
+}
+"""What a file of each kind leaves out of its metadata."""
+
+
 def put(path: Path, content: bytes) -> Path:
     """Write a file, whose folder is made if it is not there.
 
