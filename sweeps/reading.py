@@ -63,6 +63,7 @@ class _Configuration(BaseModel):
     search: dict[Word, Setting]
     acceptance: dict[Word, Setting] = {}
     continuation: dict[Word, Setting] = {}
+    units: dict[Word, float] = {}
 
 
 class _Provenance(BaseModel):

@@ -6,7 +6,7 @@ from typing import Annotated
 import typer
 
 from stridemap.cli.options import FOUND, NOTHING, TableArgument, TableModelOption
-from stridemap.cli.si import UnitsOption, units_of
+from stridemap.cli.si import TableUnitsOption, table_units
 from stridemap.errors import InputError
 
 KINDS = ("csv", "mat", "nc", "parquet")
@@ -32,7 +32,7 @@ def export(
         str, typer.Option(metavar="DIMENSION", help="Of a sweep in nc, behind its grid: cycle or branch.")
     ] = "cycle",
     model: TableModelOption = None,
-    units: UnitsOption = None,
+    units: TableUnitsOption = None,
 ) -> int:
     """Write a table for other programs: of a sweep, a branch, limit cycles or a walk."""
     from stridemap.tables.export import check_ending
@@ -41,11 +41,10 @@ def export(
 
     target = _target(table, to, out)
     check_ending(target)
-    size = units_of(units)
-    read = read_table(table, model)
+    read = read_table(table, model, table_units(units))
     if where is not None:
         read = read.where(where)
-    for path in export_(read if size is None else read.to_si(size), target, by):
+    for path in export_(read, target, by):
         print(path)
     return FOUND if len(read) else NOTHING
 

@@ -6,7 +6,7 @@ from typing import Annotated
 import typer
 
 from stridemap.cli.options import FOUND, TableArgument, TableModelOption
-from stridemap.cli.si import UnitsOption, units_of
+from stridemap.cli.si import TableUnitsOption, table_units
 
 
 def plot(
@@ -24,7 +24,7 @@ def plot(
         typer.Option(metavar="CONDITION", help="Draw these rows only, such as 'stable and k < 10'."),
     ] = None,
     model: TableModelOption = None,
-    units: UnitsOption = None,
+    units: TableUnitsOption = None,
 ) -> int:
     """Draw one column of a table over another: of a sweep, a branch, limit cycles or a walk."""
     from stridemap.tables.reading import read_table
@@ -33,9 +33,8 @@ def plot(
     from stridemap.views.style import save
 
     check_picture(out)
-    read = read_table(table, model)
-    size = units_of(units)
-    figure = plot_table(read if size is None else read.to_si(size), x, y, colour=colour, where=where)
+    read = read_table(table, model, table_units(units))
+    figure = plot_table(read, x, y, colour=colour, where=where)
     save(figure, out)
     print(out)
     return FOUND

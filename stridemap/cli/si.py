@@ -6,9 +6,18 @@ import typer
 
 from stridemap.cli.options import assign, split
 
-
 if TYPE_CHECKING:
     from stridemap.units import Units
+
+TableUnitsOption = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--units",
+        metavar="NAME=VALUE,...",
+        help="Size of a robot, leg_length=0.75,mass=32 in m and kg, to convert to its SI units; by default those "
+        "of a sweep with [units], and 'model' for the model's own.",
+    ),
+]
 
 UnitsOption = Annotated[
     list[str] | None,
@@ -19,6 +28,17 @@ UnitsOption = Annotated[
         "given and printed are then in SI units.",
     ),
 ]
+
+
+def table_units(words: list[str] | None) -> "Units | str | None":
+    """The units of a table that is read: a robot's, ``model``, or None as it was written.
+
+    Raises
+    ------
+    InputError
+        As `units_of`.
+    """
+    return "model" if words == ["model"] else units_of(words)
 
 
 def units_of(words: list[str] | None) -> "Units | None":

@@ -2,18 +2,23 @@
 
 import json
 import os
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from stridemap.errors import InputError
+from stridemap.errors import InputError, short
 from stridemap.solver.model.loading import available, load
 from stridemap.spec import ModelSpec
 from stridemap.tables.table import SWEPT, Table
+from stridemap.units import Units
+
+MODEL = "model"
+"""What asks for the units of the model."""
 
 ENDINGS = (".parquet", ".csv")
 
 
-def read_table(path: str | Path, model: Any = None) -> Table:
+def read_table(path: str | Path, model: Any = None, units: "Units | str | None" = None) -> Table:
     """Read a table with the meaning and the unit of each of its columns.
 
     Parameters
@@ -25,6 +30,11 @@ def read_table(path: str | Path, model: Any = None) -> Table:
         The table's model, where the file does not say what its columns hold, as a ``.csv`` cannot; and of a
         sweep, where its model does not come with stridemap.
 
+    units : Units or "model", optional
+        The size of a robot: the table is converted to its SI units. Without it the table is as it was written;
+        the tables of a sweep whose file gives ``[units]`` are in SI units then, and with "model" in the units
+        of the model, in which they are stored.
+
     Returns
     -------
     Table
@@ -34,7 +44,33 @@ def read_table(path: str | Path, model: Any = None) -> Table:
     InputError
         When there is no such table.
     """
-    path = Path(path)
+    if not (units is None or units == MODEL or isinstance(units, Units)):
+        raise InputError(f"units = {short(units)} is not allowed; give stridemap.Units or {MODEL!r}")
+    read = _found(Path(path), model)
+    if units is None and read.units:
+        return _as_given(read)
+    return read.to_si(units) if isinstance(units, Units) else read
+
+
+def _as_given(table: Table) -> Table:
+    """The table of a sweep in the SI units that its file was written in, with the parameters that it gave."""
+    converted = table.to_si(Units.from_mapping(table.units))
+    # 3,500 N/m became a number without a unit and comes back: its last bit may differ then.
+    names = table.parameters
+    frames = [
+        None if frame is None else frame.assign(**{n: _rounded(frame[n]) for n in names if n in frame})
+        for frame in (converted.frame, converted.cells)
+    ]
+    grid = {name: tuple(_rounded(values)) for name, values in converted.grid.items()}
+    return replace(converted, frame=frames[0], cells=frames[1], grid=grid)
+
+
+def _rounded(values: Any) -> list[float]:
+    return [float(f"{value:.15g}") for value in values]
+
+
+def _found(path: Path, model: Any) -> Table:
+    """The table of a file or a folder, in the units in which it is stored."""
     if os.path.isdir(path) or path.name in SWEPT:
         return _swept(path, model)
     if path.suffix not in ENDINGS:
@@ -75,6 +111,8 @@ def _swept(path: Path, model: Any) -> Table:
         read.model.spec,
         "grid cells" if cells else "limit cycles",
         grid=grid,
+        units=configuration.get("units", {}),
+        parameters=read.model.spec.names,
         cells=read.cells,
     )
 

@@ -38,6 +38,10 @@ class Table:
         Of a sweep: the values of each parameter of its grid.
     cells : pandas.DataFrame or None
         Of a sweep: its grid cells, one row each.
+    units : mapping of str to float
+        Of a sweep: the size of the robot in whose SI units its file was written.
+    parameters : tuple of str
+        Of a sweep: the parameters of its model.
     """
 
     frame: "pd.DataFrame"
@@ -46,6 +50,8 @@ class Table:
     what: str = "rows"
     grid: Mapping[str, tuple[float, ...]] = field(default_factory=dict)
     cells: "pd.DataFrame | None" = None
+    units: Mapping[str, float] = field(default_factory=dict)
+    parameters: tuple[str, ...] = ()
 
     @classmethod
     def of_frame(
