@@ -147,7 +147,21 @@ TableModelOption = Annotated[
         "--model", help="The table's model, where that is not a built-in one or a .csv does not say it."
     ),
 ]
+CsvOption = Annotated[
+    bool, typer.Option("--csv", help="Print comma-separated values and nothing else: a row per limit cycle.")
+]
 JsonOption = Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")]
+
+
+def one_format(json_: bool, csv: bool) -> None:
+    """Refuse two formats for one output.
+
+    Raises
+    ------
+    InputError
+    """
+    if json_ and csv:
+        raise InputError("--json and --csv cannot be given together; leave one of them out")
 
 
 def parameters(extra: list[str], assignments: list[str] | None) -> dict[str, Any]:
