@@ -10,7 +10,7 @@ import os
 import sys
 import warnings
 from collections.abc import Callable
-from typing import Any, NoReturn
+from typing import Annotated, Any, NoReturn
 
 import typer
 
@@ -18,11 +18,21 @@ from stridemap.cli.animate import animate
 from stridemap.cli.boundary import boundary
 from stridemap.cli.branch import branch
 from stridemap.cli.claims import claims
+from stridemap.cli.completion import completion
 from stridemap.cli.derive import derive
 from stridemap.cli.export import export
 from stridemap.cli.figures import figures
 from stridemap.cli.find import find
-from stridemap.cli.options import FOUND, INTERRUPTED, PARAMETERS, UNUSABLE, WithParameters, WithRanges
+from stridemap.cli.options import (
+    FOUND,
+    INTERRUPTED,
+    PARAMETERS,
+    UNUSABLE,
+    Commands,
+    WithParameters,
+    WithRanges,
+)
+from stridemap.cli.models import models
 from stridemap.cli.orbit import orbit
 from stridemap.cli.plot import plot
 from stridemap.cli.report import report
@@ -36,14 +46,42 @@ from stridemap.services import provide
 _UsageError: Any = next(c for c in typer.BadParameter.__mro__ if c.__name__ == "ClickException")
 
 app = typer.Typer(
-    help="Limit cycles, Floquet multipliers and parameter sweeps of walking models.",
+    cls=Commands,
+    invoke_without_command=True,
     add_completion=False,
     pretty_exceptions_enable=False,
     rich_markup_mode=None,
 )
 
+
+@app.callback()
+def _stridemap(
+    context: typer.Context,
+    version_: Annotated[
+        bool, typer.Option("--version", is_eager=True, help="Print the version and exit.")
+    ] = False,
+) -> None:
+    """Limit cycles, Floquet multipliers and parameter sweeps of walking models."""
+    if version_:
+        version()
+        raise typer.Exit()
+    if context.invoked_subcommand is None:
+        print(context.get_help())
+
+
 _WITH_PARAMETERS: tuple[Callable[..., int], ...] = (orbit, find, branch, simulate, animate)
-_PLAIN: tuple[Callable[..., int], ...] = (sweep, plot, export, report, claims, figures, derive, version)
+_PLAIN: tuple[Callable[..., int], ...] = (
+    sweep,
+    plot,
+    export,
+    report,
+    claims,
+    figures,
+    models,
+    derive,
+    completion,
+    version,
+)
 for command in _WITH_PARAMETERS:
     app.command(cls=WithParameters, context_settings=PARAMETERS)(command)
 app.command(cls=WithRanges, context_settings=PARAMETERS)(boundary)

@@ -21,6 +21,16 @@ FOUND, NOTHING, UNUSABLE, INTERRUPTED = 0, 1, 2, 130
 PARAMETERS = {"allow_extra_args": True, "ignore_unknown_options": True}
 
 
+class Commands(typer.core.TyperGroup):
+    """All commands; what each does stands in their list uncut, in several lines where it has to."""
+
+    def format_commands(self, ctx: Any, formatter: Any) -> None:
+        """Write the list of commands."""
+        rows = [(name, one.get_short_help_str(limit=1_000)) for name, one in self.commands.items()]
+        with formatter.section("Commands"):
+            formatter.write_dl(rows)
+
+
 class WithParameters(typer.core.TyperCommand):
     """A command whose help lists the parameters of the model that is named together with ``--help``."""
 

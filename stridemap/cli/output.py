@@ -1,14 +1,17 @@
 """What commands print: tables in plain text, numbers in full."""
 
 import math
+import re
 import sys
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from stridemap.cli.si import Size
-from stridemap.columns import columns_of
+from stridemap.columns import Column, columns_of
+from stridemap.quantities import QUANTITIES
 from stridemap.solver.cycles.orbits import Orbits
 from stridemap.solver.cycles.report import ENDS, SearchReport
+from stridemap.spec import Quantity
 
 
 def print_orbits(orbits: Orbits, size: Size | None = None, varied: str | None = None) -> None:
@@ -36,7 +39,7 @@ def print_orbits(orbits: Orbits, size: Size | None = None, varied: str | None = 
         rows.append((f"multiplier {i}", [_complex(o.multipliers[i]) for o in shown]))
     rows += [(name, [_cell(size.shown(name, o.measures[name])) for o in shown]) for name in shown[0].measures]
     head = ["", *(f"cycle {i}" for i in range(1, len(shown) + 1)), "unit", "meaning"]
-    print_table([head, *([name, *cells, *_words(name, size)] for name, cells in rows)], texts=2)
+    print_table([head, *([name, *cells, *_words(name, size, orbits.model.measured)] for name, cells in rows)], texts=2)
 
 
 def print_csv(orbits: Orbits, size: Size) -> None:
@@ -48,14 +51,23 @@ def print_csv(orbits: Orbits, size: Size) -> None:
     print(csv_text((table if size.units is None else table.to_si(size.units)).frame), end="")
 
 
-def _words(name: str, size: Size) -> list[str]:
+def _words(name: str, size: Size, measured: Mapping[str, Quantity]) -> list[str]:
     """Unit and meaning of a row."""
     if name.startswith("multiplier "):
         return ["1", f"Floquet multiplier {name.removeprefix('multiplier ')}"]
     if name == "steps":
         return ["", "walking steps until the gait repeats"]
     one = size.column(name)
-    return [one.unit, one.label]
+    return [one.unit, _meaning(one, measured)]
+
+
+def _meaning(one: Column, measured: Mapping[str, Quantity]) -> str:
+    """What a row holds: its label, or the beginning of its definition where the label only repeats the name."""
+    quantity = measured.get(one.name, QUANTITIES.get(one.name))
+    if quantity is None or one.label.replace("-", " ") != one.name.replace("_", " "):
+        return one.label
+    words = re.split(r"[;:.]", quantity.definition)[0]
+    return words[:1].lower() + words[1:]
 
 
 def print_search(report: SearchReport) -> None:
@@ -69,7 +81,13 @@ def print_search(report: SearchReport) -> None:
 
 
 def print_table(rows: Sequence[Sequence[str]], texts: int = 0) -> None:
-    """Print rows with their columns aligned, the first to the left and the others to the right.
+    """Print rows with their columns aligned: see `aligned`."""
+    for line in aligned(rows, texts):
+        print(line)
+
+
+def aligned(rows: Sequence[Sequence[str]], texts: int = 0) -> list[str]:
+    """Rows with their columns aligned, the first to the left and the others to the right.
 
     Parameters
     ----------
@@ -79,12 +97,14 @@ def print_table(rows: Sequence[Sequence[str]], texts: int = 0) -> None:
     """
     widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
     last = len(widths) - texts
+    lines = []
     for row in rows:
         cells = [
             cell.rjust(w) if 0 < i < last else cell.ljust(w)
             for i, (cell, w) in enumerate(zip(row, widths, strict=True))
         ]
-        print("  ".join(cells).rstrip() if texts else "  ".join(cells))
+        lines.append("  ".join(cells).rstrip() if texts else "  ".join(cells))
+    return lines
 
 
 def _complex(value: complex) -> str:
