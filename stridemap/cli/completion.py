@@ -78,7 +78,7 @@ def words_of(group: Any) -> Words:
         name for name, one in group.commands.items() if PARAMETERS.items() <= dict(one.context_settings).items()
     )
     models = {
-        name: tuple(Word(f"--{a.name}", f"{a.meaning} [{a.unit}]", True) for a in load(name).parameters)
+        name: tuple(Word(f"--{a.name}", _plain(f"{a.meaning} [{a.unit}]"), True) for a in load(name).parameters)
         for name in available()
     }
     return Words(commands, taking, models)
@@ -93,9 +93,14 @@ def _options(command: Any) -> Iterator[Word]:
 
 
 def _first(text: str) -> str:
-    """The first sentence of a help text, without what a shell would read as its own."""
+    """The first sentence of a help text."""
     sentence = re.split(r"(?<=[.;])\s", text.strip())[0].rstrip(".;")
-    return re.sub(r"[^\w ,.()/=<>+*%-]", "", sentence)
+    return _plain(sentence)
+
+
+def _plain(text: str) -> str:
+    """A text without quotation marks and what else a shell reads as its own."""
+    return re.sub(r"[^\w ,.()\[\]/=<>+*%-]", "", text)
 
 
 # -- bash ----------------------------------------------------------------------------------------------------

@@ -1,5 +1,6 @@
 """A table of limit cycles, branches or a walk as a value: its rows, and what its columns hold."""
 
+import html
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
@@ -89,7 +90,8 @@ class Table:
             f"{name} [{unit}]" if unit else name for name, unit in zip(shown, units, strict=True)
         ]
         more = f"<p>and {len(self) - 10:,} more</p>" if len(self) > 10 else ""
-        return f"<p>{repr(self)[1:-1]}</p>{shown.to_html(index=False)}{more}"
+        rows = shown.to_html(index=False)
+        return f'<p>{html.escape(repr(self)[1:-1])}</p><div style="overflow-x: auto">{rows}</div>{more}'
 
     def column(self, name: Any) -> "pd.Series":
         """The values of a column.
