@@ -100,7 +100,7 @@ def _first(text: str) -> str:
 
 def _plain(text: str) -> str:
     """A text without quotation marks and what else a shell reads as its own."""
-    return re.sub(r"[^\w ,.()\[\]/=<>+*%-]", "", text)
+    return re.sub(r"[^\w ,.()\[\]/=<>+*%’-]", "", text.replace("'", "’"))
 
 
 # -- bash ----------------------------------------------------------------------------------------------------
