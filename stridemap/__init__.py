@@ -21,6 +21,7 @@ from stridemap.services import provide
 # it too and imports a name when it is first used, so that each room can be imported alone.
 if TYPE_CHECKING:
     from stridemap.codegen import derive_model
+    from stridemap.columns import Column
     from stridemap.errors import CompilerError, InputError, StorageError, StridemapError, WorkerError
     from stridemap.paper.claim import Claim, Verdict
     from stridemap.paper.evaluate import claims

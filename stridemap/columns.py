@@ -253,7 +253,7 @@ def described(frame: Any, spec: ModelSpec, what: str) -> Any:
 
 
 def description(frame: Any) -> tuple[dict[str, Column], dict[str, Any]]:
-    """Columns that a data frame describes, by name, and what else it says; nothing of it is taken on trust."""
+    """Columns that a data frame describes, by name, and what else it says; nothing is taken on trust."""
     said = frame.attrs.get(KEY) if isinstance(getattr(frame, "attrs", None), Mapping) else None
     if not isinstance(said, Mapping) or not isinstance(said.get("columns"), Mapping):
         return {}, {}

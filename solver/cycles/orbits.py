@@ -293,7 +293,7 @@ class Orbits(Sequence[Orbit]):
         return service("to_xarray")(service("table_of")(self))
 
     def plot(self, x: str, y: str, **options: Any) -> Any:
-        """Draw one column over another with matplotlib, a mark per cycle: see `stridemap.views.plot_table`."""
+        """Draw one column over another with matplotlib: see `stridemap.views.plot_table`."""
         return service("plot_table")(service("table_of")(self), x, y, **options)
 
     # -- shown -------------------------------------------------------------------------------------------

@@ -23,6 +23,7 @@ from stridemap.cli.derive import derive
 from stridemap.cli.export import export
 from stridemap.cli.figures import figures
 from stridemap.cli.find import find
+from stridemap.cli.models import models
 from stridemap.cli.options import (
     FOUND,
     INTERRUPTED,
@@ -32,7 +33,6 @@ from stridemap.cli.options import (
     WithParameters,
     WithRanges,
 )
-from stridemap.cli.models import models
 from stridemap.cli.orbit import orbit
 from stridemap.cli.plot import plot
 from stridemap.cli.report import report

@@ -1,7 +1,7 @@
 """``stridemap completion``: a script by which a shell completes commands, options, models and parameters.
 
-The script holds all words, so that completing starts no Python: it takes no time, and is printed anew after an
-update.
+The script holds all words, so that completing starts no Python and takes no time; after an update it is to be
+printed anew.
 """
 
 import re
@@ -60,7 +60,9 @@ def completion(
     ~/.zshrc, after compinit. fish: stridemap completion fish > ~/.config/fish/completions/stridemap.fish
     """
     if shell not in SHELLS:
-        raise InputError(f"{shell!r} is not a shell that can be completed for; shells are {', '.join(SHELLS)}")
+        raise InputError(
+            f"{shell!r} is not a shell that can be completed for; shells are {', '.join(SHELLS)}"
+        )
     assert context.parent is not None
     print(SHELLS[shell](words_of(context.parent.command)))
     return FOUND
@@ -75,10 +77,14 @@ def words_of(group: Any) -> Words:
         for name, command in group.commands.items()
     }
     taking = tuple(
-        name for name, one in group.commands.items() if PARAMETERS.items() <= dict(one.context_settings).items()
+        name
+        for name, one in group.commands.items()
+        if PARAMETERS.items() <= dict(one.context_settings).items()
     )
     models = {
-        name: tuple(Word(f"--{a.name}", _plain(f"{a.meaning} [{a.unit}]"), True) for a in load(name).parameters)
+        name: tuple(
+            Word(f"--{a.name}", _plain(f"{a.meaning} [{a.unit}]"), True) for a in load(name).parameters
+        )
         for name in available()
     }
     return Words(commands, taking, models)
@@ -109,13 +115,14 @@ def _plain(text: str) -> str:
 def bash(words: Words) -> str:
     """A script for bash."""
     cases = [
-        f"    {command.word}) options={_listed(options)} values={_listed(o for o in options if o.takes_value)};;"
+        f"    {command.word}) options={_listed(options)} "
+        f"values={_listed(one for one in options if one.takes_value)};;"
         for command, options in words.commands.items()
     ]
     models = [f"      {name}) more={_listed(found)};;" for name, found in words.parameters.items()]
     return "\n".join(
         [
-            "# Completes stridemap in bash: eval \"$(stridemap completion bash)\"",
+            '# Completes stridemap in bash: eval "$(stridemap completion bash)"',
             "_stridemap() {",
             '  local word="${COMP_WORDS[COMP_CWORD]}" before="${COMP_WORDS[COMP_CWORD-1]}"',
             '  local command="${COMP_WORDS[1]}" model=wobbling options="" values="" more="" i',
@@ -198,7 +205,8 @@ def zsh(words: Words) -> str:
     return f"""#compdef stridemap
 # Completes stridemap in zsh: eval "$(stridemap completion zsh)", after compinit.
 _stridemap_models() {{
-  _alternative 'models:model:({" ".join(words.parameters)})' 'files:model file:_files -g "*.py(-.)"' 'folders:derived folder:_files -/'
+  _alternative 'models:model:({" ".join(words.parameters)})' \\
+    'files:model file:_files -g "*.py(-.)"' 'folders:derived folder:_files -/'
 }}
 _stridemap() {{
   local -a commands parameters
@@ -234,7 +242,8 @@ def fish(words: Words) -> str:
     """A script for fish."""
     names = " ".join(one.word for one in words.commands)
     lines = [
-        "# Completes stridemap in fish: stridemap completion fish > ~/.config/fish/completions/stridemap.fish",
+        "# Completes stridemap in fish:",
+        "# stridemap completion fish > ~/.config/fish/completions/stridemap.fish",
         "function __stridemap_model",
         "    set -l words (commandline -opc)",
         "    set -l model wobbling",

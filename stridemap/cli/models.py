@@ -16,7 +16,9 @@ if TYPE_CHECKING:
 def models(
     name: Annotated[
         str | None,
-        typer.Argument(metavar="[MODEL]", help="Show this one alone: a name, a model file or a derived folder."),
+        typer.Argument(
+            metavar="[MODEL]", help="Show this one alone: a name, a model file or a derived folder."
+        ),
     ] = None,
     json_: JsonOption = False,
 ) -> int:
@@ -66,5 +68,9 @@ def _text(spec: "ModelSpec") -> str:
     about = f"{spec.name}: {spec.title}"
     width = max(60, min(shutil.get_terminal_size().columns, 110))
     source = textwrap.fill(spec.reference, width, initial_indent="  ", subsequent_indent="  ")
-    lines = [about, *([source] if spec.reference else []), *(f"  {line}" for line in aligned([head, *rows], 3))]
+    lines = [
+        about,
+        *([source] if spec.reference else []),
+        *(f"  {line}" for line in aligned([head, *rows], 3)),
+    ]
     return "\n".join(lines)

@@ -39,7 +39,9 @@ def print_orbits(orbits: Orbits, size: Size | None = None, varied: str | None = 
         rows.append((f"multiplier {i}", [_complex(o.multipliers[i]) for o in shown]))
     rows += [(name, [_cell(size.shown(name, o.measures[name])) for o in shown]) for name in shown[0].measures]
     head = ["", *(f"cycle {i}" for i in range(1, len(shown) + 1)), "unit", "meaning"]
-    print_table([head, *([name, *cells, *_words(name, size, orbits.model.measured)] for name, cells in rows)], texts=2)
+    print_table(
+        [head, *([name, *cells, *_words(name, size, orbits.model.measured)] for name, cells in rows)], texts=2
+    )
 
 
 def print_csv(orbits: Orbits, size: Size) -> None:
@@ -62,7 +64,7 @@ def _words(name: str, size: Size, measured: Mapping[str, Quantity]) -> list[str]
 
 
 def _meaning(one: Column, measured: Mapping[str, Quantity]) -> str:
-    """What a row holds: its label, or the beginning of its definition where the label only repeats the name."""
+    """What a row holds: its label, or where that only repeats the name the beginning of its definition."""
     quantity = measured.get(one.name, QUANTITIES.get(one.name))
     if quantity is None or one.label.replace("-", " ") != one.name.replace("_", " "):
         return one.label

@@ -19,8 +19,8 @@ UnitsOption = Annotated[
     typer.Option(
         "--units",
         metavar=_METAVAR,
-        help="Size of a robot, leg_length=0.75,mass=32 in m and kg (and gravity in m/s^2): all numbers with a "
-        "unit that are given and printed are then in SI units.",
+        help="Size of a robot, leg_length=0.75,mass=32 in m and kg (and gravity in m/s^2): all numbers "
+        "with a unit that are given and printed are then in SI units.",
     ),
 ]
 TableUnitsOption = Annotated[
@@ -105,7 +105,7 @@ class Size:
         return known if self.units is None else known.in_si
 
     def own(self, name: str, value: Any) -> Any:
-        """A number as the model has it; what is not a number stays, to be refused by who knows what is allowed."""
+        """A number as the model has it; what is not a number stays, and is refused by others."""
         factor = self.factor(name)
         return value / factor if isinstance(value, float | int) and factor != 1.0 else value
 

@@ -18,19 +18,13 @@ LONGEST_NAME = 63
 
 
 def export(table: Table, path: str | Path, by: str = "cycle") -> list[Path]:
-    """Write a table for other programs.
+    """Write a table for other programs: see `Table.export`.
 
     Parameters
     ----------
     table : Table
     path : str or path
-        Its ending says what is written. ``.csv``: comma-separated values with all digits, and beside it
-        ``<name>_columns.csv`` with the meaning and the unit of each column. ``.mat``: a file of MATLAB 5 with
-        a struct of columns, ``units`` and ``meanings`` by column, and of a sweep also ``cells`` and ``grid``.
-        ``.nc``: netCDF 3 with the dimensions of `to_xarray`. ``.parquet``: a table that says of itself what its
-        columns hold.
     by : {"cycle", "branch"}
-        Of a sweep in ``.nc``: the dimension behind those of its grid.
 
     Returns
     -------
@@ -149,7 +143,7 @@ class _Kept(io.BytesIO):
 
 
 def _write(file: Any, name: str, one: Variable) -> None:
-    """A variable in a netCDF file: numbers in doubles, whole numbers in 32 bits where they fit, texts in bytes."""
+    """A variable in a netCDF file: numbers as doubles, or 32 bits where whole ones fit; texts as bytes."""
     values, dims = one.values, one.dims
     attrs: Mapping[str, Any] = one.attrs
     if values.dtype == object:

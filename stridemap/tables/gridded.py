@@ -53,13 +53,7 @@ class Gridded:
 
 
 def to_xarray(table: Table, by: str = "cycle") -> "xarray.Dataset":
-    """A table as an `xarray.Dataset`.
-
-    The dimensions of a sweep are the parameters of its grid and ``cycle``, which numbers the limit cycles of
-    each cell by rising period from 0; or, by branch, ``branch`` and ``passage``, since a branch that turns
-    back passes a cell several times. The dimension of any other table is ``row``, and that of the limit cycles
-    of one point ``cycle``. Entries without a limit cycle are NaN, None or "". Each variable has the attributes
-    ``long_name`` and ``units``.
+    """A table as an `xarray.Dataset`: see `Table.to_xarray`.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Tables from files: sweeps, branches, boundaries, limit cycles and walks, whichever of our commands wrote them."""
+"""Tables from files: of sweeps, branches, boundaries, limit cycles and walks."""
 
 import json
 import os
@@ -24,16 +24,16 @@ def read_table(path: str | Path, model: Any = None, units: "Units | str | None" 
     Parameters
     ----------
     path : str or path
-        Output folder of a sweep, or one of its two tables; or a ``.parquet`` or ``.csv`` file that ``stridemap
-        orbit``, ``branch``, ``boundary`` or ``simulate`` wrote.
+        Output folder of a sweep, or one of its two tables; or a ``.parquet`` or ``.csv`` file that a command
+        of stridemap wrote.
     model : str, path or Model, optional
         The table's model, where the file does not say what its columns hold, as a ``.csv`` cannot; and of a
         sweep, where its model does not come with stridemap.
 
     units : Units or "model", optional
-        The size of a robot: the table is converted to its SI units. Without it the table is as it was written;
-        the tables of a sweep whose file gives ``[units]`` are in SI units then, and with "model" in the units
-        of the model, in which they are stored.
+        The size of a robot: the table is converted to its SI units. Without it, the tables of a sweep whose
+        file gives ``[units]`` are in SI units, and all others as they were written; with "model", those of a
+        sweep are in the units of the model, in which they are stored.
 
     Returns
     -------
@@ -86,8 +86,8 @@ def _found(path: Path, model: Any) -> Table:
         strange = [name for name in spec.names if name not in frame.columns and "time" not in frame.columns]
         if strange:
             raise InputError(
-                f"{path} has no column {strange[0]}, which tables of {spec.name} have; name the model that it "
-                "is of"
+                f"{path} has no column {strange[0]}, which tables of {spec.name} have; name the model that "
+                "it is of"
             )
     table = Table.of_frame(frame, spec if not frame.attrs else None)
     if spec is not None and table.model and table.model != spec.name:

@@ -132,7 +132,23 @@ class Table:
         return frame
 
     def to_xarray(self, by: str = "cycle") -> Any:
-        """The table as an `xarray.Dataset`: see `stridemap.tables.gridded.to_xarray`."""
+        """The table as an `xarray.Dataset`.
+
+        The dimensions of a sweep are the parameters of its grid and ``cycle``, which numbers the limit cycles
+        of each cell by rising period from 0; or, by branch, ``branch`` and ``passage``, since a branch that
+        turns back passes a cell several times. The dimension of any other table is ``row``, and that of the
+        limit cycles of one point ``cycle``. Entries without a limit cycle are NaN, and in texts empty. Each
+        variable has the attributes ``long_name`` and ``units``.
+
+        Parameters
+        ----------
+        by : {"cycle", "branch"}
+
+        Raises
+        ------
+        InputError
+            When xarray is not installed, or the arrays would be too large.
+        """
         from stridemap.tables.gridded import to_xarray
 
         return to_xarray(self, by)
@@ -150,7 +166,30 @@ class Table:
         return in_si(self, units)
 
     def export(self, path: Any, by: str = "cycle") -> Any:
-        """Write the table for other programs, by the path's ending: see `stridemap.tables.export.export`."""
+        """Write the table for other programs.
+
+        Parameters
+        ----------
+        path : str or path
+            Its ending says what is written. ``.csv``: comma-separated values with all digits, and beside it
+            ``<name>_columns.csv`` with the meaning and the unit of each column. ``.mat``: a file of MATLAB 5
+            with a struct of columns, ``units`` and ``meanings`` by column, and of a sweep also ``cells`` and
+            ``grid``. ``.nc``: netCDF 3 with the dimensions of `to_xarray`. ``.parquet``: a table that says of
+            itself what its columns hold.
+        by : {"cycle", "branch"}
+            Of a sweep in ``.nc``: the dimension behind those of its grid.
+
+        Returns
+        -------
+        list of pathlib.Path
+
+        Raises
+        ------
+        InputError
+            For another ending.
+        StorageError
+            When a file cannot be written.
+        """
         from stridemap.tables.export import export
 
         return export(self, path, by)

@@ -42,8 +42,8 @@ class _NotUnderstood(Exception):
 def selected(table: "Table", condition: Any) -> "pd.Series":
     """For which rows a condition holds: a column of bool.
 
-    Missing values follow Kleene's logic: a comparison with one is not known, and neither is its opposite. Rows
-    for which it is not known are not selected.
+    Missing values follow Kleene's logic: a comparison with one is not known, and neither is its opposite.
+    Rows for which it is not known are not selected.
 
     Parameters
     ----------

@@ -40,7 +40,9 @@ def picture(found: Orbit | Orbits) -> str:
             for name, values in zip(drawn.model.spec.names, drawn.params.T, strict=True)
             if len(np.unique(values)) > 1
         ]
-        figure = drawn.plot(differs[0], "spectral_radius", colour="cot") if differs else multiplier_plane(drawn)
+        figure = (
+            drawn.plot(differs[0], "spectral_radius", colour="cot") if differs else multiplier_plane(drawn)
+        )
         return _svg(figure) if len(drawn) <= MOST_MARKS else _png(figure)
     except StridemapError:  # without matplotlib, or for a model that cannot be drawn, the table says it all
         return ""

@@ -40,8 +40,8 @@ def plot_table(
 ) -> "Figure":
     """Draw one column of a table over another.
 
-    Stable cycles are filled marks, unstable ones hollow, and those of which it is not known crosses. Points of
-    one branch that follow each other are joined by a thin line.
+    Stable cycles are filled marks, unstable ones hollow, and those of which it is not known crosses. Points
+    of one branch that follow each other are joined by a thin line.
 
     Parameters
     ----------
@@ -50,10 +50,11 @@ def plot_table(
     x, y : str
         Columns that hold numbers.
     colour : str, optional
-        A column that gives the marks their colours: numbers on a scale from the 2 to the 98 % quantile of what
-        is drawn (about 1 for `spectral_radius`), anything else by a legend.
+        A column that gives the marks their colours: numbers on a scale from the 2 to the 98 % quantile of
+        what is drawn (about 1 for `spectral_radius`), anything else by a legend.
     where : str, optional
-        A condition, such as ``"stable and k < 10"``: only rows for which it holds are drawn. See `Table.where`.
+        A condition, such as ``"stable and k < 10"``: only rows for which it holds are drawn; see
+        `Table.where`.
 
     Returns
     -------
@@ -105,7 +106,8 @@ def check_columns(table: Table, x: str, y: str, colour: str | None = None) -> No
         if plain_values(table.column(name)).dtype == object:
             numeric = [n for n in table.columns if plain_values(table.frame[n].head(100)).dtype != object]
             raise InputError(
-                f"{name} holds no numbers, so that it cannot be an axis; columns of numbers are {', '.join(numeric)}"
+                f"{name} holds no numbers, so that it cannot be an axis; columns of numbers are "
+                f"{', '.join(numeric)}"
             )
     if colour is not None:
         table.column(colour)

@@ -272,7 +272,9 @@ def test_the_table_of_parameters_is_that_of_the_models():
 
 def test_every_option_in_the_pages_exists():
     """A page that shows ``stridemap orbit --foo`` is caught by running it; prose is not."""
-    known = {"--help"} | {f"--{p.name}" for m in available() for p in stridemap.load(m).parameters}
+    known = {"--help", "--version"} | {
+        f"--{p.name}" for m in available() for p in stridemap.load(m).parameters
+    }
     for command in typer.main.get_command(app).commands.values():
         known |= {option for parameter in command.params for option in parameter.opts}
     for page in PAGES[2:]:
