@@ -80,6 +80,8 @@ provide(
     boundary_map="stridemap.views.boundary_map:boundary_map",
     branch_diagram="stridemap.views.branch_diagram:branch_diagram",
     derive_file="stridemap.codegen:derive_file",
+    export="stridemap.tables.export:export",
+    in_si="stridemap.tables.conversion:in_si",
     picture="stridemap.views.notebook:picture",
     plot="stridemap.views.plots:plot",
     plot_table="stridemap.views.scatter:plot_table",

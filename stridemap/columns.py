@@ -19,7 +19,7 @@ SCALED = "sqrt(L/g)"
 """The unit of time of models that are written in units of a mass, a length and gravity."""
 
 _SI = ("kg", "m", "s")
-_NAMED = {
+_NAMED: Mapping[tuple[float, float, float], str] = {
     (1, 1, -2): "N", (1, 2, -2): "N m", (1, 2, -3): "W", (1, 1, -1): "N s", (1, 0, -2): "N/m",
     (1, 0, -1): "N s/m", (1, 2, -1): "N m s", (0, 1, -1): "m/s", (0, 1, -2): "m/s^2", (0, 0, -1): "1/s",
 }  # fmt: skip

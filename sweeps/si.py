@@ -70,7 +70,7 @@ class Given:
         return parameter.check(min(max(scaled, low), high))
 
     def search(self, given: Mapping[str, Any]) -> dict[str, Any]:
-        """The table ``[search]`` in the model's units; what is not a number stays, and is refused by others."""
+        """The table ``[search]`` in the model's units; what is not a number stays, to be refused."""
         out = dict(given)
         for name in ("period_min", "period_max"):
             if name in out:

@@ -122,7 +122,7 @@ class Table:
         """
         from stridemap.tables.where import selected
 
-        return replace(self, frame=self.frame[selected(self, condition)])
+        return replace(self, frame=self.frame[selected(self.frame, condition)])
 
     def to_frame(self) -> "pd.DataFrame":
         """The rows as a `pandas.DataFrame`; ``frame.attrs["stridemap"]`` says what its columns hold."""
@@ -149,9 +149,7 @@ class Table:
         InputError
             When xarray is not installed, or the arrays would be too large.
         """
-        from stridemap.tables.gridded import to_xarray
-
-        return to_xarray(self, by)
+        return service("to_xarray")(self, by)
 
     def to_si(self, units: "Units") -> "Table":
         """The table in SI units, for a robot of a given size.
@@ -161,9 +159,8 @@ class Table:
         InputError
             When the table is in SI units already, or its columns have units that no size converts.
         """
-        from stridemap.tables.conversion import in_si
-
-        return in_si(self, units)
+        converted: Table = service("in_si")(self, units)
+        return converted
 
     def export(self, path: Any, by: str = "cycle") -> Any:
         """Write the table for other programs.
@@ -190,9 +187,7 @@ class Table:
         StorageError
             When a file cannot be written.
         """
-        from stridemap.tables.export import export
-
-        return export(self, path, by)
+        return service("export")(self, path, by)
 
     def plot(self, x: str, y: str, **options: Any) -> Any:
         """Draw one column over another with matplotlib: see `stridemap.views.plot_table`."""

@@ -12,7 +12,6 @@ from stridemap.words import hint
 if TYPE_CHECKING:
     import pandas as pd
 
-    from stridemap.tables.table import Table
 
 LONGEST = 1_000
 """Characters of a condition."""
@@ -39,7 +38,7 @@ class _NotUnderstood(Exception):
     """What is wrong with a condition, as the rest of a sentence."""
 
 
-def selected(table: "Table", condition: Any) -> "pd.Series":
+def selected(frame: "pd.DataFrame", condition: Any) -> "pd.Series":
     """For which rows a condition holds: a column of bool.
 
     Missing values follow Kleene's logic: a comparison with one is not known, and neither is its opposite.
@@ -47,7 +46,7 @@ def selected(table: "Table", condition: Any) -> "pd.Series":
 
     Parameters
     ----------
-    table : Table
+    frame : pandas.DataFrame
     condition : str
 
     Raises
@@ -64,7 +63,7 @@ def selected(table: "Table", condition: Any) -> "pd.Series":
             tree = ast.parse(_in_words(condition.strip()), mode="eval").body
         except (SyntaxError, ValueError, MemoryError, RecursionError) as error:
             raise _NotUnderstood(_syntax(condition, error)) from None
-        found = _Reader(table).value(tree)
+        found = _Reader(frame).value(tree)
         if not _truths(found):
             raise _NotUnderstood("it is a value and not a condition; compare it with something")
     except RecursionError:
@@ -97,10 +96,10 @@ def _truths(value: Any) -> bool:
 
 
 class _Reader:
-    """Values of the parts of a condition on the rows of a table."""
+    """Values of the parts of a condition on the rows of a data frame."""
 
-    def __init__(self, table: "Table"):
-        self.table = table
+    def __init__(self, frame: "pd.DataFrame"):
+        self.frame = frame
 
     def value(self, node: ast.expr) -> Any:
         """The value of a part: a column, a number or a text."""
@@ -132,12 +131,12 @@ class _Reader:
     def _column(self, name: str) -> Any:
         import pandas as pd
 
-        if name not in self.table.columns:
+        if name not in self.frame.columns:
             raise _NotUnderstood(
-                f"there is no column {name}{hint(name, self.table.columns)}; "
-                f"columns are {', '.join(self.table.columns)}"
+                f"there is no column {name}{hint(name, self.frame.columns)}; "
+                f"columns are {', '.join(self.frame.columns)}"
             )
-        values = self.table.frame[name]
+        values = self.frame[name]
         if pd.api.types.is_bool_dtype(values.dtype) or _all_truths(values):
             return values.astype("boolean")
         if pd.api.types.is_numeric_dtype(values.dtype):
@@ -149,7 +148,7 @@ class _Reader:
         if isinstance(found, bool):
             import pandas as pd
 
-            return pd.Series(found, index=self.table.frame.index, dtype="boolean")
+            return pd.Series(found, index=self.frame.index, dtype="boolean")
         if not _truths(found):
             what = short(ast.unparse(node))
             raise _NotUnderstood(f"{what} is a value and not a condition; compare it with something")
