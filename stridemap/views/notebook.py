@@ -1,8 +1,5 @@
 """Pictures of limit cycles for notebooks: what stands beside their tables, where matplotlib is installed."""
 
-import base64
-import io
-import re
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -13,9 +10,6 @@ from stridemap.solver.cycles.orbits import Orbits
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
-
-MOST_MARKS = 500
-"""Limit cycles beyond which a picture is made of pixels: each mark of a drawing takes some 200 bytes."""
 
 
 def picture(found: Orbit | Orbits) -> str:
@@ -31,7 +25,7 @@ def picture(found: Orbit | Orbits) -> str:
     """
     try:
         if isinstance(found, Orbit):
-            return "" if not found.status.found else _svg(found.plot("phase", samples=101))
+            return "" if not found.status.found else _html(found.plot("phase", samples=101))
         drawn = found[found.found]
         if not len(drawn):
             return ""
@@ -40,10 +34,9 @@ def picture(found: Orbit | Orbits) -> str:
             for name, values in zip(drawn.model.spec.names, drawn.params.T, strict=True)
             if len(np.unique(values)) > 1
         ]
-        figure = (
-            drawn.plot(differs[0], "spectral_radius", colour="cot") if differs else multiplier_plane(drawn)
-        )
-        return _svg(figure) if len(drawn) <= MOST_MARKS else _png(figure)
+        if differs:
+            return _html(drawn.plot(differs[0], "spectral_radius", colour="cot"))
+        return _html(multiplier_plane(drawn))
     except StridemapError:  # without matplotlib, or for a model that cannot be drawn, the table says it all
         return ""
 
@@ -86,24 +79,7 @@ def multiplier_plane(orbits: Orbits) -> "Figure":
     return figure
 
 
-def _svg(figure: "Figure") -> str:
-    """A figure as an element of a page."""
+def _html(figure: "Figure") -> str:
     from stridemap.views import style
 
-    content = io.StringIO()
-    with style.styled():
-        figure.savefig(content, format="svg", metadata={"Date": None, "Creator": None})
-    text = content.getvalue()
-    text = text[text.index("<svg") :]
-    return re.sub(r"<metadata>.*?</metadata>\s*", "", text, flags=re.DOTALL)
-
-
-def _png(figure: "Figure") -> str:
-    from stridemap.views import style
-
-    content = io.BytesIO()
-    with style.styled():
-        figure.savefig(content, format="png", metadata={"Software": None})
-    data = base64.b64encode(content.getvalue()).decode()
-    width = round(96 * figure.get_figwidth())
-    return f'<img alt="limit cycles" width="{width}" src="data:image/png;base64,{data}">'
+    return style.svg(figure)

@@ -26,6 +26,9 @@ SIZE = (5.2, 3.6)
 QUANTILES = (0.02, 0.98)
 """Of what is drawn: the range of a scale of colours. A few extreme values would take all of it."""
 
+MOST_MARKS = 3_000
+"""Rows beyond which the marks of a drawing are made of pixels: each mark takes some 100 bytes."""
+
 MOST_CLASSES = 12
 """Texts that a legend can tell apart."""
 
@@ -263,7 +266,7 @@ class _Marks:
                 shape = {"marker": "o", "facecolors": style.WHITE, "edgecolors": colours, "linewidths": 0.6}
             elif look == "cross":
                 shape = {"marker": "x", "c": colours, "linewidths": 0.7}
-            self.axes.scatter(self.x[rows], self.y[rows], self.size, zorder=2, **shape)
+            self.axes.scatter(self.x[rows], self.y[rows], self.size, zorder=2, rasterized=len(self.x) > MOST_MARKS, **shape)
 
 
 def _few_truths(table: Table, colour: str) -> bool:
