@@ -3,8 +3,8 @@
 =============================
 
 In a notebook, what stridemap finds shows itself: a list of limit cycles, one of them, a table
-and a figure. This page is one that was run (download it as a notebook below). Plots take one
-line, and tables become data frames, arrays over the grid, and numbers in SI units.
+and a figure, as on this page. Plots take one line, and tables become data frames, arrays over
+the grid, and numbers in SI units.
 """
 
 # sphinx_gallery_capture_repr = ('_repr_html_', '__repr__')
@@ -78,4 +78,5 @@ lowest
 
 robot = stridemap.Units(leg_length=0.75, mass=32.0)
 si = table.to_si(robot)
-si.plot("k", "speed", colour="group", where="stable")
+figure = si.plot("k", "speed", colour="group", where="stable")
+figure

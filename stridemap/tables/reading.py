@@ -121,15 +121,17 @@ def _read(path: Path) -> Any:
     """The rows of a file."""
     import pandas as pd
     import pyarrow as pa
+    import pyarrow.csv
 
     if os.path.exists(path) and not os.path.isfile(path):  # to open a pipe would wait for ever
         raise InputError(f"cannot read {path} (it is not a file); give a file")
     try:
         if path.suffix == ".csv":
-            frame = pd.read_csv(path, float_precision="round_trip", keep_default_na=True)
+            options = pyarrow.csv.ConvertOptions(strings_can_be_null=True)
+            frame = pyarrow.csv.read_csv(path, convert_options=options).to_pandas()
         else:
             frame = pd.read_parquet(path)
-    except (pa.ArrowException, pd.errors.ParserError, pd.errors.EmptyDataError, UnicodeDecodeError) as error:
+    except (pa.ArrowException, UnicodeDecodeError) as error:
         kind = "Parquet file" if path.suffix == ".parquet" else "table of comma-separated values"
         raise InputError(f"{path} is damaged or is not a {kind} ({_first(error)}); write it again") from None
     except OSError as error:

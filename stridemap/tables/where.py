@@ -79,7 +79,7 @@ _SIGNS = re.compile(r"""('[^']*'|"[^"]*")|(&&?|\|\|?|~)""")
 
 def _in_words(condition: str) -> str:
     """A condition with the signs &, | and ~ as words, which bind as those do in queries of pandas."""
-    return _SIGNS.sub(lambda match: match[1] or _WORDS[match[2]], condition).strip()
+    return _SIGNS.sub(lambda match: match[1] or _WORDS[match[2]], " ".join(condition.splitlines())).strip()
 
 
 def _syntax(condition: str, error: Exception) -> str:

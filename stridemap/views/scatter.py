@@ -266,7 +266,8 @@ class _Marks:
                 shape = {"marker": "o", "facecolors": style.WHITE, "edgecolors": colours, "linewidths": 0.6}
             elif look == "cross":
                 shape = {"marker": "x", "c": colours, "linewidths": 0.7}
-            self.axes.scatter(self.x[rows], self.y[rows], self.size, zorder=2, rasterized=len(self.x) > MOST_MARKS, **shape)
+            shape |= {"zorder": 2, "rasterized": len(self.x) > MOST_MARKS}
+            self.axes.scatter(self.x[rows], self.y[rows], self.size, **shape)
 
 
 def _few_truths(table: Table, colour: str) -> bool:
