@@ -8,7 +8,7 @@ import ast
 import math
 import re
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from typing import Any
 
 from stridemap.quantities import KINDS, measured_on
@@ -236,7 +236,7 @@ KEY = "stridemap"
 """Under which a data frame's ``attrs`` say what its columns hold."""
 
 
-def described(frame: Any, spec: ModelSpec, what: str) -> Any:
+def described(frame: Any, spec: ModelSpec, what: str, same: Mapping[str, str] | None = None) -> Any:
     """A data frame that says of itself what its columns hold; Parquet files keep that.
 
     Parameters
@@ -245,8 +245,11 @@ def described(frame: Any, spec: ModelSpec, what: str) -> Any:
     spec : ModelSpec
     what : str
         What a row is, in the plural: "limit cycles".
+    same : mapping of str to str, optional
+        Columns that hold the same as another: the value of a parameter that varies.
     """
     known = columns_of(spec)
+    known |= {name: replace(known[other], name=name) for name, other in (same or {}).items()}
     columns = {name: known[name].to_dict() for name in frame.columns if name in known}
     frame.attrs[KEY] = {"model": spec.name, "what": what, "columns": columns}
     return frame

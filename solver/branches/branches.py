@@ -220,7 +220,7 @@ class Branches(Sequence[Branch]):
             point_row(one) | {"multiplier": None if one.multiplier is None else str(one.multiplier)}
             for one in self.special
         ]
-        return described(pd.DataFrame(rows), self.model.spec, "special points")
+        return described(pd.DataFrame(rows), self.model.spec, "special points", {"value": self.vary})
 
     def _columns(self, number: int, branch: Branch) -> dict[str, Any]:
         x, m = branch.x, len(branch.points)

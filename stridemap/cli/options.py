@@ -158,7 +158,8 @@ TableModelOption = Annotated[
     ),
 ]
 CsvOption = Annotated[
-    bool, typer.Option("--csv", help="Print comma-separated values and nothing else: a row per limit cycle.")
+    bool,
+    typer.Option("--csv", help="Print comma-separated values and nothing else: one row per limit cycle."),
 ]
 JsonOption = Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")]
 
@@ -184,6 +185,11 @@ def parameters(extra: list[str], assignments: list[str] | None) -> dict[str, Any
                 f"{word!r} is not understood: parameters are given as --NAME VALUE or --set NAME=VALUE"
             )
         name, equals, value = word[2:].partition("=")
+        if name == "units":
+            raise InputError(
+                "--units is not an option of this command, whose parameters are in the model's units; write "
+                "a table with --out and convert it: stridemap export TABLE --units leg_length=...,mass=..."
+            )
         text = value if equals else next(rest, None)
         if text is None or (text.startswith("--") and not equals):
             raise InputError(f"--{name} needs a value")

@@ -23,6 +23,14 @@ UnitsOption = Annotated[
         "with a unit that are given and printed are then in SI units.",
     ),
 ]
+GivenUnitsOption = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--units",
+        metavar=_METAVAR,
+        help="Size of a robot, leg_length=0.75,mass=32 in m and kg: parameters are then in SI units.",
+    ),
+]
 TableUnitsOption = Annotated[
     list[str] | None,
     typer.Option(
@@ -126,7 +134,8 @@ class Size:
     def shown(self, name: str, value: Any) -> Any:
         """A number of the model as it is printed."""
         factor = self.factor(name)
-        return value * factor if isinstance(value, float) and factor != 1.0 else value
+        number = isinstance(value, float) or getattr(getattr(value, "dtype", None), "kind", "") == "f"
+        return value * factor if number and factor != 1.0 else value
 
     def all_shown(self, values: Mapping[str, Any]) -> dict[str, Any]:
         """Numbers of the model by name as they are printed, also within mappings and lists of them."""

@@ -79,9 +79,9 @@ def _found(path: Path, model: Any) -> Table:
             f"{' or '.join(ENDINGS)}"
         )
     spec = None if model is None else load(model).spec
-    frame = _read(path)
+    frame, in_si = _read(path), False
     if spec is None and path.suffix == ".parquet":
-        spec = _spec_of_walk(path)
+        spec, in_si = _walk(path)
     if spec is not None and not frame.attrs:
         strange = [name for name in spec.names if name not in frame.columns and "time" not in frame.columns]
         if strange:
@@ -90,6 +90,8 @@ def _found(path: Path, model: Any) -> Table:
                 "it is of"
             )
     table = Table.of_frame(frame, spec if not frame.attrs else None)
+    if in_si:
+        table = replace(table, columns={name: one.in_si for name, one in table.columns.items()})
     if spec is not None and table.model and table.model != spec.name:
         raise InputError(f"{path} is of the model {table.model}, not of {spec.name}; name that one, or none")
     return table
@@ -146,13 +148,14 @@ def _first(error: Exception) -> str:
     return str(error).splitlines()[0][:100] if str(error) else type(error).__name__
 
 
-def _spec_of_walk(path: Path) -> ModelSpec | None:
-    """The model that the metadata of a walk name, if it comes with stridemap."""
+def _walk(path: Path) -> tuple[ModelSpec | None, bool]:
+    """The model that the metadata of a walk name, if it comes with stridemap; whether it is in SI units."""
     import pyarrow.parquet as pq
 
     metadata = pq.read_schema(path).metadata or {}
     try:
-        name = json.loads(metadata.get(b"stridemap", b"null"))["model"]
-    except (KeyError, TypeError, ValueError):
-        return None
-    return load(name).spec if isinstance(name, str) and name in available() else None
+        about = json.loads(metadata.get(b"stridemap", b"null"))
+        name, in_si = about["model"], "units" in about
+    except (KeyError, TypeError, ValueError, RecursionError):
+        return None, False
+    return (load(name).spec if isinstance(name, str) and name in available() else None), in_si
