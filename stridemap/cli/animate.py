@@ -42,8 +42,8 @@ def animate(
     from stridemap.views.animation import animate as animate_
     from stridemap.views.animation import choose
 
-    size = Size.of(load(model), units)
-    params = size.all_own(parameters(context.args, set_))
+    robot = Size.of(load(model), units)
+    params = robot.all_own(parameters(context.args, set_))
     orbits = find_orbits(model, params, period_n=period_n)
     if not orbits:
         print("no limit cycle found", file=sys.stderr)
