@@ -12,8 +12,9 @@ if TYPE_CHECKING:
     from stridemap.views.branch_diagram import branch_diagram
     from stridemap.views.plots import plot
     from stridemap.views.report.write import ReportSummary, write_report
+    from stridemap.views.scatter import plot_table
 
-__all__ = ["ReportSummary", "animate", "boundary_map", "branch_diagram", "plot", "write_report"]
+__all__ = ["ReportSummary", "animate", "boundary_map", "branch_diagram", "plot", "plot_table", "write_report"]
 
 _HOMES = {
     "ReportSummary": "report.write",
@@ -21,6 +22,7 @@ _HOMES = {
     "boundary_map": "boundary_map",
     "branch_diagram": "branch_diagram",
     "plot": "plots",
+    "plot_table": "scatter",
     "write_report": "report.write",
 }
 
