@@ -111,6 +111,12 @@ class CycleView {
     return factor === 1 ? exact(value, decimals) : settled(value * factor, orbits.error(name, row) * factor, decimals);
   }
 
+  // An entry of the section point, always with its decimals: small ones are zeros but for rounding.
+  entry({ name, unit }, row) {
+    const [value, factor] = [orbits.numbers(name)[row], factorOf(unit)];
+    return factor === 1 ? signed(value.toFixed(12)) : settled(value * factor, orbits.error(name, row) * factor, 12);
+  }
+
   // Rows of a table: the chosen cycle's value, the pinned one's where there is one, and the unit.
   line(label, meaning, name, valueOf, unit = "") {
     const cell = (row) => html("td", { class: "number" }, valueOf(row));
@@ -126,7 +132,7 @@ class CycleView {
       ...(this.pinned === null ? [] : [this.heading()]),
       ...report.measures.map((m) => this.line(m.label, m.meaning, m.name, (r) => this.value(m, r, decimalsOf(m)), unitText(m.unit, m.si))),
     );
-    byId("state").replaceChildren(...model.section.map((s) => this.line(s.symbol, "", s.name, (r) => signed(orbits.numbers(s.name)[r].toFixed(12)))));
+    byId("state").replaceChildren(...model.section.map((s) => this.line(s.symbol, "", s.name, (r) => this.entry(s, r), unitText(s.unit, s.si))));
     const pairs = multipliers(row);
     byId("circle").replaceChildren(unitCircle(pairs));
     const modulus = (r, i) => {
