@@ -49,5 +49,5 @@ def test_a_large_page_is_small_and_quick(large, browser):
         row = orbits.iloc[page.evaluate("stridemap.state.row")]
         shown = page.inner_text('#measures [data-name="cot"] .number')
         assert shown == f"{row.cot:.10f}"
-    assert sorted(times)[4] < SLOWEST_PRESS
+    assert sorted(times)[2] < SLOWEST_PRESS  # what else runs on the machine only adds
     assert faults == []
