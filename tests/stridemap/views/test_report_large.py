@@ -1,6 +1,7 @@
 """A page of a hundred thousand cycles: its size, and how long a press takes."""
 
 import pytest
+
 import stridemap
 from stridemap.views.report import write
 from tests.oracles.large_sweep import large_sweep
