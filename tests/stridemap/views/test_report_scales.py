@@ -53,8 +53,8 @@ def test_the_handles_move_by_mouse_and_keyboard_and_go_back(page):
     before, picture = ends(page), page.evaluate("document.getElementById('map').toDataURL()")
     upper = page.locator("#scale .handle[data-end=upper]")
     upper.focus()
-    for _ in range(30):
-        page.keyboard.press("ArrowLeft")
+    for key in ("PageDown", "PageDown", *["ArrowLeft"] * 10):
+        page.keyboard.press(key)
     moved = ends(page)
     assert moved[0] == before[0]
     assert moved[1] == pytest.approx(before[1] - 0.3 * (before[1] - before[0]), rel=1e-6)
@@ -69,8 +69,8 @@ def test_the_handles_move_by_mouse_and_keyboard_and_go_back(page):
     page.mouse.up()
     dragged = ends(page)
     assert dragged[0] == pytest.approx(before[0] + 0.4 * (before[1] - before[0]), rel=0.02)
-    for _ in range(200):  # it does not pass the other one
-        page.keyboard.press("ArrowRight")
+    for _ in range(12):  # it does not pass the other one
+        page.keyboard.press("PageUp")
     assert ends(page)[0] < ends(page)[1]
     page.click("#range-reset")
     assert ends(page) == before
