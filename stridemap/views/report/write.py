@@ -34,6 +34,7 @@ SCRIPTS = (
     "references.js",
     "filter.js",
     "pen.js",
+    "axes.js",
     "curves.js",
     "zoom.js",
     "map.js",
