@@ -17,15 +17,17 @@ import uuid
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-import pandas as pd
 import pyarrow as pa
 import pyarrow.parquet as pq
 
 from stridemap.errors import InputError, StorageError
 from stridemap.sweeps.config import SweepConfig, canonical_json
 from stridemap.sweeps.provenance import DECIDING
+
+if TYPE_CHECKING:
+    import pandas as pd
 
 ORBITS, CELLS, SPECIAL, PARTS = "orbits.parquet", "cells.parquet", "special.parquet", "parts"
 
@@ -59,7 +61,8 @@ class Store:
     def create(cls, folder: str | Path, config: SweepConfig, provenance: Mapping[str, Any]) -> "Store":
         """Open `folder`, made if it does not exist, for a sweep from the beginning.
 
-        Finished tables of the same configuration stay until `finish` replaces them.
+        Where this very sweep is finished, it stays as it is; finished tables of the same configuration that
+        were made with anything else (`provenance`) stay until `finish` replaces them.
 
         Raises
         ------
@@ -68,9 +71,11 @@ class Store:
             damaged or foreign file under one of our names, or an unfinished sweep. Nothing is touched.
         """
         store = cls(Path(folder), _with_configuration(provenance, config))
-        parts = store._parts()
-        for path in [*store._outputs(), *parts]:
+        outputs, parts = store._outputs(), store._parts()
+        for path in [*outputs, *parts]:
             store._check(path, same_software=False)
+        if len(outputs) == 2 and not parts and all(_provenance(p) == store.provenance for p in outputs):
+            return cls(store.folder, store.provenance, finished=True)
         if parts:
             raise InputError(
                 f"{folder} holds an unfinished sweep of this configuration ({len(parts)} finished pieces); "
@@ -221,7 +226,7 @@ class Store:
                 temporary.unlink(missing_ok=True)
 
 
-def read_orbits(folder: str | Path) -> pd.DataFrame:
+def read_orbits(folder: str | Path) -> "pd.DataFrame":
     """Return the limit cycles of a finished sweep, one row each, ordered by cell and period.
 
     Raises
@@ -229,10 +234,10 @@ def read_orbits(folder: str | Path) -> pd.DataFrame:
     InputError
         If there is no such table in `folder`, or it is damaged or foreign.
     """
-    return _frame(_output(folder, ORBITS))
+    return _frame(folder, ORBITS)
 
 
-def read_cells(folder: str | Path) -> pd.DataFrame:
+def read_cells(folder: str | Path) -> "pd.DataFrame":
     """Return the grid cells of a finished sweep, one row each.
 
     Raises
@@ -240,10 +245,10 @@ def read_cells(folder: str | Path) -> pd.DataFrame:
     InputError
         As `read_orbits`.
     """
-    return _frame(_output(folder, CELLS))
+    return _frame(folder, CELLS)
 
 
-def read_special(folder: str | Path) -> pd.DataFrame:
+def read_special(folder: str | Path) -> "pd.DataFrame":
     """Return the special points that a finished sweep has met along the lines of its grid, one row each.
 
     They are ordered by line and by the value of the parameter that varies along it.
@@ -258,7 +263,7 @@ def read_special(folder: str | Path) -> pd.DataFrame:
         raise InputError(
             f"there is no {SPECIAL} in {folder}: an earlier version of stridemap made the sweep; sweep again"
         )
-    return _frame(_output(folder, SPECIAL))
+    return _frame(folder, SPECIAL)
 
 
 def read_provenance(folder: str | Path) -> dict[str, Any]:
@@ -370,9 +375,21 @@ def _read(path: Path) -> pa.Table:
         return table
 
 
-def _frame(path: Path) -> pd.DataFrame:
+def read_table(folder: str | Path, name: str) -> pa.Table:
+    """Return a table of a finished sweep as Arrow has it.
+
+    Raises
+    ------
+    InputError
+        As `read_orbits`.
+    """
+    path = _output(folder, name)
     _provenance(path)
-    table = _read(path)
+    return _read(path)
+
+
+def _frame(folder: str | Path, name: str) -> "pd.DataFrame":
+    table = read_table(folder, name)
     frame: pd.DataFrame = table.to_pandas()
     for field in table.schema:
         if field.nullable and pa.types.is_integer(field.type):  # pandas would make them floats

@@ -1,9 +1,14 @@
-"""What a worker is given for one tile of a sweep, and what it gives back."""
+"""What a worker is given for one tile of a sweep, and what it gives back: plain arrays.
 
+The tables are made of them where they are written. What makes tables takes as long to load as all else that a
+worker needs.
+"""
+
+from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
-import pyarrow as pa
 from numpy.typing import NDArray
 
 from stridemap.solver.backends.base import Backend
@@ -27,8 +32,6 @@ class Task:
     params : dict of str to float
         Parameters that are not on an axis of the grid.
     search, acceptance, continuation : SearchOptions, AcceptanceOptions, ContinuationOptions
-    special_points : bool
-        Whether they are located.
     backend : Backend
         What runs the kernels.
     round, tile : int
@@ -42,6 +45,8 @@ class Task:
         Cycles that the tile's cells have already.
     seen : Solutions
         What the search gave there, before it converged: the cycles, and what turned out not to be one.
+    special_points : bool
+        Whether they are located.
     """
 
     model: Model
@@ -50,7 +55,6 @@ class Task:
     search: SearchOptions
     acceptance: AcceptanceOptions
     continuation: ContinuationOptions
-    special_points: bool
     backend: Backend
     round: int
     tile: int
@@ -59,6 +63,7 @@ class Task:
     incoming: Guesses
     known: Solutions
     seen: Solutions
+    special_points: bool = True
 
 
 @dataclass(frozen=True)
@@ -68,8 +73,8 @@ class Result:
     Parameters
     ----------
     round, tile : int
-    orbits : Table
-        Rows of the table of orbits, with the numbers of branches that the search gave them.
+    orbits : mapping of str to array, shape (n,)
+        Columns of the table of orbits, with the numbers of branches that the search gave them.
     failures : dict of int to str
         Cells that failed with the reason.
     seen : Solutions
@@ -78,18 +83,18 @@ class Result:
         For cells of other tiles.
     joins : ndarray of int, shape (n, 2)
         Pairs of branches that are one.
-    special : Table
-        Rows of the table of special points, with the numbers of branches that the search gave them.
+    special : mapping of str to sequence, length n
+        Columns of the table of special points, with the numbers of branches that the search gave them.
     discarded : dict of (int, str) to int
         How many solutions in which cell were no limit cycle, by `Status`.
     """
 
     round: int
     tile: int
-    orbits: pa.Table
+    orbits: Mapping[str, Any]
     failures: dict[int, str]
     seen: Solutions
     outgoing: Guesses
     joins: Ints
-    special: pa.Table
+    special: Mapping[str, Any]
     discarded: dict[tuple[int, str], int]

@@ -26,8 +26,7 @@ from stridemap.sweeps.connections import connections
 from stridemap.sweeps.lines import Lines
 from stridemap.sweeps.solutions import NONE, Guesses, Solutions
 from stridemap.sweeps.special import Locator, SpecialPoint
-from stridemap.sweeps.special_tables import special_table
-from stridemap.sweeps.tables import orbit_table
+from stridemap.sweeps.special_columns import special_columns
 from stridemap.sweeps.tasks import Result, Task
 
 _T = TypeVar("_T")
@@ -73,12 +72,12 @@ def work(task: Task) -> Result:
     return Result(
         task.round,
         task.tile,
-        orbit_table(cells, branch, orbits),
+        {"cell": cells, "branch": branch, **orbits.columns()},
         search.failures,
         search.new,
         search.outgoing,
         search.joins,
-        special_table(task.model, task.grid, task.params, special),
+        special_columns(task.model, task.grid, task.params, special),
         dict(search.discarded),
     )
 

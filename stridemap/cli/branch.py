@@ -11,6 +11,7 @@ from stridemap.cli.options import (
     FOUND,
     NOTHING,
     ContinuationOption,
+    CsvOption,
     FrictionOption,
     JsonOption,
     ModelOption,
@@ -18,6 +19,7 @@ from stridemap.cli.options import (
     SearchOption,
     SetOption,
     TableOption,
+    one_format,
     option_values,
     parameters,
     whole,
@@ -45,39 +47,46 @@ def branch(
     ] = None,
     show: Annotated[str, typer.Option(metavar="COLUMN", help="What the diagram shows.")] = "period",
     json_: JsonOption = False,
+    csv: CsvOption = False,
 ) -> int:
     """Follow all branches of limit cycles over one parameter and locate their special points."""
     from stridemap.cli.output import print_table
+    from stridemap.cli.progress import show_lines
     from stridemap.solver.api.branches import branches
     from stridemap.solver.branches.tables import table_writer
     from stridemap.solver.model.loading import load
     from stridemap.solver.options import ContinuationOptions, SearchOptions
+    from stridemap.tables.export import csv_text
     from stridemap.views.branch_diagram import check_column, check_picture
 
+    one_format(json_, csv)
     if out is not None:
         table_writer(out)
     if plot is not None:
         check_picture(plot)
         check_column(load(model), show)
-    found = branches(
-        model,
-        vary,
-        range_,
-        parameters(context.args, set_),
-        period_n=period_n,
-        cascade=cascade,
-        seeds=seeds,
-        friction_limit=friction_limit,
-        search=SearchOptions.from_mapping({"starts": starts, **option_values("--search", search)}),
-        options=ContinuationOptions.from_mapping(option_values("--continuation", continuation)),
-        progress=None if json_ else say,
-    )
+    with show_lines(f"branches over {vary}") as say:
+        found = branches(
+            model,
+            vary,
+            range_,
+            parameters(context.args, set_),
+            period_n=period_n,
+            cascade=cascade,
+            seeds=seeds,
+            friction_limit=friction_limit,
+            search=SearchOptions.from_mapping({"starts": starts, **option_values("--search", search)}),
+            options=ContinuationOptions.from_mapping(option_values("--continuation", continuation)),
+            progress=say,
+        )
     if out is not None:
         found.save(out)
     if plot is not None:
         write_figure(found.plot(show), plot)
     if json_:
         print(json.dumps(found.to_dict(), indent=1, allow_nan=False))
+    elif csv:
+        print(csv_text(found.to_frame()), end="")
     elif len(found):
         print(found)
         rows = [["type", vary, "period", "steps", "gait", "multiplier", "branch"]]
@@ -109,8 +118,3 @@ def write_figure(figure: Any, path: Path) -> None:
         raise StorageError(
             f"cannot write {path} ({error.strerror or error}); give a path that can be written"
         ) from None
-
-
-def say(line: str) -> None:
-    """Report on standard error what is being done."""
-    print(line, file=sys.stderr, flush=True)

@@ -7,8 +7,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
-from rich.console import Console
-from rich.table import Table
 
 from stridemap.cli.options import FOUND, INTERRUPTED, JsonOption, SetOption, parameters
 from stridemap.cli.paper_options import (
@@ -71,6 +69,9 @@ def claims(
 
 def _print(decided: "Sequence[Claim]") -> None:
     """Print a table on a terminal; plain lines elsewhere, one per statement."""
+    from rich.console import Console
+    from rich.table import Table
+
     console = Console()
     if console.is_terminal:
         table = Table("", "statement", "verdict", "deciding numbers", show_lines=True)

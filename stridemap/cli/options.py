@@ -1,15 +1,19 @@
 """What several commands have in common: model, parameters, whole numbers, exit statuses, interrupts."""
 
 import contextlib
+import functools
+import inspect
 import itertools
 import os
 import signal
+from collections.abc import Callable
 from pathlib import Path
 from typing import Annotated, Any, NoReturn
 
 import typer
 import typer.core
 
+from stridemap.cli.progress import be_quiet
 from stridemap.errors import InputError
 
 FOUND, NOTHING, UNUSABLE, INTERRUPTED = 0, 1, 2, 130
@@ -19,6 +23,16 @@ FOUND, NOTHING, UNUSABLE, INTERRUPTED = 0, 1, 2, 130
 # Model parameters are options of the commands that take a model (--k 6): which there are depends on the
 # model, so they are taken from what is left on the command line.
 PARAMETERS = {"allow_extra_args": True, "ignore_unknown_options": True}
+
+
+class Commands(typer.core.TyperGroup):
+    """All commands; what each does stands in their list uncut, in several lines where it has to."""
+
+    def format_commands(self, ctx: Any, formatter: Any) -> None:
+        """Write the list of commands."""
+        rows = [(name, one.get_short_help_str(limit=1_000)) for name, one in self.commands.items()]
+        with formatter.section("Commands"):
+            formatter.write_dl(rows)
 
 
 class WithParameters(typer.core.TyperCommand):
@@ -135,7 +149,60 @@ ContinuationOption = Annotated[
 TableOption = Annotated[
     Path | None, typer.Option("--out", metavar="FILE.parquet", help="Write all points as a table.")
 ]
+TableArgument = Annotated[
+    Path,
+    typer.Argument(
+        metavar="TABLE", help="Output folder of a sweep, or a table (.parquet, .csv) that stridemap wrote."
+    ),
+]
+TableModelOption = Annotated[
+    str | None,
+    typer.Option(
+        "--model", help="The table's model, where that is not a built-in one or a .csv does not say it."
+    ),
+]
+CsvOption = Annotated[
+    bool,
+    typer.Option("--csv", help="Print comma-separated values and nothing else: one row per limit cycle."),
+]
 JsonOption = Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")]
+
+
+def _set_quiet(quiet: bool) -> bool:
+    """Show no progress in this process, where that is asked for."""
+    if quiet:
+        be_quiet()
+    return quiet
+
+
+QuietOption = Annotated[
+    bool, typer.Option("--quiet", callback=_set_quiet, help="Do not show how far the command is.")
+]
+
+
+def with_quiet(command: Callable[..., int]) -> Callable[..., int]:
+    """A command that takes ``--quiet`` too: all commands do, and none has to know."""
+
+    @functools.wraps(command)
+    def quieter(*args: Any, quiet: bool = False, **options: Any) -> int:
+        return command(*args, **options)
+
+    own = inspect.signature(command)
+    more = inspect.Parameter("quiet", inspect.Parameter.KEYWORD_ONLY, default=False, annotation=QuietOption)
+    quieter.__signature__ = own.replace(parameters=[*own.parameters.values(), more])  # type: ignore[attr-defined]
+    quieter.__annotations__ = {**command.__annotations__, "quiet": QuietOption}
+    return quieter
+
+
+def one_format(json_: bool, csv: bool) -> None:
+    """Refuse two formats for one output.
+
+    Raises
+    ------
+    InputError
+    """
+    if json_ and csv:
+        raise InputError("--json and --csv cannot be given together; leave one of them out")
 
 
 def parameters(extra: list[str], assignments: list[str] | None) -> dict[str, Any]:
@@ -148,6 +215,11 @@ def parameters(extra: list[str], assignments: list[str] | None) -> dict[str, Any
                 f"{word!r} is not understood: parameters are given as --NAME VALUE or --set NAME=VALUE"
             )
         name, equals, value = word[2:].partition("=")
+        if name == "units":
+            raise InputError(
+                "--units is not an option of this command, whose parameters are in the model's units; write "
+                "a table with --out and convert it: stridemap export TABLE --units leg_length=...,mass=..."
+            )
         text = value if equals else next(rest, None)
         if text is None or (text.startswith("--") and not equals):
             raise InputError(f"--{name} needs a value")

@@ -12,6 +12,7 @@ from stridemap.paper.branch_tables import EDGE_COLUMNS, edge_table, minima_table
 from stridemap.paper.profile_features import COLUMNS as PROFILE_COLUMNS
 from stridemap.paper.profile_features import COMPARED, compare_with, with_profiles
 from stridemap.paper.sweeps import PaperSweeps, require_gaits
+from stridemap.services import shown
 from stridemap.solver.branches.main_branch import on_main_branch
 from stridemap.solver.cycles.orbits import Orbits
 from stridemap.solver.cycles.solver import Solver
@@ -105,14 +106,21 @@ def cycle_tables(sweeps: PaperSweeps) -> CycleTables:
     walker, compass = load("wobbling"), load("compass")
     solver, orbits = Solver.for_model(walker), Orbits.from_columns(walker, gaits["lines"])
     main = on_main_branch(orbits, "k")
-    lines = _lines(walker, gaits["lines"], main)
     line_k = np.array(sweeps.configs["lines"].grid["k"])
+    with shown("following what the statements are about") as update:
+        update(detail="courses along a step")
+        lines = _lines(walker, gaits["lines"], main)
+        typical = _typical(walker, gaits["typical"], compass, gaits["compass"])
+        update(detail="minima along branches")
+        minima = minima_table(solver, orbits, main, line_k)
+        update(detail="where gaits begin and end")
+        edges = edge_table(solver, orbits, line_k)
     return CycleTables(
-        typical=_typical(walker, gaits["typical"], compass, gaits["compass"]),
+        typical=typical,
         compass=gaits["compass"],
         lines=lines,
-        minima=minima_table(solver, orbits, main, line_k),
-        edges=edge_table(solver, orbits, line_k),
+        minima=minima,
+        edges=edges,
         map=gaits["map"],
         line_k=line_k,
         map_k=np.array(sweeps.configs["map"].grid["k"]),

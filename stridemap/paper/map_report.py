@@ -9,7 +9,9 @@ from stridemap.paper.cycle_tables import cycle_tables
 from stridemap.paper.evaluate import evaluate
 from stridemap.paper.map_boundaries import map_boundaries
 from stridemap.paper.sweeps import paper_sweeps
+from stridemap.services import shown
 from stridemap.sweeps.run import Progress
+from stridemap.views.report.references import references_of
 from stridemap.views.report.write import ReportSummary, check_out, write_report
 
 
@@ -27,7 +29,7 @@ def report(
 ) -> ReportSummary:
     """Write the map of the paper's sweeps, with its boundaries and the verdicts, as one HTML file.
 
-    It needs no network.
+    It needs no network. Cycles are compared with those of the compass, the walker without a wobbling mass.
 
     Parameters
     ----------
@@ -50,4 +52,7 @@ def report(
     paper = paper_sweeps(sweeps, params, thin, workers=workers, executor=executor, progress=progress)
     verdicts = claims or [claim.to_dict() for claim in evaluate(cycle_tables(paper))]
     curves = map_boundaries(paper, say)
-    return write_report(paper.run("map"), out, verdicts, curves=None if curves.empty else curves)
+    references = references_of(paper.gaits("compass"), "compass", ["omega"])
+    drawn = None if curves.empty else curves
+    with shown("writing the report"):
+        return write_report(paper.run("map"), out, verdicts, curves=drawn, references=references)

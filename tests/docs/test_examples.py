@@ -27,7 +27,8 @@ def example(monkeypatch, tmp_path, capsys):
     def run(number):
         (script,) = FOLDER.glob(f"{number}_*.py")
         names = runpy.run_path(str(script), run_name="__main__")
-        assert pyplot.get_fignums(), "an example shows a figure"
+        shown = pyplot.get_fignums() or isinstance(names.get("figure"), matplotlib.figure.Figure)
+        assert shown, "an example shows a figure"
         assert list(tmp_path.iterdir()) == []
         return names, capsys.readouterr().out
 
@@ -111,21 +112,18 @@ def test_swinging_torso(example):
     assert "cost of transport 0.294, compass 0.308" in out
 
 
-def test_how_much_damping(example):
-    names, out = example(7)
-    best, compass = names["best"], names["compass"]
-    # The sentences: where the gain is gone with the paper's springs, in per cent of critical damping ...
-    shares = re.findall(r"group (\w): (\w+) is the compass's at ([\d.]+) %", out)
-    assert [(group, name, round(float(share), 1)) for group, name, share in shares] == [
-        ("B", "cot", 1.5), ("B", "d_max", 2.0), ("C", "cot", 1.6), ("C", "d_max", 1.8),
-    ]  # fmt: skip
-    # ... with the best spring for each damper, and in group A nowhere, with or without a damper.
-    lost = {g: np.interp(compass.cot, rows.cot, rows.share) for g, rows in best.groupby("group") if g != "A"}
-    assert lost == pytest.approx({"B": 2.6, "C": 1.9}, abs=0.05)
-    assert best[best.group == "A"].cot.min() > compass.cot
-    # Every group gets more stable.
-    ends = best.sort_values("c").groupby("group").spectral_radius.agg(["first", "last"])
-    assert (ends["last"] < ends["first"] - 0.05).all()
+def test_limit_cycles_in_a_notebook(example):
+    names, _ = example(9)
+    stable, si, lowest = names["stable"], names["si"], names["lowest"]
+    # What the page shows: tables and pictures, as elements of a page.
+    for shown in (names["orbits"], stable, names["figure"]):
+        assert "<svg" in shown._repr_html_()
+    assert "<td>1.1837395</td><td>sqrt(L/g)</td>" in stable._repr_html_()
+    assert names["cheapest"]["cot"].is_monotonic_increasing
+    assert float(lowest.sel(k=6)) == pytest.approx(stable.cot, rel=1e-9)
+    assert names["figure"].axes[0].get_xlabel().endswith(r"$\mathrm{N}/\mathrm{m}$]")
+    # 32 kg, 9.80665 m/s^2 and 0.75 m: a k of 6 is 2,510.5 N/m.
+    assert np.abs(si.frame["k"] - 6 * 32 * 9.80665 / 0.75).min() < 1e-6
 
 
 def push(names, spring):
@@ -151,3 +149,33 @@ def test_each_example_is_a_page(script):
 def test_every_example_has_a_test():
     tested = re.findall(r"example\((\d)\)", Path(__file__).read_text("utf-8"))
     assert tested == [script.stem[0] for script in SCRIPTS]
+
+
+def test_walk_with_the_c(example):
+    names, out = example(7)
+    assert len(names["simulated"]) == 20
+    assert names["off_double"].max() < 1e-9
+    assert 1e-9 < names["off_float"].max() < 1e-4
+    # The push is felt: the walk does not merely stand on the cycle.
+    assert np.abs(names["simulated"][0] - names["fixed_point"]).max() > 1e-3
+    room = names["room"]  # code of the step and of the equations, and stack
+    assert all(500 < size < 20_000 for sizes in room.values() for size in sizes)
+    assert room["float"][2] < 0.8 * room["double"][2]
+    assert len(re.findall(r"[\d,]+ bytes of code in the step function, [\d,]+ in the equations", out)) == 2
+
+
+def test_how_much_damping(example):
+    names, out = example(8)
+    best, compass = names["best"], names["compass"]
+    # The sentences: where the gain is gone with the paper's springs, in per cent of critical damping ...
+    shares = re.findall(r"group (\w): (\w+) is the compass's at ([\d.]+) %", out)
+    assert [(group, name, round(float(share), 1)) for group, name, share in shares] == [
+        ("B", "cot", 1.5), ("B", "d_max", 2.0), ("C", "cot", 1.6), ("C", "d_max", 1.8),
+    ]  # fmt: skip
+    # ... with the best spring for each damper, and in group A nowhere, with or without a damper.
+    lost = {g: np.interp(compass.cot, rows.cot, rows.share) for g, rows in best.groupby("group") if g != "A"}
+    assert lost == pytest.approx({"B": 2.6, "C": 1.9}, abs=0.05)
+    assert best[best.group == "A"].cot.min() > compass.cot
+    # Every group gets more stable.
+    ends = best.sort_values("c").groupby("group").spectral_radius.agg(["first", "last"])
+    assert (ends["last"] < ends["first"] - 0.05).all()

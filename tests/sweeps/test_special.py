@@ -17,7 +17,8 @@ from stridemap.sweeps.parts import part_table, result_of
 from stridemap.sweeps.reading import read_sweep
 from stridemap.sweeps.run import sweep
 from stridemap.sweeps.special import NOT_LOCATED, SpecialPoint
-from stridemap.sweeps.special_tables import in_order, special_table
+from stridemap.sweeps.special_columns import special_columns
+from stridemap.sweeps.special_tables import in_order, special_table_of
 from stridemap.sweeps.store import SPECIAL, read_orbits, read_special
 from stridemap.sweeps.tables import special_schema
 from tests.oracles.kernels import needs_compiler
@@ -204,7 +205,7 @@ def test_the_order_and_what_is_one_point():
         point(0.7, (0.1, -0.1, 3.01)),
         point(0.9, (0.1, -0.1, 3.0), "pd"),  # nor this, which is not between its values
     ]
-    table = special_table(model, grid, {}, points)
+    table = special_table_of(model, special_columns(model, grid, {}, points))
     rows = in_order(model, "slope", 1.0, table).to_pylist()
     seen = [(r["type"], r["lower"], r["period"], r["cell"], r["reason"]) for r in rows]
     assert seen == [
@@ -218,7 +219,9 @@ def test_the_order_and_what_is_one_point():
     assert rows[1]["residual"] == 1.0  # the first of those that are one
     assert rows[0]["slope"] is None
     located = [*points, point(0.4, (0.3, -0.3, 5.0), "pd")]
-    rows = in_order(model, "slope", 1.0, special_table(model, grid, {}, located)).to_pylist()
+    rows = in_order(
+        model, "slope", 1.0, special_table_of(model, special_columns(model, grid, {}, located))
+    ).to_pylist()
     assert [r["type"] for r in rows if r["reason"]] == []
 
 

@@ -22,25 +22,43 @@ from stridemap.views.report import sections
 from stridemap.views.report.curves import curves as encoded
 from stridemap.views.report.curves import read_curves
 from stridemap.views.report.payload import NEEDED, payload
+from stridemap.views.report.references import Reference
 
 SCRIPTS = (
+    "numbers.js",
     "data.js",
+    "units.js",
     "walker.js",
     "scale.js",
+    "colours.js",
+    "references.js",
+    "filter.js",
+    "pen.js",
+    "axes.js",
     "curves.js",
+    "zoom.js",
     "map.js",
+    "patches.js",
     "joining.js",
     "slice.js",
+    "scatter.js",
     "charts.js",
+    "lines.js",
     "stage.js",
     "cycle.js",
+    "bar.js",
+    "export.js",
+    "selection.js",
+    "address.js",
     "page.js",
+    "controls.js",
+    "start.js",
 )
 """The page's own programs, in the order in which they build on each other."""
 
 PROGRAM = """
 "use strict";
-(() => {{
+(async () => {{
 const equations = {equations};
 {own}
 }})();
@@ -75,6 +93,7 @@ def write_report(
     claims: str | Path | Sequence[Mapping[str, Any]] | None = None,
     model: str | Path | None = None,
     curves: str | Path | pd.DataFrame | None = None,
+    references: Sequence[Reference] = (),
 ) -> ReportSummary:
     """Write a sweep as one HTML file that needs no other file and no network.
 
@@ -92,6 +111,9 @@ def write_report(
     curves : path or DataFrame, optional
         Boundaries to draw over the map: what ``stridemap boundary --out`` wrote, over two parameters of the
         sweep's grid.
+    references : sequence of Reference, optional
+        Values to compare with, such as those of another model: lines in slices, colours of the map, words of
+        filters.
 
     Raises
     ------
@@ -106,7 +128,7 @@ def write_report(
     if orbits.empty:
         raise InputError(f"the sweep in {folder} found no limit cycle, so there is nothing to show")
     lines = _curves(loaded, provenance["configuration"], curves)
-    data = payload(loaded, provenance["configuration"], orbits, cells, lines)
+    data = payload(loaded, provenance["configuration"], orbits, cells, lines, references)
     verdicts = sections.read_claims(claims) if isinstance(claims, str | Path) else claims
     page = _page(
         title=sections.text(f"Limit cycles: {loaded.title}"),
