@@ -32,12 +32,12 @@ function chartsOf(samples) {
     }
   }
   const has = (name) => samples[0][name] !== null;
-  if (has("d")) charts.push({ title: "d: stance foot minus the paper's zero moment point", unit: model.units.length, series: [named("d", (s) => s.d, "series-0")], measure: "d_max" });
-  if (has("offset")) charts.push({ title: "centre of pressure ahead of the contact", unit: model.units.length, series: [named("offset", (s) => s.offset, "series-0")], measure: "cop_max" });
+  if (has("d")) charts.push({ title: "d: stance foot minus the paper's zero moment point", unit: model.units.length, series: [named("d", (s) => s.d, "zmp")], measure: "d_max" });
+  if (has("offset")) charts.push({ title: "centre of pressure ahead of the contact", unit: model.units.length, series: [named("offset", (s) => s.offset, "force")], measure: "cop_max" });
   if (has("force")) {
     charts.push({
       title: "ground force on the stance foot", unit: model.units.force, zero: true,
-      series: [named("Fy", (s) => s.force[1], "series-0"), named("Fx", (s) => s.force[0], "series-1")],
+      series: [named("Fy", (s) => s.force[1], "force"), named("Fx", (s) => s.force[0], "force aside")],
     });
   }
   if (has("torque")) {

@@ -18,6 +18,7 @@ import pandas as pd
 from stridemap.errors import InputError
 from stridemap.solver.model.model import Model
 from stridemap.sweeps.reading import read_sweep
+from stridemap.views import palette
 from stridemap.views.report import sections
 from stridemap.views.report.curves import curves as encoded
 from stridemap.views.report.curves import read_curves
@@ -157,7 +158,7 @@ def _within_script(program: str) -> str:
 def _page(**parts: str) -> str:
     """Fill the places ``{{name}}`` of the page's template."""
     source = files("stridemap.views.report")
-    parts["style"] = source.joinpath("page.css").read_text(encoding="utf-8")
+    parts["style"] = source.joinpath("page.css").read_text(encoding="utf-8") + palette.style_sheet()
     own = "\n".join(source.joinpath(name).read_text(encoding="utf-8") for name in SCRIPTS)
     parts["script"] = PROGRAM.format(equations=parts.pop("equations"), own=own)
     # The browser runs this program and no other, whatever else should have got into the page.
