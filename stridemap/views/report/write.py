@@ -20,6 +20,8 @@ from stridemap.solver.model.model import Model
 from stridemap.sweeps.reading import read_sweep
 from stridemap.views import palette
 from stridemap.views.report import sections
+from stridemap.views.report.claims import claims as verdict_list
+from stridemap.views.report.claims import read_claims
 from stridemap.views.report.curves import curves as encoded
 from stridemap.views.report.curves import read_curves
 from stridemap.views.report.payload import NEEDED, payload
@@ -108,12 +110,12 @@ def write_report(
         raise InputError(f"the sweep in {folder} found no limit cycle, so there is nothing to show")
     lines = _curves(loaded, provenance["configuration"], curves)
     data = payload(loaded, provenance["configuration"], orbits, cells, lines)
-    verdicts = sections.read_claims(claims) if isinstance(claims, str | Path) else claims
+    verdicts = read_claims(claims) if isinstance(claims, str | Path) else claims
     page = _page(
         title=sections.text(f"Limit cycles: {loaded.title}"),
         heading=sections.text(loaded.title),
         lead=sections.lead(loaded, provenance, orbits, cells),
-        claims=(verdict_section := sections.claims(loaded, verdicts)),
+        claims=(verdict_section := verdict_list(loaded, verdicts)),
         claims_link='<a href="#claims">Statements of the paper</a>' if verdict_section else "",
         provenance=sections.provenance(loaded, provenance),
         # A `<` could end the element that holds the data.
