@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from types import MappingProxyType
 from typing import Any
@@ -143,7 +143,6 @@ class Statement:
             named = ", ".join(failing[:4]) + (f" and {len(failing) - 4} more" if len(failing) > 4 else "")
             numbers = f"{numbers}; not so: {named}" if numbers else f"not so: {named}"
         evidence = {"parts": parts.to_dict(), **plain(further)}
-        figure = self.figure(data, evidence) if self.figure else None
         return Claim(
             self.id,
             self.text,
@@ -153,8 +152,12 @@ class Statement:
             self.short or self.text,
             self.where,
             listed,
-            figure,
         )
+
+    def drawn(self, data: CycleTables) -> Claim:
+        """Decide the statement, and draw what decides it."""
+        claim = self(data)
+        return replace(claim, figure=self.figure(data, claim.evidence)) if self.figure else claim
 
 
 def statement(

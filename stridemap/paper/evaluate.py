@@ -29,7 +29,7 @@ def evaluate(data: CycleTables) -> list[Claim]:
     data : CycleTables
     """
     ordered = sorted(STATEMENTS.values(), key=lambda one: int(one.id[1:]))
-    return [one(data) for one in ordered]
+    return [one.drawn(data) for one in ordered]
 
 
 def claims(

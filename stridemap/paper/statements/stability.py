@@ -54,7 +54,7 @@ def c7(data: CycleTables) -> Decided:
     figure=over_k(
         "spectral_radius",
         least_of_groups("{group} at {name}"),
-        "Largest multiplier over k in B, C and D; marked is the smallest on the main branch, and of stable cycles.",
+        "Largest multiplier over k; marked is the smallest on the main branch, and of stable cycles.",
         groups="BCD",
     ),
 )

@@ -99,8 +99,8 @@ def _legend() -> str:
     )
     return (
         f'<p class="keys small-keys"><span class="key">stable cycles of group</span>{dots}{others}</p>'
-        '<p class="note">Press on a mark to see its cycles on the map. Numbers have as many digits as it takes '
-        "to tell them apart; <code>stridemap claims --json</code> prints them in full.</p>"
+        '<p class="note">Press on a mark to see its cycles on the map. Numbers have as many digits as it '
+        "takes to tell them apart; <code>stridemap claims --json</code> prints them in full.</p>"
     )
 
 

@@ -19,8 +19,8 @@ from stridemap.solver.model.loading import available, load
 from stridemap.sweeps import store
 from stridemap.sweeps.run import sweep
 from stridemap.sweeps.store import read_cells, read_provenance
-from stridemap.views.report.payload import _table
 from stridemap.views.report.claims import read_claims
+from stridemap.views.report.payload import _table
 from stridemap.views.report.write import write_report
 from tests.oracles.sweeping import Inline
 
