@@ -68,9 +68,8 @@ def claims(
     else:
         _print(decided, verbose)
         if thin > 1:
-            print(
-                f"Only every {_ordinal(thin)} value of k and alpha was searched: what is narrow may be missing."
-            )
+            which = f"Only every {_ordinal(thin)} value of k and alpha"
+            print(f"{which} was searched: what is narrow may be missing.")
         values = ", ".join(f"{name} = {value:g}" for name, value in used.items())
         print(f"{values}: {origin}; cycles in {folder}")
     return FOUND
