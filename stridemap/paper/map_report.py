@@ -10,6 +10,7 @@ from stridemap.paper.evaluate import evaluate
 from stridemap.paper.map_boundaries import map_boundaries
 from stridemap.paper.sweeps import paper_sweeps
 from stridemap.sweeps.run import Progress
+from stridemap.views.report.references import references_of
 from stridemap.views.report.write import ReportSummary, check_out, write_report
 
 
@@ -27,7 +28,7 @@ def report(
 ) -> ReportSummary:
     """Write the map of the paper's sweeps, with its boundaries and the verdicts, as one HTML file.
 
-    It needs no network.
+    It needs no network. Cycles are compared with those of the compass, the walker without a wobbling mass.
 
     Parameters
     ----------
@@ -50,4 +51,7 @@ def report(
     paper = paper_sweeps(sweeps, params, thin, workers=workers, executor=executor, progress=progress)
     verdicts = claims or [claim.to_dict() for claim in evaluate(cycle_tables(paper))]
     curves = map_boundaries(paper, say)
-    return write_report(paper.run("map"), out, verdicts, curves=None if curves.empty else curves)
+    references = references_of(paper.gaits("compass"), "compass", ["omega"])
+    return write_report(
+        paper.run("map"), out, verdicts, curves=None if curves.empty else curves, references=references
+    )

@@ -64,4 +64,5 @@ def group_colour(letter: str | None) -> str:
 def style_sheet() -> str:
     """The colours as names of a style sheet, such as ``--force``, for a light and for a dark page."""
     light, dark = (" ".join(f"--{name}: {pair[i]};" for name, pair in _ON_THE_PAGE.items()) for i in (0, 1))
-    return f":root {{ {light} }}\n@media screen and (prefers-color-scheme: dark) {{ :root {{ {dark} }} }}\n"
+    on_dark = f"@media screen and (prefers-color-scheme: dark) {{ :root:not([data-print]) {{ {dark} }} }}"
+    return f":root {{ {light} }}\n{on_dark}\n"

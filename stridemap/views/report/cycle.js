@@ -1,18 +1,28 @@
-// One cell's limit cycles: the list to choose from, and everything about the one that is chosen.
+// One cell's limit cycles: the list to choose from, and everything about the one that is chosen, beside a pinned one.
 
 const byId = (id) => document.getElementById(id);
+
+// A term whose meaning opens beneath it, by mouse, finger and keyboard.
+function defined(term, meaning) {
+  if (!meaning) return html("span", {}, term);
+  return html("details", { class: "definition" }, html("summary", {}, term), html("p", {}, meaning));
+}
 
 class CycleView {
   // `onCycle(row)` is called when the reader chooses another cycle of the cell.
   constructor(stage, onCycle) {
     this.stage = stage;
     this.onCycle = onCycle;
+    this.pinned = null;
+    this.strip = new Strip(byId("strip"), (time) => this.stage.seek(time));
     byId("profiles").addEventListener("pointerdown", (event) => this.scrub(event));
     byId("profiles").addEventListener("pointermove", (event) => event.buttons && this.scrub(event));
+    byId("profiles").addEventListener("keydown", (event) => this.key(event));
   }
 
-  show(cell, row) {
-    byId("cell-name").textContent = grid.axes.map((axis, i) => `${axis.symbol} = ${brief(axis.values[grid.indices(cell)[i]], 6)}`).join(", ");
+  // Show a cell and one of its cycles, or none, beside a pinned one, or none.
+  show(cell, row, pinned) {
+    byId("cell-name").textContent = placeText(cell);
     this.list(cell, row);
     const found = row !== null;
     byId("cycle").hidden = byId("numbers").hidden = byId("profiles-card").hidden = !found;
@@ -22,13 +32,19 @@ class CycleView {
       const reason = cells.entry("reason", cell) ?? "no cycle passes the choice above";
       byId("empty").textContent = `${status === "failed" ? "This cell failed" : "No limit cycle here"}: ${reason}.`;
       this.stage.play(false);
+      this.row = null;
       return;
     }
+    const another = this.row !== row;
+    if (another) this.path = Path.ofRow(row);
     this.row = row;
-    this.path = Path.ofRow(row);
-    this.profiles(row);
+    if (this.pinned !== pinned) this.pinnedPath = pinned === null ? null : Path.ofRow(pinned);
+    this.pinned = pinned;
+    this.profiles();
     this.tables(row);
-    this.stage.load(this.path);
+    if (another) this.strip.load(this.path);
+    if (another) this.stage.load(this.path);
+    else this.mark(this.stage.time);
   }
 
   list(cell, chosen) {
@@ -37,7 +53,7 @@ class CycleView {
     const words = (row) => [
       orbits.has("group") && orbits.entry("group", row) !== null ? `group ${orbits.entry("group", row)}` : null,
       stabilityOf(row),
-      `T = ${brief(orbits.numbers("period")[row], 6)}`,
+      `T = ${brief(orbits.numbers("period")[row] * kindFactor("time"), 6)}`,
       `|μ| = ${brief(radiusColumn[row])}`,
     ].filter(Boolean).join(", ");
     const options = rows.map((row, i) => html(
@@ -50,47 +66,97 @@ class CycleView {
     box.replaceChildren(html("legend", {}, legend), ...options);
   }
 
-  profiles(row) {
-    const samples = this.path.samples(SAMPLES);
-    const times = samples.map((s) => s.t);
-    this.charts = chartsOf(samples).map((chart) => lineChart(chart, times, row));
+  profiles() {
+    const of = state.profiles === "phase" ? portraitsOf : chartsOf;
+    const charts = of(this.path.samples(SAMPLES));
+    const beside = this.pinnedPath ? of(this.pinnedPath.samples(SAMPLES)) : [];
+    this.charts = charts.map((chart, i) => {
+      const row = chart.measure && orbits.has(chart.measure) ? orbits.entry(chart.measure, this.row) : null;
+      const bound = row === null ? null : row * kindFactor("length");
+      return lineChart({ ...chart, bound, series: [...chart.series, ...(beside[i]?.series ?? [])] }, chart.series.length);
+    });
     byId("profiles").replaceChildren(...this.charts);
   }
 
   // Pressing on a profile goes to that time.
   scrub(event) {
     const chart = this.charts?.find((figure) => figure.contains(event.target));
-    if (!chart) return;
+    if (!chart || event.target.closest("button")) return;
     this.stage.play(false);
-    this.stage.seek(chart.time(event));
+    this.stage.seek(chart.time(event) / kindFactor("time"));
+  }
+
+  // Arrow keys go through the step, in hundredths of it; with Shift in tenths.
+  key(event) {
+    if (!this.path || event.target.closest("button")) return;
+    const { period } = this.path;
+    const stride = (event.shiftKey ? 0.1 : 0.01) * period;
+    const times = { ArrowLeft: this.stage.time - stride, ArrowRight: this.stage.time + stride, Home: 0, End: period };
+    if (!(event.key in times)) return;
+    event.preventDefault();
+    this.stage.play(false);
+    this.stage.seek(times[event.key]);
   }
 
   mark(t) {
-    this.charts?.forEach((chart) => chart.mark(t));
+    this.charts?.forEach((chart) => chart.mark(t * kindFactor("time")));
+    if (!this.path) return;
+    this.strip.mark(t);
+    byId("profiles").setAttribute("aria-valuenow", String(Math.round((100 * t) / this.path.period)));
+    byId("profiles").setAttribute("aria-valuetext", `t = ${brief(t * kindFactor("time"), 3)} of ${brief(this.path.period * kindFactor("time"), 3)}`);
+  }
+
+  // A measured value as it is shown: with all its decimals in the model's units, and with those that are certain in others.
+  value({ name, unit }, row, decimals = 10) {
+    const factor = factorOf(unit);
+    const value = orbits.entry(name, row);
+    if (typeof value !== "number" || orbits.source[name].whole) return entryText(name, row);
+    return factor === 1 ? exact(value, decimals) : settled(value * factor, orbits.error(name, row) * factor, decimals);
+  }
+
+  // Rows of a table: the chosen cycle's value, the pinned one's where there is one, and the unit.
+  line(label, meaning, name, valueOf, unit = "") {
+    const cell = (row) => html("td", { class: "number" }, valueOf(row));
+    return html(
+      "tr", { title: meaning, "data-name": name },
+      html("th", { scope: "row" }, defined(label, meaning)), cell(this.row), ...(this.pinned === null ? [] : [cell(this.pinned)]), html("td", { class: "unit" }, unit),
+    );
   }
 
   tables(row) {
-    const line = (label, value, { unit = "", title = "", name = "" }) => html(
-      "tr", { title, "data-name": name },
-      html("th", { scope: "row" }, label), html("td", { class: "number" }, value), html("td", { class: "unit" }, unit),
-    );
+    const decimalsOf = ({ name }) => (name === "period" ? 12 : 10);
     byId("measures").replaceChildren(
-      ...report.measures.map((m) => line(m.label, entryText(m.name, row), { unit: m.unit, title: m.meaning, name: m.name })),
+      ...(this.pinned === null ? [] : [this.heading()]),
+      ...report.measures.map((m) => this.line(m.label, m.meaning, m.name, (r) => this.value(m, r, decimalsOf(m)), unitText(m.unit, m.si))),
     );
-    byId("measures").querySelector('[data-name="period"] .number').textContent = exact(orbits.numbers("period")[row], 12);
-    byId("state").replaceChildren(
-      ...model.section.map((s) => line(s.symbol, signed(orbits.numbers(s.name)[row].toFixed(12)), { title: s.name, name: s.name })),
-    );
+    byId("state").replaceChildren(...model.section.map((s) => this.line(s.symbol, "", s.name, (r) => signed(orbits.numbers(s.name)[r].toFixed(12)))));
     const pairs = multipliers(row);
     byId("circle").replaceChildren(unitCircle(pairs));
+    const modulus = (r, i) => {
+      const [re, im] = ["re", "im"].map((part) => `multiplier_${i}_${part}`);
+      const value = Math.hypot(orbits.numbers(re)[r], orbits.numbers(im)[r]);
+      return orbits.numbers(im)[r] === 0 ? exact(value) : settled(value, orbits.error(re, r) + orbits.error(im, r));
+    };
     byId("multipliers").replaceChildren(...pairs.map((pair, i) => html(
       "tr", { "data-name": `multiplier_${i}` },
-      html("td", { class: "number" }, complexText(pair)), html("td", { class: "number" }, exact(Math.hypot(...pair))),
+      html("td", { class: "number" }, complexText(pair)), html("td", { class: "number" }, modulus(row, i)),
     )));
     byId("check").textContent =
       `Integrated in this page in ${this.path.steps} Runge-Kutta steps: the step closes to ${brief(this.path.closing, 2)}; ` +
       `half as many steps change its end by ${brief(this.path.change, 2)}.`;
-    const settings = grid.point(orbits.numbers("cell")[row]).map((value, i) => `--set ${model.parameters[i].name}=${value}`);
-    byId("command").textContent = `stridemap orbit --model ${model.name} ${settings.join(" ")}`;
+    byId("command").textContent = commandOf(row);
   }
+
+  heading() {
+    return html("tr", { class: "heading" }, html("th", { scope: "col" }, ""), html("th", { scope: "col", class: "number" }, "this cycle"), html("th", { scope: "col", class: "number" }, "pinned"), html("th", { scope: "col" }, ""));
+  }
+}
+
+// Where a cell is, as the reader has the units.
+const placeText = (cell) => grid.indices(cell).map((at, i) => `${axisQuantities[i].symbol} = ${axisQuantities[i].text(grid.axes[i].values[at])}`).join(", ");
+
+// What finds the cycles of a row's cell on the command line; values are in the model's units, as one would type them.
+function commandOf(row) {
+  const settings = grid.point(cellColumn[row]).map((value, i) => `--set ${model.parameters[i].name}=${plain(value)}`);
+  return `stridemap orbit --model ${model.name} ${settings.join(" ")}`;
 }

@@ -3,24 +3,26 @@
 const INSET = { left: 58, right: 14, top: 12, bottom: 46 };
 
 class GridMap {
-  // `onChoose(cell)` is called when the reader chooses a cell, `onPoint(cell)` when one is pointed at.
-  constructor(canvas, curves, onChoose, onPoint) {
-    this.canvas = canvas;
-    this.curves = curves;
-    this.onPoint = onPoint;
-    canvas.addEventListener("click", (event) => onChoose(this.under(event)));
-    canvas.addEventListener("pointermove", (event) => onPoint(this.under(event)));
+  // `onChoose(cell)` is called when the reader chooses a cell, `onPoint(cell, spoken, event)` when one is pointed at,
+  // and `onView(view)` when another part of the map is to be shown.
+  constructor(canvas, curves, { onChoose, onPoint, onView }) {
+    Object.assign(this, { canvas, curves, onPoint, onView, view: null });
+    this.zoom = new ZoomPointer(canvas, (event) => this.place(event), () => this.view, onView);
+    canvas.addEventListener("click", (event) => !this.zoom.dragged && onChoose(this.under(event)));
+    canvas.addEventListener("pointermove", (event) => onPoint(this.under(event), false, event));
     canvas.addEventListener("pointerleave", () => onPoint(null));
     canvas.addEventListener("keydown", (event) => this.key(event, onChoose));
     canvas.addEventListener("focus", () => this.draw());
     canvas.addEventListener("blur", () => this.draw());
   }
 
-  // What to show: `look(cell)` gives {fill, hatch, letter, cross} of a cell.
-  show({ across, up, indices, look, chosen }) {
+  // What to show: `look(cell)` gives {fill, hatch, letter, cross, dim} of a cell; what was drawn is drawn again
+  // only when `key` is another.
+  show({ across, up, indices, look, chosen, pinned, view, key }) {
     const cursor = this.cursor;
-    Object.assign(this, { across, up, indices: [...indices], look, chosen });
-    this.scales = [across, up].map((i) => (i === null ? null : new CellScale(grid.axes[i])));
+    Object.assign(this, { across, up, indices: [...indices], look, chosen, pinned, view, shown: key });
+    const [left, right, bottom, top] = view ?? WHOLE;
+    this.scales = [across, up].map((i, k) => (i === null ? null : new CellScale(grid.axes[i]).zoom(...(k ? [bottom, top] : [left, right]))));
     this.curves.show(across, up, this.indices);
     const here = grid.indices(chosen);
     this.cursor = cursor && chosen === this.before ? cursor : [here[across], up === null ? 0 : here[up]];
@@ -43,19 +45,33 @@ class GridMap {
     return grid.cell(indices);
   }
 
-  // The rectangle of a cell in CSS pixels.
-  box(column, row) {
+  get size() {
     const { width, height } = this.canvas.getBoundingClientRect();
-    const [w, h] = [width - INSET.left - INSET.right, height - INSET.top - INSET.bottom];
-    const [x0, x1] = this.scales[0].span(column).map((u) => INSET.left + u * w);
-    const [y0, y1] = (this.scales[1]?.span(row) ?? [0, 1]).map((u) => INSET.top + (1 - u) * h);
+    return { width, height };
+  }
+
+  // The frame within the axes, in CSS pixels.
+  frameOf({ width, height }) {
+    const { left, right, top, bottom } = INSET;
+    return { x: left, y: top, width: width - left - right, height: height - top - bottom };
+  }
+
+  // The rectangle of a cell in CSS pixels.
+  box(column, row, frame = this.frameOf(this.size)) {
+    const [x0, x1] = this.scales[0].span(column).map((u) => frame.x + u * frame.width);
+    const [y0, y1] = (this.scales[1]?.span(row) ?? [0, 1]).map((u) => frame.y + (1 - u) * frame.height);
     return { x: x0, y: y1, width: x1 - x0, height: y0 - y1 };
   }
 
-  under(event) {
+  // Where the pointer is, in parts of what is shown.
+  place(event) {
     const { width, height, left, top } = this.canvas.getBoundingClientRect();
-    const x = (event.clientX - left - INSET.left) / (width - INSET.left - INSET.right);
-    const y = 1 - (event.clientY - top - INSET.top) / (height - INSET.top - INSET.bottom);
+    const frame = this.frameOf({ width, height });
+    return [(event.clientX - left - frame.x) / frame.width, 1 - (event.clientY - top - frame.y) / frame.height];
+  }
+
+  under(event) {
+    const [x, y] = this.place(event);
     if (x < 0 || x > 1 || y < 0 || y > 1) return null;
     return this.cellAt(this.scales[0].index(x), this.scales[1]?.index(y) ?? 0);
   }
@@ -64,6 +80,13 @@ class GridMap {
     const stride = event.shiftKey ? 10 : 1;
     const moves = { ArrowLeft: [-stride, 0], ArrowRight: [stride, 0], ArrowUp: [0, stride], ArrowDown: [0, -stride] };
     const jumps = { Home: [0, this.cursor[1]], End: [this.columns - 1, this.cursor[1]] };
+    const zooms = { "+": 1.5, "=": 1.5, "-": 1 / 1.5, 0: 1e-9 };
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    if (event.key in zooms) {
+      event.preventDefault();
+      this.onView(zoomed(this.view, this.cursorPlace(), zooms[event.key]));
+      return;
+    }
     if (event.key in moves) {
       const inside = (value, size) => Math.max(0, Math.min(value, size - 1));
       const [dx, dy] = moves[event.key];
@@ -74,120 +97,136 @@ class GridMap {
       onChoose(this.cellAt(...this.cursor));
     } else return;
     event.preventDefault();
+    this.follow();
     this.draw();
     this.onPoint(this.cellAt(...this.cursor), true);
   }
 
+  // The cell that the keys are at, in parts of what is shown.
+  cursorPlace() {
+    return [0, 1].map((k) => Math.max(0, Math.min(1, this.scales[k]?.position(this.cursor[k]) ?? 0.5)));
+  }
+
+  // Keep the cell that the keys are at in sight.
+  follow() {
+    if (!this.view) return;
+    const [right, up] = [0, 1].map((k) => {
+      const at = this.scales[k]?.position(this.cursor[k]) ?? 0.5;
+      return at < 0 || at > 1 ? at - 0.5 : 0;
+    });
+    if (right || up) this.onView(moved(this.view, right, up));
+  }
+
   draw() {
+    if (!this.scales) return;
     const { pen, width, height } = prepared(this.canvas);
-    const [columns, rows] = [this.columns, this.rows];
-    this.looks = Array.from({ length: rows }, (_, r) => Array.from({ length: columns }, (_, c) => this.look(this.cellAt(c, r))));
+    this.ground(width, height);
+    pen.drawImage(this.drawn, 0, 0, width, height);
+    this.marks(pen, this.frameOf({ width, height }));
+  }
+
+  // The picture without its marks, drawn anew when what is shown, its size or its colours have changed.
+  ground(width, height) {
+    const ratio = window.devicePixelRatio || 1;
+    const key = [this.shown, width, height, ratio, styled("paper")].join("\u0000");
+    if (this.drawnKey === key) return;
+    this.drawnKey = key;
+    this.drawn ??= document.createElement("canvas");
+    [this.drawn.width, this.drawn.height] = [Math.max(1, Math.round(width * ratio)), Math.max(1, Math.round(height * ratio))];
+    const pen = this.drawn.getContext("2d");
+    pen.setTransform(ratio, 0, 0, ratio, 0, 0);
+    this.render(pen, width, height);
+    const { x, y, width: w, height: h } = this.frameOf({ width, height });
+    this.curves.draw(this.scales, { left: x, top: y, width: w, height: h }, this.lettered);
+  }
+
+  render(pen, width, height) {
+    const frame = this.frameOf({ width, height });
+    this.looks = Array.from({ length: this.rows }, (_, r) => Array.from({ length: this.columns }, (_, c) => this.look(this.cellAt(c, r))));
     pen.fillStyle = styled("map-none");
-    pen.fillRect(INSET.left, INSET.top, width - INSET.left - INSET.right, height - INSET.top - INSET.bottom);
-    const hatched = new Path2D();
-    for (let r = 0; r < rows; r++) {
-      for (let c = 0; c < columns; c++) {
-        const { fill, hatch, cross } = this.looks[r][c];
-        const box = this.box(c, r);
+    pen.fillRect(frame.x, frame.y, frame.width, frame.height);
+    within(pen, [frame], () => this.cells(pen, frame));
+    this.letters(pen, frame);
+    this.frame(pen, width, height);
+  }
+
+  cells(pen, frame) {
+    const [columns, rows] = this.scales.map((scale) => (scale ? [scale.index(0), scale.index(1)] : [0, 0]));
+    const hatched = [];
+    for (let r = rows[0]; r <= rows[1]; r++) {
+      for (let c = columns[0]; c <= columns[1]; c++) {
+        const { fill, hatch, cross, dim } = this.looks[r][c];
+        const box = this.box(c, r, frame);
+        pen.globalAlpha = dim ? 0.18 : 1;
         // Neighbours overlap by a hair, or their edges would show as a grid of thin lines.
-        if (fill) fillBox(pen, box, fill, 0.4);
-        if (hatch) hatched.rect(box.x, box.y, box.width, box.height);
+        if (fill) fillBox(pen, box, fill, dim ? 0 : 0.4);
+        if (hatch && !dim) hatched.push(box);
         if (cross) strokeCross(pen, box);
       }
     }
-    hatchOver(pen, hatched, width, height);
-    this.letters(pen);
-    this.frame(pen, width, height);
-    this.marks(pen);
-    const { left, right, top, bottom } = INSET;
-    this.curves.draw(this.scales, { left, top, width: width - left - right, height: height - top - bottom }, this.lettered);
+    pen.globalAlpha = 1;
+    if (hatched.length) hatchOver(pen, hatched, frame);
   }
 
-  // One letter for each connected patch of cells of a group that is large enough to hold it.
-  letters(pen) {
+  // One letter for each connected patch of cells of a group that is large enough to hold it, and borders between groups.
+  letters(pen, frame) {
+    const letters = this.looks.map((row) => row.map(({ letter }) => letter ?? null));
     this.lettered = [];
-    const seen = this.looks.map((row) => row.map(() => false));
+    if (!letters.some((row) => row.some(Boolean))) return;
+    within(pen, [frame], () => this.borders(pen, frame, bordersOf(letters)));
     pen.font = `600 13px ${styled("font")}`;
     pen.textAlign = "center";
     pen.textBaseline = "middle";
-    for (let r = 0; r < this.rows; r++) {
-      for (let c = 0; c < this.columns; c++) {
-        const { letter } = this.looks[r][c];
-        if (!letter || seen[r][c]) continue;
-        const boxes = this.patch(c, r, letter, seen).map(([x, y]) => this.box(x, y));
-        const area = boxes.reduce((sum, box) => sum + box.width * box.height, 0);
-        if (area < 450) continue;
-        const mean = (f) => boxes.reduce((sum, box) => sum + f(box), 0) / boxes.length;
-        const centre = (box) => [box.x + box.width / 2, box.y + box.height / 2];
-        const middle = [mean((b) => centre(b)[0]), mean((b) => centre(b)[1])];
-        const away = (box) => Math.hypot(centre(box)[0] - middle[0], centre(box)[1] - middle[1]);
-        const [x, y] = centre(boxes.reduce((best, box) => (away(box) < away(best) ? box : best)));
-        pen.lineWidth = 3.5;
-        pen.lineJoin = "round";
-        pen.strokeStyle = styled("map-halo");
-        pen.fillStyle = styled("map-letter");
-        pen.strokeText(letter, x, y);
-        pen.fillText(letter, x, y);
-        this.lettered.push([letter, x, y]);
-      }
+    pen.lineWidth = 3.5;
+    pen.lineJoin = "round";
+    pen.strokeStyle = styled("map-halo");
+    pen.fillStyle = styled("map-letter");
+    const inFrame = ({ x, y, width, height }) => x + width > frame.x && x < frame.x + frame.width && y + height > frame.y && y < frame.y + frame.height;
+    for (const [letter, whole] of patchesOf(letters)) {
+      const patch = whole.filter(([c, r]) => inFrame(this.box(c, r, frame)));
+      const area = patch.reduce((sum, [c, r]) => { const { width, height } = this.box(c, r, frame); return sum + width * height; }, 0);
+      if (area < 450) continue;
+      const box = this.box(...deepest(patch), frame);
+      const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+      if (x < frame.x + 6 || x > frame.x + frame.width - 6 || y < frame.y + 6 || y > frame.y + frame.height - 6) continue;
+      pen.strokeText(letter, x, y);
+      pen.fillText(letter, x, y);
+      this.lettered.push([letter, x, y]);
     }
   }
 
-  // The cells around one that bear its letter.
-  patch(column, row, letter, seen) {
-    const found = [];
-    const open = [[column, row]];
-    while (open.length) {
-      const [c, r] = open.pop();
-      if (this.looks[r]?.[c]?.letter !== letter || seen[r][c]) continue;
-      seen[r][c] = true;
-      found.push([c, r]);
-      open.push([c + 1, r], [c - 1, r], [c, r + 1], [c, r - 1]);
+  borders(pen, frame, edges) {
+    for (const [colour, thick] of [[styled("map-halo"), 2.6], [styled("map-letter"), 1.1]]) {
+      pen.strokeStyle = colour;
+      pen.lineWidth = thick;
+      pen.lineCap = "round";
+      pen.beginPath();
+      for (const [c, r, side] of edges) {
+        const { x, y, width, height } = this.box(c, r, frame);
+        pen.moveTo(side === "right" ? x + width : x, y);
+        pen.lineTo(x + width, side === "right" ? y + height : y);
+      }
+      pen.stroke();
     }
-    return found;
+    pen.lineCap = "butt";
   }
 
   frame(pen, width, height) {
     const [right, bottom] = [width - INSET.right, height - INSET.bottom];
+    const factor = (i) => axisQuantities[i].factor;
     pen.strokeStyle = styled("line");
     pen.fillStyle = styled("ink-soft");
     pen.lineWidth = 1;
     pen.strokeRect(INSET.left - 0.5, INSET.top - 0.5, right - INSET.left + 1, bottom - INSET.top + 1);
     pen.font = `12px ${styled("font")}`;
-    pen.textAlign = "center";
-    pen.textBaseline = "top";
-    for (const [unit, text] of this.scales[0].ticks(width < 500 ? 5 : 8)) {
-      const x = INSET.left + unit * (right - INSET.left);
-      segment(pen, x, bottom, x, bottom + 5);
-      pen.fillText(text, x, bottom + 8);
-    }
-    pen.textAlign = "right";
-    pen.textBaseline = "middle";
-    for (const [unit, text] of this.scales[1]?.ticks(8) ?? []) {
-      const y = bottom - unit * (bottom - INSET.top);
-      segment(pen, INSET.left - 5, y, INSET.left, y);
-      pen.fillText(text, INSET.left - 8, y);
-    }
-    this.names(pen, right, bottom);
-  }
-
-  names(pen, right, bottom) {
-    const name = (i) => withUnit(grid.axes[i].symbol, grid.axes[i].unit);
-    pen.fillStyle = styled("ink");
-    pen.font = `13px ${styled("font")}`;
-    pen.textAlign = "center";
-    pen.textBaseline = "alphabetic";
-    pen.fillText(name(this.across), (INSET.left + right) / 2, bottom + 38);
-    if (this.up === null) return;
-    pen.save();
-    pen.translate(15, (INSET.top + bottom) / 2);
-    pen.rotate(-Math.PI / 2);
-    pen.fillText(name(this.up), 0, 0);
-    pen.restore();
+    ticksBelow(pen, this.scales[0].ticks(width < 500 ? 5 : 8, factor(this.across)), INSET.left, right, bottom);
+    if (this.up !== null) ticksBeside(pen, this.scales[1].ticks(8, factor(this.up)), INSET.left, INSET.top, bottom);
+    nameBelow(pen, axisQuantities[this.across].title, INSET.left, right, bottom);
+    if (this.up !== null) nameBeside(pen, axisQuantities[this.up].title, INSET.top, bottom);
   }
 
   // A ring around the chosen cell, and a dashed one around the cell that the keys are at.
-  marks(pen) {
+  marks(pen, frame) {
     const ring = ({ x, y, width, height }, gap, dash) => {
       for (const [colour, thick] of [[styled("paper"), 4], [styled("ink"), 2]]) {
         pen.strokeStyle = colour;
@@ -197,9 +236,16 @@ class GridMap {
       }
       pen.setLineDash([]);
     };
-    const here = grid.indices(this.chosen);
-    ring(this.box(here[this.across], this.up === null ? 0 : here[this.up]), 2, []);
-    if (document.activeElement === this.canvas) ring(this.box(...this.cursor), 5, [3, 3]);
+    const boxOf = (cell) => {
+      const at = grid.indices(cell);
+      return this.box(at[this.across], this.up === null ? 0 : at[this.up], frame);
+    };
+    const inPlane = (cell) => grid.indices(cell).every((at, i) => i === this.across || i === this.up || at === this.indices[i]);
+    within(pen, [{ x: frame.x - 8, y: frame.y - 8, width: frame.width + 16, height: frame.height + 16 }], () => {
+      if (this.pinned !== null && inPlane(this.pinned)) ring(boxOf(this.pinned), 2, [2, 2]);
+      ring(boxOf(this.chosen), 2, []);
+      if (document.activeElement === this.canvas) ring(this.box(...this.cursor, frame), 5, [3, 3]);
+    });
   }
 }
 
@@ -222,12 +268,57 @@ function strokeCross(pen, { x, y, width, height }) {
   segment(pen, x, y + height, x + width, y);
 }
 
-// Diagonal lines over a region: what is unstable can be seen without colour.
-function hatchOver(pen, region, width, height) {
+// Diagonal lines over boxes: what is unstable can be seen without colour.
+function hatchOver(pen, boxes, frame) {
+  within(pen, boxes, () => {
+    pen.strokeStyle = styled("map-hatch");
+    pen.lineWidth = 1;
+    pen.beginPath();
+    for (let x = -frame.height; x < frame.width; x += 6) {
+      pen.moveTo(frame.x + x, frame.y + frame.height);
+      pen.lineTo(frame.x + x + frame.height, frame.y);
+    }
+    pen.stroke();
+  });
+}
+
+// Ticks of an axis, pairs of a place from 0 to 1 and a text, and the name of the axis.
+function ticksBelow(pen, ticks, left, right, bottom) {
+  pen.textAlign = "center";
+  pen.textBaseline = "top";
+  for (const [unit, text] of ticks) {
+    const x = left + unit * (right - left);
+    segment(pen, x, bottom, x, bottom + 5);
+    pen.fillText(text, x, bottom + 8);
+  }
+}
+
+function ticksBeside(pen, ticks, left, top, bottom) {
+  pen.textAlign = "right";
+  pen.textBaseline = "middle";
+  for (const [unit, text] of ticks) {
+    const y = bottom - unit * (bottom - top);
+    segment(pen, left - 5, y, left, y);
+    pen.fillText(text, left - 8, y);
+  }
+}
+
+function nameBelow(pen, name, left, right, bottom) {
+  pen.fillStyle = styled("ink");
+  pen.font = `13px ${styled("font")}`;
+  pen.textAlign = "center";
+  pen.textBaseline = "alphabetic";
+  pen.fillText(name, (left + right) / 2, bottom + 38);
+}
+
+function nameBeside(pen, name, top, bottom) {
+  pen.fillStyle = styled("ink");
+  pen.font = `13px ${styled("font")}`;
+  pen.textAlign = "center";
+  pen.textBaseline = "alphabetic";
   pen.save();
-  pen.clip(region);
-  pen.strokeStyle = styled("map-hatch");
-  pen.lineWidth = 1;
-  for (let x = -height; x < width; x += 6) segment(pen, x, height, x + height, 0);
+  pen.translate(15, (top + bottom) / 2);
+  pen.rotate(-Math.PI / 2);
+  pen.fillText(name, 0, 0);
   pen.restore();
 }

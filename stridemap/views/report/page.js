@@ -1,135 +1,230 @@
-// The page: what the reader has chosen, and what follows from it.
-
-const ANY = { key: "any", label: "all cycles", keep: () => true };
-const CHOICES = [
-  ANY,
-  { key: "stable", label: "stable cycles", keep: (row) => stableColumn[row] === 1 },
-  { key: "contact", label: "stable, foot always pressed down", keep: (row) => stableColumn[row] === 1 && orbits.numbers("min_vertical_force")[row] > 0 },
-  { key: "unstable", label: "unstable cycles", keep: (row) => stableColumn[row] === 0 },
-].filter(({ key }) => key !== "contact" || orbits.has("min_vertical_force"));
-
-const STABILITY = "stability";
-const COUNT = "count";
-
-// Measures with values on a scale; those that say how good the computation was are not for the map.
-const colours = report.measures.filter(({ name }) => orbits.words(name) === null && !["stable", "residual", "integration_error", "state_error", "multiplier_error"].includes(name));
-
-const state = { across: 0, up: null, indices: [], colour: STABILITY, choice: "any", group: "", of: "radius", cell: 0, row: null };
-
-// What happens near 1 decides; how far beyond a multiplier lies matters little.
-const MOST = { spectral_radius: 2 };
-
-// Scales span the whole sweep, so that colours stay when a slider moves: that of the slice all cycles of the
-// choice, that of the map those which stand for their cells.
-const scales = new Map();
-
-function scaleOf(name, chart) {
-  const key = [chart, name, state.choice, state.group, state.of].join();
-  if (!scales.has(key)) scales.set(key, new ValueScale(valuesOf(name, chart), MOST[name]));
-  return scales.get(key);
-}
-
-function valuesOf(name, chart) {
-  const chosen = Array.from({ length: cells.length }, (_, cell) => wanted(cell));
-  if (name === COUNT) return chosen.map((rows) => rows.length);
-  const rows = chart === "map" ? chosen.map(representative).filter((row) => row !== null) : chosen.flat();
-  return rows.map((row) => orbits.numbers(name)[row]);
-}
-
-// The cycles of a cell that the reader wants to see.
-function wanted(cell) {
-  const { keep } = CHOICES.find(({ key }) => key === state.choice);
-  return rowsOf(cell).filter((row) => keep(row) && (!state.group || orbits.entry("group", row) === state.group));
-}
-
-// Of several cycles, the one that stands for the cell.
-function representative(rows) {
-  const measured = state.of !== "radius" && orbits.has(state.colour);
-  const values = measured ? orbits.numbers(state.colour) : radiusColumn;
-  const sign = measured && state.of === "high" ? -1 : 1;
-  const finite = rows.filter((row) => !Number.isNaN(values[row]));
-  return finite.reduce((best, row) => (best === null || sign * values[row] < sign * values[best] ? row : best), null);
-}
+// The page: what follows from what the reader has chosen.
 
 function look(cell) {
   if (cells.entry("status", cell) === "failed") return { cross: true };
-  const rows = wanted(cell);
-  const row = representative(rows);
-  if (row === null) return {};
+  const { standing, counts } = representatives();
+  const row = standing[cell];
+  if (row < 0) return {};
   const stable = stableColumn[row] === 1;
+  const brush = brushed();
+  let dim = false;
+  if (brush) {
+    dim = true;
+    for (let one = first[cell]; one < first[cell + 1] && dim; one++) dim = !brush[one];
+  }
   const letter = orbits.has("group") ? orbits.entry("group", row) : null;
-  if (state.colour === STABILITY) return { fill: styled(stable ? "map-stable" : "map-unstable"), hatch: !stable, letter };
-  const value = state.colour === COUNT ? rows.length : orbits.numbers(state.colour)[row];
-  return { fill: Number.isNaN(value) ? null : colourAt(scaleOf(state.colour, "map").unit(value)), hatch: !stable && state.colour !== COUNT, cross: Number.isNaN(value) };
+  if (state.colour === STABILITY) return { fill: looks.plain[stable ? "stable" : "unstable"], hatch: !stable, letter, dim };
+  const value = state.colour === COUNT ? counts[cell] : looks.values[row];
+  return { fill: Number.isNaN(value) ? null : looks.scale.colour(value), hatch: !stable && state.colour !== COUNT, cross: Number.isNaN(value), letter, dim };
 }
 
-// ---- what follows from a choice ----
+// What the looks of all cells share, gathered before the map is drawn.
+let looks = null;
+
+// ---- what is shown ----
 
 const stage = new Stage(byId("stage"), (time, seen) => {
   byId("time").value = String(Math.round((1000 * time) / stage.path.period));
-  byId("time").setAttribute("aria-valuetext", `${brief(time, 3)} of ${brief(stage.path.period, 3)}`);
+  byId("time").setAttribute("aria-valuetext", `${brief(time * kindFactor("time"), 3)} of ${brief(stage.path.period * kindFactor("time"), 3)}`);
+  const digits = (value, kind) => (kindFactor(kind) === 1 ? signed(value.toFixed(3)) : brief(value * kindFactor(kind), 4));
   byId("now").textContent = [
-    `t = ${time.toFixed(3)}`, seen.d === null ? "" : `d = ${signed(seen.d.toFixed(3))}`,
-    seen.force === null ? "" : `Fy = ${signed(seen.force[1].toFixed(3))}`,
+    `t = ${digits(time, "time")}`, seen.d === null ? "" : `d = ${digits(seen.d, "length")}`,
+    seen.force === null ? "" : `Fy = ${digits(seen.force[1], "force")}`,
   ].filter(Boolean).join("   ");
   view.mark(time);
+  if (state.pin !== null && pinnedStage.path) {
+    pinnedStage.step = stage.step;
+    pinnedStage.seek((time / stage.path.period) * pinnedStage.path.period);
+  }
 });
+const pinnedStage = new Stage(byId("stage-pinned"), () => {});
 const view = new CycleView(stage, (row) => choose(state.cell, row));
 const curves = new CurveLayer(byId("curves"));
-const map = new GridMap(byId("map"), curves, (cell) => cell !== null && choose(cell), (cell, spoken) => readOut(cell ?? state.cell, spoken));
+const tip = byId("tip");
 
-const slice = new Slice(byId("slice"), (row) => choose(orbits.numbers("cell")[row], row));
+const map = new GridMap(byId("map"), curves, {
+  onChoose: (cell) => cell !== null && choose(cell),
+  onPoint: (cell, spoken, event) => {
+    readOut(cell ?? state.cell, spoken);
+    hover(event && cell !== null ? readText(cell) : "", event);
+  },
+  onView: (to) => {
+    state.view = to;
+    redraw();
+    remember("replace");
+  },
+});
 
-function choose(cell, row) {
+const slice = new Slice(byId("slice"), (row) => choose(cellColumn[row], row), (row, event) => hover(row === null ? "" : rowText(row, [slice.quantity]), event));
+
+const scatter = new Scatter(byId("scatter"), {
+  onChoose: (row) => choose(cellColumn[row], row),
+  onBrush: (box) => {
+    state.brush = box;
+    redraw();
+    remember("push");
+  },
+  onPoint: (row, event) => hover(row === null ? "" : rowText(row, [scatter.x, scatter.y, scatter.z]), event),
+});
+
+const bar = new ColourBar(byId("scale"), (range, done) => {
+  state.range = range;
+  redraw();
+  remember(done ? "push" : "");
+});
+
+// A text beside the pointer.
+function hover(text, event) {
+  tip.hidden = !text || !event || event.pointerType === "touch";
+  if (tip.hidden) return;
+  tip.textContent = text;
+  const { width, height } = tip.getBoundingClientRect();
+  tip.style.left = `${Math.max(4, Math.min(event.clientX + 14, innerWidth - width - 8))}px`;
+  tip.style.top = `${event.clientY + 18 + height > innerHeight ? event.clientY - height - 10 : event.clientY + 18}px`;
+}
+
+// Go to a cell and one of its cycles; without one it is that which is most like the cycle before.
+function choose(cell, row, how = "push") {
   const before = state.row;
   state.cell = cell;
   state.indices = grid.indices(cell);
   const rows = wanted(cell).length ? wanted(cell) : rowsOf(cell);
-  const same = before === null ? [] : rows.filter((r) => stableColumn[r] === stableColumn[before] && (!orbits.has("group") || orbits.entry("group", r) === orbits.entry("group", before)));
-  state.row = row ?? representative(same) ?? representative(rows) ?? rows[0] ?? null;
-  view.show(cell, state.row);
+  const group = orbits.has("group") ? orbits.numbers("group") : null;
+  const alike = before === null ? [] : rows.filter((r) => stableColumn[r] === stableColumn[before] && (!group || group[r] === group[before]));
+  state.row = row ?? representative(alike) ?? representative(rows) ?? rows[0] ?? null;
+  showCycle();
   readOut(cell, true);
   redraw();
-  remember();
+  remember(how);
 }
+
+function showCycle() {
+  view.show(state.cell, state.row, state.pin);
+  const beside = state.pin !== null && state.row !== null;
+  byId("pinned").hidden = !beside;
+  byId("pin").textContent = state.pin !== null && state.pin === state.row ? "Unpin" : "Pin for comparison";
+  byId("unpin").hidden = state.pin === null || state.pin === state.row;
+  if (beside) {
+    byId("pinned-name").textContent = `pinned: ${placeText(cellColumn[state.pin])}, cycle ${numberOf(state.pin)}`;
+    if (pinnedStage.row !== state.pin) pinnedStage.load(view.pinnedPath);
+    else pinnedStage.draw();
+    pinnedStage.row = state.pin;
+  }
+}
+
+const drawnKey = () => JSON.stringify([
+  state.across, state.up, state.indices.map((at, i) => (i === state.across || i === state.up ? null : at)), state.choice, state.group, state.filter,
+  state.colour, state.of, state.about, state.range, state.view, state.brush?.map(String), state.brush && [state.x, state.y], curves.on, si.on && [si.length, si.mass, si.gravity],
+]);
 
 function redraw() {
   byId("map").classList.toggle("strip", state.up === null);
-  map.show({ across: state.across, up: state.up, indices: state.indices, look, chosen: state.cell });
+  const key = drawnKey();
+  if (looks?.key !== key) {
+    const measured = state.colour !== STABILITY;
+    looks = { key, plain: { stable: styled("map-stable"), unstable: styled("map-unstable") }, scale: measured ? mapScale() : null, values: measured ? quantityOf(state.colour).numbers() : null };
+  }
+  map.show({
+    across: state.across, up: state.up, indices: state.indices, look, chosen: state.cell,
+    pinned: state.pin === null ? null : cellColumn[state.pin], view: state.view, key,
+  });
+  byId("whole").hidden = state.view === null;
   legend();
   curveLegend();
   showSlice();
+  showScatter();
+  selection();
   for (const [i, output] of sliders) output(state.indices[i]);
 }
 
-// The measure that colours the map, or the largest multiplier, along the horizontal axis.
+// Drawn anew in full, as when the units or the colours of the page change.
+function refresh() {
+  looks = null;
+  map.drawnKey = scatter.drawnKey = null;
+  buildSliders();
+  if (state.row !== null) {
+    view.row = null;
+    const { time, step, playing } = stage;
+    showCycle();
+    stage.step = step;
+    stage.seek(time);
+    if (playing) stage.play(true);
+  } else byId("cell-name").textContent = placeText(state.cell);
+  redraw();
+  readOut(state.cell);
+}
+
+// The quantity that colours the map, or the largest multiplier, along the horizontal axis.
 function showSlice() {
-  const named = (name) => report.measures.find((m) => m.name === name);
-  const measure = named(state.colour) ?? named("spectral_radius");
-  const at = grid.axes.flatMap((axis, i) => (i === state.across ? [] : [`${axis.symbol} = ${brief(axis.values[state.indices[i]], 6)}`]));
-  byId("slice-name").textContent = `${withUnit(measure.label, measure.unit)} along ${grid.axes[state.across].symbol}${at.length ? ` at ${at.join(", ")}` : ""}`;
+  const quantity = quantities.get(state.colour) ?? quantities.get("spectral_radius");
+  const at = grid.axes.flatMap((axis, i) => (i === state.across ? [] : [`${axis.symbol} = ${axisQuantities[i].text(axis.values[state.indices[i]])}`]));
+  byId("slice-name").textContent = `${quantity.title} along ${grid.axes[state.across].symbol}${at.length ? ` at ${at.join(", ")}` : ""}`;
+  const label = referenceLabels[0] ?? null;
   slice.show({
-    across: state.across, indices: state.indices, keep: wanted, measure, scale: scaleOf(measure.name, "slice"),
-    level: measure.name === "spectral_radius" ? 1 : null, chosen: state.row,
+    across: state.across, indices: state.indices, keep: wanted, quantity, chosen: state.row, label,
+    level: CENTRES[quantity.name] ?? null,
+    reference: (indices) => {
+      const value = label === null ? NaN : referenceAt(quantity.name, label, indices);
+      return Number.isNaN(value) ? null : value;
+    },
+    scaleOf: (values, compared) => new ValueScale(values, {
+      most: MOST[quantity.name], whole: quantity.whole, factor: quantity.factor, include: quantity.name in CENTRES ? [] : compared.slice(0, 1),
+      range: state.range && quantity.name === state.colour ? state.range : null,
+    }),
     crossings: state.up === null ? [] : curves.crossings(grid.axes[state.up].values[state.indices[state.up]]),
+    view: state.view ? state.view.slice(0, 2) : [0, 1],
   });
 }
 
-function readOut(cell, spoken) {
-  const position = [state.across, state.up].filter((i) => i !== null).map((i) => `${grid.axes[i].symbol} = ${brief(grid.axes[i].values[grid.indices(cell)[i]], 6)}`);
+function showScatter() {
+  const [x, y, z] = [state.x, state.y, state.z].map((name) => quantities.get(name));
+  const key = JSON.stringify([drawnKey(), state.x, state.y, state.z]);
+  const rows = kept.get("plane rows", JSON.stringify([planeCells().length, planeCells()[0], planeCells().at(-1), state.across, state.up, choiceKey()]), () => planeCells().flatMap(wanted));
+  const scale = kept.get("scatter colours", key, () => new ValueScale(rows.map((row) => z.numbers()[row]), { centre: CENTRES[z.name] ?? null, most: MOST[z.name], whole: z.whole, factor: z.factor }));
+  const values = z.numbers();
+  scatter.show({ x, y, z, rows, colour: (row) => (Number.isNaN(values[row]) ? styled("swing") : scale.colour(values[row])), chosen: state.row, pinned: state.pin, brush: state.brush, within: brushed(), key });
+  const ends = [scale.low, (scale.low + scale.high) / 2, scale.high].map((value) => html("span", { class: "key" }, html("span", { class: "swatch", style: `background: ${scale.colour(value)}` }), z.text(value, 3)));
+  byId("scatter-legend").replaceChildren(html("span", { class: "key" }, `colour: ${z.title}`), ...ends);
+  byId("brush-clear").hidden = byId("brush-filter").hidden = state.brush === null;
+}
+
+// How many cycles are shown, of all; they can be saved.
+function selection() {
+  const rows = kept.get("selection", JSON.stringify([drawnKey(), state.x, state.y]), shownRows);
+  const many = new Set(rows.map((row) => cellColumn[row])).size;
+  byId("selection").textContent = `${rows.length.toLocaleString("en")} ${rows.length === 1 ? "cycle" : "cycles"} in ${many.toLocaleString("en")} ${many === 1 ? "cell" : "cells"} shown`;
+  byId("save-csv").disabled = byId("save-json").disabled = rows.length === 0;
+  return rows;
+}
+
+// A cell, and what was found in it.
+function readText(cell) {
+  const position = [state.across, state.up].filter((i) => i !== null).map((i) => `${grid.axes[i].symbol} = ${axisQuantities[i].text(grid.axes[i].values[grid.indices(cell)[i]])}`);
   const rows = wanted(cell);
   const row = representative(rows);
-  const measure = colours.find(({ name }) => name === state.colour);
+  const quantity = quantities.get(state.colour);
   const kind = row === null ? "" : `${orbits.has("group") && orbits.entry("group", row) !== null ? `group ${orbits.entry("group", row)}, ` : ""}${stabilityOf(row)}`;
-  const value = row === null || !measure ? "" : `, ${measure.label} ${brief(orbits.numbers(state.colour)[row], 6)} ${measure.unit}`;
+  const value = row === null || !quantity ? "" : `, ${quantity.label} ${quantity.text(quantity.numbers()[row])} ${quantity.unit}`.trimEnd();
   const words = rows.length ? `${rows.length} ${rows.length === 1 ? "cycle" : "cycles"}; ${kind}${value}` : "no cycle";
-  byId("readout").textContent = `${position.join(", ")}: ${words}`;
+  return `${position.join(", ")}: ${words}`;
+}
+
+// A cycle, with some of its quantities.
+function rowText(row, shown) {
+  const group = orbits.has("group") ? orbits.entry("group", row) : null;
+  const values = shown.map((quantity) => `${quantity.label} ${quantity.text(quantity.numbers()[row])} ${quantity.unit}`.trimEnd());
+  return [placeText(cellColumn[row]), `${group === null ? "" : `group ${group}, `}${stabilityOf(row)}`, ...values].join("\n");
+}
+
+function readOut(cell, spoken) {
+  byId("readout").textContent = readText(cell);
   if (spoken) byId("spoken").textContent = byId("readout").textContent;
 }
 
 // The switch for boundaries, where there are any, and what each line is; or at which values there are some.
 function curveLegend() {
   byId("curves-toggle").hidden = boundaries.length === 0;
+  byId("curves-shown").checked = curves.on;
   const box = byId("curves-legend");
   box.hidden = boundaries.length === 0 || !curves.on;
   if (box.hidden) return;
@@ -138,15 +233,19 @@ function curveLegend() {
     return;
   }
   const { names, at } = boundaries[0];
-  const values = Object.entries(at).map(([name, value]) => `${grid.axes.find((axis) => axis.name === name).symbol} = ${brief(value, 6)}`);
+  const axisOf = (name) => axisQuantities[grid.axes.findIndex((axis) => axis.name === name)];
+  const values = Object.entries(at).map(([name, value]) => `${axisOf(name).symbol} = ${axisOf(name).text(value)}`);
   const where = values.length ? ` at ${values.join(", ")}` : "";
-  const symbols = names.map((name) => grid.axes.find((axis) => axis.name === name).symbol);
-  box.replaceChildren(html("span", { class: "key" }, `boundaries are shown over ${symbols.join(" and ")}${where}`));
+  box.replaceChildren(html("span", { class: "key" }, `boundaries are shown over ${names.map((name) => axisOf(name).symbol).join(" and ")}${where}`));
 }
 
 function legend() {
   const box = byId("legend");
   const swatch = (cls, text) => html("span", { class: "key" }, html("span", { class: `swatch ${cls}` }), text);
+  const letters = orbits.has("group") && !orbits.numbers("group").every((code) => code < 0);
+  const lettered = letters ? [html("span", { class: "key" }, "letters: group of the cycle shown")] : [];
+  byId("scale").hidden = state.colour === STABILITY;
+  byId("range-reset").hidden = state.colour === STABILITY || state.range === null;
   if (state.colour === STABILITY) {
     const counts = { stable: 0, unstable: 0, none: 0, failed: 0 };
     for (const line of map.looks) {
@@ -154,158 +253,28 @@ function legend() {
     }
     const labels = { stable: "stable", unstable: "unstable only", none: "no cycle found", failed: "failed" };
     const shown = Object.keys(labels).filter((key) => counts[key] || key !== "failed");
-    box.replaceChildren(...shown.map((key) => swatch(key, `${labels[key]}: ${counts[key]} cells`)));
-    if (orbits.has("group") && !orbits.numbers("group").every((code) => code < 0)) box.append(html("span", { class: "key" }, "letters: group of the cycle shown"));
+    box.replaceChildren(...shown.map((key) => swatch(key, `${labels[key]}: ${counts[key]} cells`)), ...lettered);
     return;
   }
-  const measure = colours.find(({ name }) => name === state.colour) ?? { label: "number of cycles", unit: "" };
-  const scale = scaleOf(state.colour, "map");
-  const stops = Array.from({ length: 17 }, (_, i) => colourAt(i / 16)).join(", ");
-  const bar = html("div", { class: "bar", style: `background: linear-gradient(to right, ${stops})` });
-  const inside = scale.ticks(5).map((value) => html("span", { style: `left: ${100 * scale.unit(value)}%` }, brief(value)));
+  const quantity = quantityOf(state.colour);
+  const { scale } = looks;
+  bar.show(scale, quantity);
   const beyond = [scale.below ? "below" : "", scale.above ? "above" : ""].filter(Boolean).join(" and ");
+  const label = referenceLabels.includes(state.about) ? `${state.about}'s value` : "stability's limit";
   box.replaceChildren(
-    html("div", { class: "scale" }, html("span", { class: "name" }, withUnit(measure.label, measure.unit)), bar, html("div", { class: "ticks" }, ...inside)),
+    ...(quantity.meaning ? [defined(`what is ${quantity.label}?`, quantity.meaning)] : []),
+    ...(scale.centre === null ? [] : [html("span", { class: "key" }, html("span", { class: "swatch", style: `background: ${colourAt(0.5, DIVERGING)}` }), `${label}: ${quantity.text(scale.centre, 4)}`)]),
     ...(state.colour === COUNT ? [] : [swatch("unstable-only", "hatched: unstable")]),
     ...(beyond ? [html("span", { class: "key" }, `values ${beyond} have the colour of the end`)] : []),
+    ...lettered,
   );
 }
 
-// The address keeps the choice, so that it can be marked and sent with the file.
-function remember() {
-  const kept = new URLSearchParams({ cell: state.cell, cycle: rowsOf(state.cell).indexOf(state.row) + 1, colour: state.colour });
+// Write the choice into the address: as a new step to go back from, or in place of the last one.
+function remember(how) {
+  const address = addressOf();
+  if (!how || address === location.hash) return;
   try {
-    history.replaceState(null, "", `#${kept}`);
+    history[how === "push" ? "pushState" : "replaceState"](null, "", address);
   } catch { /* some viewers do not let a file change its address */ }
 }
-
-// ---- controls ----
-
-let sliders = [];
-
-function options(select, entries, chosen, onChange) {
-  select.replaceChildren(...entries.map(([value, text]) => html("option", { value: String(value), selected: value === chosen }, text)));
-  select.onchange = () => onChange(select.value);
-}
-
-function buildSliders() {
-  const others = grid.axes.map((_, i) => i).filter((i) => i !== state.across && i !== state.up);
-  const parts = others.map((i) => {
-    const axis = grid.axes[i];
-    const output = html("output", { for: `slider-${i}` });
-    const input = html("input", { type: "range", id: `slider-${i}`, min: "0", max: String(axis.values.length - 1), step: "1", value: String(state.indices[i]), "data-axis": axis.name });
-    input.addEventListener("input", () => choose(grid.cell(state.indices.map((at, j) => (j === i ? Number(input.value) : at)))));
-    const show = (index) => {
-      input.value = String(index);
-      output.textContent = `${brief(axis.values[index], 6)} ${axis.unit}`.trim();
-      input.setAttribute("aria-valuetext", output.textContent);
-    };
-    const label = html("label", { class: "slider", title: axis.meaning }, html("span", {}, axis.symbol), input, output);
-    return { i, show, label };
-  });
-  sliders = parts.map(({ i, show }) => [i, show]);
-  byId("sliders").replaceChildren(...parts.map(({ label }) => label));
-}
-
-function buildAxes() {
-  const names = grid.axes.map((axis, i) => [i, `${axis.symbol} (${axis.name})`]);
-  byId("axes").hidden = grid.axes.length < 3;
-  const set = (one, other) => (value) => {
-    const before = state[one];
-    state[one] = Number(value);
-    if (state[other] === state[one]) state[other] = before;
-    buildAxes();
-    buildSliders();
-    redraw();
-    readOut(state.cell);
-  };
-  options(byId("across"), names, state.across, set("across", "up"));
-  options(byId("up"), names, state.up, set("up", "across"));
-}
-
-function buildControls() {
-  const change = (key) => (value) => {
-    state[key] = value;
-    byId("of").closest("label").hidden = !orbits.has(state.colour);
-    redraw();
-    readOut(state.cell);
-    remember();
-  };
-  const entries = [[STABILITY, "stable or unstable"], ...colours.map((m) => [m.name, m.label]), [COUNT, "number of cycles"]];
-  options(byId("colour"), entries, state.colour, change("colour"));
-  options(byId("choice"), CHOICES.map(({ key, label }) => [key, label]), state.choice, change("choice"));
-  options(byId("of"), [["radius", "most stable"], ["low", "lowest"], ["high", "highest"]], state.of, change("of"));
-  byId("of").closest("label").hidden = !orbits.has(state.colour);
-  const letters = (orbits.has("group") && orbits.words("group")) || [];
-  byId("group").closest("label").hidden = letters.length < 2;
-  options(byId("group"), [["", "all"], ...letters.map((l) => [l, l])], "", change("group"));
-}
-
-function buildCurves() {
-  byId("curves-shown").onchange = (event) => {
-    curves.on = event.target.checked;
-    redraw();
-  };
-  if (orbits.has("branch")) byId("slice-lines").textContent = " Lines join the cycles of one branch, dashed where they are unstable.";
-  if (boundaries.length) byId("slice-lines").textContent += " Upright lines are where boundaries are crossed.";
-}
-
-function buildPlayer() {
-  const button = byId("play");
-  const play = (on) => {
-    stage.play(on);
-    button.textContent = stage.playing ? "Pause" : "Play";
-    button.setAttribute("aria-pressed", String(stage.playing));
-  };
-  button.onclick = () => play(!stage.playing);
-  byId("time").addEventListener("input", () => {
-    play(false);
-    stage.seek((Number(byId("time").value) / 1000) * stage.path.period);
-  });
-  byId("profiles").addEventListener("pointerdown", () => play(false));
-  options(byId("speed"), SPEEDS.map((s) => [s, `${s} ${model.units.time} per second`]), stage.speed, (value) => { stage.speed = Number(value); });
-  const still = matchMedia("(prefers-reduced-motion: reduce)");
-  still.addEventListener("change", () => still.matches && play(false));
-  play(!still.matches);
-}
-
-// ---- start ----
-
-// The map spans the two axes with the most values; ties keep the order of the grid.
-function startAxes() {
-  const order = grid.axes.map((_, i) => i).sort((a, b) => grid.axes[b].values.length - grid.axes[a].values.length || a - b);
-  const [across, up] = order.slice(0, 2).sort((a, b) => a - b);
-  Object.assign(state, { across, up: up ?? null });
-}
-
-// The cell of the address, or the one nearest to the preset, or else the first that has a cycle.
-function startCell() {
-  const kept = new URLSearchParams(location.hash.slice(1));
-  if (kept.get("colour") === COUNT || colours.some(({ name }) => name === kept.get("colour"))) state.colour = kept.get("colour");
-  const cell = Number(kept.get("cell") ?? NaN);
-  if (Number.isInteger(cell) && cell >= 0 && cell < cells.length) return [cell, rowsOf(cell)[Number(kept.get("cycle")) - 1]];
-  const nearest = grid.axes.map(({ values, preset }) => values.reduce((best, v, i) => (Math.abs(v - preset) < Math.abs(values[best] - preset) ? i : best), 0));
-  const at = grid.cell(nearest);
-  return [rowsOf(at).length ? at : orbits.numbers("cell")[0], undefined];
-}
-
-startAxes();
-const [startingCell, startingRow] = startCell();
-state.indices = grid.indices(startingCell);
-buildControls();
-buildAxes();
-buildSliders();
-choose(startingCell, startingRow);
-buildPlayer();
-buildCurves();
-
-// Canvases are drawn anew when their size or the colours change.
-for (const [id, drawn] of [["map", map], ["slice", slice], ["stage", stage]]) new ResizeObserver(() => drawn.draw()).observe(byId(id));
-matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
-  redraw();
-  stage.draw();
-});
-
-// For scripts and for tests: the tables, the equations, and the page itself.
-window.stridemap = { report, orbits, cells, grid, equations, evaluate, Path, map, slice, curves, joinedBy, stage, state, choose };
-document.documentElement.dataset.ready = "yes";

@@ -1,24 +1,24 @@
 """What the page is given: a sweep's tables as columns of numbers, and its model.
 
-Numbers travel as they stand in the tables, in double precision, so that the page shows the same digits.
-Trajectories do not travel: the page integrates the step that it shows, from the section point of the
+Numbers travel with the decimals that the page shows (`stridemap.views.report.encoding`). Trajectories do not travel: the page integrates the step that it shows, from the section point of the
 table and with the equations of the model.
 """
 
-import base64
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 from typing import Any
 
-import numpy as np
 import pandas as pd
 from scipy.integrate import DOP853
 
-from stridemap.quantities import QUANTITIES
+from stridemap.quantities import KINDS, QUANTITIES
 from stridemap.solver.model.model import Model
 from stridemap.spec import Parameter
 from stridemap.views.notation import printed, rate_symbol, symbol, units
 from stridemap.views.report.curves import looks
+from stridemap.views.report.encoding import STATE_DECIMALS, Encoder
+from stridemap.views.report.references import Reference, checked
+from stridemap.views.report.si import si_names, si_powers
 from stridemap.words import is_multiplier
 
 NEEDED = ("section_state", "state_derivative", "impact_map", "swing_foot", "drawing")
@@ -33,6 +33,7 @@ def payload(
     orbits: pd.DataFrame,
     cells: pd.DataFrame,
     curves: Sequence[Mapping[str, Any]] = (),
+    references: Sequence[Reference] = (),
 ) -> Any:
     """Return plain values for JSON.
 
@@ -45,7 +46,17 @@ def payload(
         The sweep's tables.
     curves : sequence of mapping
         Boundaries, as from `stridemap.views.report.curves.curves`.
+    references : sequence of Reference
+        Values of quantities to compare with.
+
+    Raises
+    ------
+    InputError
+        For a reference that does not belong to the sweep.
     """
+    encoder = Encoder()
+    fine = dict.fromkeys((*model.section, "period"), STATE_DECIMALS)
+    names = si_names(model.spec)
     hidden = {"cell", *(parameter.name for parameter in model.parameters)}
     return {
         "model": _model(model),
@@ -54,6 +65,7 @@ def payload(
                 "name": parameter.name,
                 "symbol": symbol(parameter.name),
                 "unit": printed(parameter.unit),
+                "si": names.get(printed(parameter.unit), ""),
                 "meaning": parameter.meaning,
                 "values": configuration["grid"][parameter.name],
                 "preset": parameter.default,
@@ -61,11 +73,14 @@ def payload(
             for parameter in axes(model, configuration)
         ],
         "fixed": configuration["params"],
-        "cells": _table(cells[["status", "reason"]]),
-        "orbits": _table(orbits[["cell", *(name for name in orbits if name not in hidden)]]),
+        "cells": encoder.table(cells[["status", "reason"]]),
+        "orbits": encoder.table(orbits[["cell", *(name for name in orbits if name not in hidden)]], fine),
+        "bytes": encoder.packed(),
         "measures": _measures(model, orbits, hidden),
         "curves": list(curves),
         "looks": looks(curves),
+        "references": [asdict(one) for one in checked(model, configuration, orbits, references)],
+        "si": si_powers(model.spec),
         "tableau": {
             "a": [[float(a) for a in row[:i]] for i, row in enumerate(DOP853.A[:_STAGES])],
             "b": DOP853.B.tolist(),
@@ -84,10 +99,14 @@ def axes(model: Model, configuration: Mapping[str, Any]) -> list[Parameter]:
 
 def _model(model: Model) -> dict[str, Any]:
     spec = model.spec
+    names = si_names(spec)
     return {
         "name": model.name,
         "title": model.title,
-        "parameters": [{"name": p.name, "symbol": symbol(p.name)} for p in model.parameters],
+        "parameters": [
+            {"name": p.name, "symbol": symbol(p.name), "meaning": p.meaning, "unit": printed(p.unit)}
+            for p in model.parameters
+        ],
         "coordinates": [
             {
                 "name": c.name,
@@ -95,14 +114,19 @@ def _model(model: Model) -> dict[str, Any]:
                 "symbol": symbol(c.name),
                 "rate_symbol": rate_symbol(c.name),
                 "rate_unit": printed(c.rate_unit),
+                "si": names.get(printed(c.unit), ""),
+                "rate_si": names.get(printed(c.rate_unit), ""),
             }
             for c in spec.coordinates
         ],
         "section": [
             {"name": name, "symbol": _section_symbol(name, model.coordinates)} for name in model.section
         ],
-        "motors": [{"symbol": symbol(motor.name), "unit": printed(motor.unit)} for motor in spec.motors],
+        "motors": [
+            {"symbol": symbol(m.name), "unit": printed(m.unit), "si": KINDS[m.kind][1]} for m in spec.motors
+        ],
         "units": units(spec.units),
+        "si_units": {kind: si for kind, (_, si) in KINDS.items()},
         "masses": [asdict(mass) for mass in spec.masses],
         "lines": [asdict(line) for line in spec.lines],
         "inputs": {name: list(function.arguments) for name, function in spec.functions.items()},
@@ -126,32 +150,13 @@ def _measures(model: Model, orbits: pd.DataFrame, hidden: set[str]) -> list[dict
     unit = units(model.spec.units)
     quantities = {**QUANTITIES, **model.measured}
     known = [quantity for name, quantity in quantities.items() if name in shown]
-    return [{"name": q.name, "label": q.label, "unit": unit[q.kind], "meaning": q.definition} for q in known]
-
-
-def _table(frame: pd.DataFrame) -> dict[str, Any]:
-    return {"rows": len(frame), "columns": {name: _column(frame[name]) for name in frame}}
-
-
-def _column(values: pd.Series) -> dict[str, Any]:
-    """A column as base64 of little-endian numbers; words as indices into a list, -1 for none.
-
-    Truth is 0 or 1, and 2 where it is not known.
-    """
-    if pd.api.types.is_bool_dtype(values):
-        truth = np.where(values.isna(), 2, values.fillna(False).astype(bool))
-        return {"type": "bool", "data": _base64(truth, "u1")}
-    if pd.api.types.is_numeric_dtype(values):
-        whole = pd.api.types.is_integer_dtype(values)
-        if whole and not values.isna().any():
-            return {"type": "i4", "whole": True, "data": _base64(values.to_numpy(), "<i4")}
-        numbers = values.to_numpy(dtype=float, na_value=np.nan)
-        return {"type": "f8", "whole": whole, "data": _base64(numbers, "<f8")}
-    words = sorted(values.dropna().unique())
-    index = {word: i for i, word in enumerate(words)}
-    codes = np.array([index.get(word, -1) for word in values])
-    return {"type": "word", "words": words, "data": _base64(codes, "<i4")}
-
-
-def _base64(values: Any, kind: str) -> str:
-    return base64.b64encode(np.ascontiguousarray(values, dtype=kind).tobytes()).decode("ascii")
+    return [
+        {
+            "name": q.name,
+            "label": q.label,
+            "unit": unit[q.kind],
+            "si": KINDS[q.kind][1],
+            "meaning": q.definition,
+        }
+        for q in known
+    ]

@@ -1,11 +1,11 @@
-// Scales from values to pixels and colours, with their ticks.
+// Scales from values to pixels, with their ticks.
 
-// Round tick values inside a range, at most about `count`.
-function ticks(low, high, count = 6) {
-  const raw = (high - low) / count;
+// Round tick values inside a range, at most about `count`; of whole numbers only whole ones.
+function ticks(low, high, count = 6, whole = false) {
+  const raw = whole ? Math.max(1, (high - low) / count) : (high - low) / count;
   if (!(raw > 0)) return [low];
   const unit = 10 ** Math.floor(Math.log10(raw));
-  const step = [1, 2, 2.5, 5, 10].map((m) => m * unit).find((s) => s >= raw * (1 - 1e-9));
+  const step = (whole ? [1, 2, 5, 10] : [1, 2, 2.5, 5, 10]).map((m) => m * unit).find((s) => s >= raw * (1 - 1e-9));
   const first = Math.ceil(low / step - 1e-9);
   // Counted from the first, because adding 1 to a huge number may leave it as it is.
   const values = Array.from({ length: 2 * count + 2 }, (_, i) => (first + i) * step).filter((v) => v <= high + 1e-9 * step);
@@ -32,6 +32,7 @@ function even(values) {
 class CellScale {
   constructor(axis) {
     this.values = axis.values;
+    this.view = [0, 1];
     const n = this.values.length;
     const isLog = n > 2 && this.values[0] > 0 && !even(this.values) && even(this.values.map(Math.log));
     this.kind = n > 1 && even(this.values) ? "linear" : isLog ? "log" : "list";
@@ -41,8 +42,20 @@ class CellScale {
     this.edges = [this.positions[0] - half[0], ...inner, this.positions[n - 1] + half[1]];
   }
 
+  // Only the part of the axis between two places from 0 to 1 is shown.
+  zoom(from, to) {
+    this.view = [from, to];
+    return this;
+  }
+
   toUnit(position) {
-    return (position - this.edges[0]) / (this.edges.at(-1) - this.edges[0]);
+    const unit = (position - this.edges[0]) / (this.edges.at(-1) - this.edges[0]);
+    return (unit - this.view[0]) / (this.view[1] - this.view[0]);
+  }
+
+  // The position at a place from 0 to 1 of what is shown.
+  toPosition(unit) {
+    return this.edges[0] + (this.view[0] + unit * (this.view[1] - this.view[0])) * (this.edges.at(-1) - this.edges[0]);
   }
 
   // Any value of the parameter from 0 to 1; between the values of a list it is interpolated.
@@ -56,6 +69,22 @@ class CellScale {
     return this.toUnit(i + (value - values[i]) / (values[i + 1] - values[i]));
   }
 
+  // The value of the parameter at a place from 0 to 1 of the whole axis, and the place of a value.
+  valueOfPlace(place) {
+    const position = this.edges[0] + place * (this.edges.at(-1) - this.edges[0]);
+    if (this.kind === "linear") return position;
+    if (this.kind === "log") return Math.exp(position);
+    const { values } = this;
+    if (values.length < 2) return values[0] + place - 0.5;
+    const i = Math.max(0, Math.min(Math.floor(position), values.length - 2));
+    return values[i] + (position - i) * (values[i + 1] - values[i]);
+  }
+
+  placeOfValue(value) {
+    if (this.values.length < 2) return value - this.values[0] + 0.5;
+    return this.view[0] + this.unitOf(value) * (this.view[1] - this.view[0]);
+  }
+
   // The ends of a value's cell, and the position of the value.
   span(index) {
     return [this.toUnit(this.edges[index]), this.toUnit(this.edges[index + 1])];
@@ -66,66 +95,24 @@ class CellScale {
   }
 
   index(unit) {
-    const position = this.edges[0] + unit * (this.edges.at(-1) - this.edges[0]);
+    const position = this.toPosition(unit);
     const at = this.edges.findIndex((edge) => edge > position);
     return Math.max(0, Math.min((at < 0 ? this.edges.length : at) - 1, this.values.length - 1));
   }
 
-  // Pairs of position and text.
-  ticks(count) {
-    const [low, high] = [this.values[0], this.values.at(-1)];
-    if (this.kind === "list" || this.values.length <= count) {
-      const every = Math.ceil(this.values.length / count);
-      return this.values.flatMap((value, i) => (i % every ? [] : [[this.position(i), brief(value)]]));
+  // Pairs of position and text, of values in other units by a factor.
+  ticks(count, factor = 1) {
+    const [from, to] = [this.index(0), this.index(1)];
+    const inside = ([unit]) => unit >= -1e-9 && unit <= 1 + 1e-9;
+    if (this.kind === "list" || to - from < count) {
+      const every = Math.ceil((to - from + 1) / count);
+      const places = Array.from({ length: to - from + 1 }, (_, i) => from + i).filter((_, i) => i % every === 0);
+      return places.map((i) => [this.position(i), brief(this.values[i] * factor)]).filter(inside);
     }
-    const chosen = this.kind === "linear" ? ticks(low, high, count) : logTicks(low, high);
-    const position = this.kind === "linear" ? (v) => v : Math.log;
-    return chosen.map((value) => [this.toUnit(position(value)), brief(value)]);
-  }
-}
-
-// Nine colours of cividis (Nuñez, Anderton and Renslow 2018): lightness rises evenly, and blue against yellow
-// is told apart with every common kind of colour vision.
-const STOPS = [
-  [0, 34, 78], [26, 56, 111], [67, 78, 108], [97, 101, 111], [125, 124, 120], [155, 148, 118], [188, 174, 108],
-  [222, 201, 88], [254, 232, 56],
-];
-
-// Where a value lies between two others, from 0 to 1; their difference may be beyond the largest number.
-const between = (value, low, high) => (value / 2 - low / 2) / (high / 2 - low / 2);
-
-function colourAt(unit) {
-  const position = Math.max(0, Math.min(1, unit || 0)) * (STOPS.length - 1);
-  const i = Math.min(Math.floor(position), STOPS.length - 2);
-  const mixed = STOPS[i].map((channel, c) => Math.round(channel + (position - i) * (STOPS[i + 1][c] - channel)));
-  return `rgb(${mixed.join(" ")})`;
-}
-
-// From the values of a measure to colour or height. It spans most of them; the few beyond count as its ends.
-class ValueScale {
-  // `most` is where it ends at the latest.
-  constructor(values, most = Infinity) {
-    const finite = Float64Array.from(values.filter(Number.isFinite)).sort();
-    const sorted = finite.length ? finite : [0];
-    const at = (share) => sorted[Math.round(share * (sorted.length - 1))];
-    const whole = sorted.length < 50;
-    [this.low, this.high] = whole ? [at(0), at(1)] : [at(0.01), at(0.97)];
-    if (this.low < most) this.high = Math.min(this.high, most);
-    [this.below, this.above] = [sorted[0] < this.low, sorted.at(-1) > this.high];
-    this.log = this.low > 0 && this.high / this.low > 30;
-    // Values that differ by rounding alone are one value.
-    const rounding = Math.max(1e-14, 1e-9 * Math.max(Math.abs(this.low), Math.abs(this.high)));
-    if (!(this.high - this.low > rounding)) [this.low, this.high, this.log] = [this.low - 0.5, this.low + 0.5, false];
-  }
-
-  unit(value) {
-    return this.log
-      ? Math.log(Math.max(value, 0) / this.low) / Math.log(this.high / this.low)
-      : between(value, this.low, this.high);
-  }
-
-  ticks(count) {
-    return this.log ? logTicks(this.low, this.high) : ticks(this.low, this.high, count);
+    const linear = this.kind === "linear";
+    const [low, high] = [0, 1].map((unit) => (linear ? this.toPosition(unit) : Math.exp(this.toPosition(unit))) * factor);
+    const chosen = linear ? ticks(low, high, count) : logTicks(low, high);
+    return chosen.map((value) => [this.toUnit(linear ? value / factor : Math.log(value / factor)), brief(value)]).filter(inside);
   }
 }
 

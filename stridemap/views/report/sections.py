@@ -8,6 +8,7 @@ from typing import Any
 import pandas as pd
 
 from stridemap.solver.model.model import Model
+from stridemap.views import palette
 from stridemap.views.notation import symbol, units
 from stridemap.views.report.payload import axes
 
@@ -36,6 +37,26 @@ def lead(model: Model, provenance: Mapping[str, Any], orbits: pd.DataFrame, cell
     )
 
 
+def keys(model: Model) -> str:
+    """Return the legend of the walker: what is drawn, in the words and colours of all pictures."""
+    legs = any(line.role == "legs" for line in model.spec.lines)
+    shown = {
+        "force": palette.MEANINGS["force"],
+        "zmp": f"{palette.MEANINGS['zmp']}, distance d from the foot",
+        "com": palette.MEANINGS["com"],
+        **({"swing": palette.MEANINGS["swing"]} if legs else {}),
+    }
+    if any(mass.role == "wobbling" for mass in model.spec.masses):
+        shown["mass"] = f"{palette.MEANINGS['mass']}; its dots are for equal times"
+    if any(line.role == "spring" for line in model.spec.lines):
+        shown["lens"] = "under the glass: the ends of the spring over a step, seen while walking along"
+    marks = " ".join(
+        f'<span class="key"><span class="mark {name}"></span>{text(meaning)}</span>'
+        for name, meaning in shown.items()
+    )
+    return f'<p class="keys">{marks}</p>'
+
+
 def provenance(model: Model, found: Mapping[str, Any]) -> str:
     """Return where the numbers come from, as a list of terms."""
     configuration, fixed = found["configuration"], found["configuration"]["params"]
@@ -57,8 +78,8 @@ def provenance(model: Model, found: Mapping[str, Any]) -> str:
         preset += ", which were <b>identified by search, not published</b>"
     return (
         f'<dl class="terms">{listed}</dl>'
-        f"<p>{preset}. State, period, multipliers and measures are those of the sweep's tables, in double "
-        "precision. Motions are integrated in this page, from the tables' section points, with the model's "
+        f"<p>{preset}. State, period, multipliers and measures are those of the sweep's tables, "
+        "rounded to the decimals that are shown here. Motions are integrated in this page, from the tables' section points, with the model's "
         "equations and a Runge-Kutta method of order 8.</p>"
     )
 

@@ -1,34 +1,46 @@
-// The slice: a measure of all cycles along the map's horizontal axis, through the chosen cell. Filled marks are
+// The slice: a quantity of all cycles along the map's horizontal axis, through the chosen cell. Filled marks are
 // stable cycles, open ones unstable; lines join the cycles of one branch, and are dashed where they are unstable.
 
-const SLICE = { top: 12, bottom: 30 };
+const SLICE = { top: 12, bottom: 46 };
 
 class Slice {
-  // `onChoose(row)` is called when the reader presses near a cycle.
-  constructor(canvas, onChoose) {
+  // `onChoose(row)` is called when the reader presses near a cycle, or goes to it by keyboard; `onPoint(row, event)`
+  // when one is pointed at.
+  constructor(canvas, onChoose, onPoint) {
     this.canvas = canvas;
+    this.onChoose = onChoose;
     canvas.addEventListener("click", (event) => {
       const row = this.near(event);
       if (row !== null) onChoose(row);
     });
+    canvas.addEventListener("pointermove", (event) => onPoint(this.near(event), event));
+    canvas.addEventListener("pointerleave", () => onPoint(null));
+    canvas.addEventListener("keydown", (event) => this.key(event));
   }
 
-  // Draw `measure` of the cycles that `keep(cell)` gives; `level` is a value to mark with a line, or null;
-  // `crossings` are values of the axis at which boundaries are crossed, with their types.
-  show({ across, indices, keep, measure, scale, level, chosen, crossings }) {
-    Object.assign(this, { across, measure, scale, level, chosen, crossings });
-    this.columns = new CellScale(grid.axes[across]);
-    this.rows = grid.axes[across].values.flatMap((_, column) => {
-      const at = [...indices];
+  // Draw `quantity` of the cycles that `keep(cell)` gives, over the scale that `scaleOf(values)` makes; `level` is a
+  // value to mark with a line, or null; `reference(indices)` a value to compare with, or null, called `label`;
+  // `crossings` are values of the axis at which boundaries are crossed, with their types; `view` is the part shown.
+  show({ across, indices, keep, quantity, scaleOf, level, reference, label, chosen, crossings, view }) {
+    Object.assign(this, { across, quantity, level, label, chosen, crossings });
+    this.columns = new CellScale(grid.axes[across]).zoom(...view);
+    const at = [...indices];
+    this.rows = [];
+    this.compared = [];
+    for (let column = this.columns.index(0); column <= this.columns.index(1); column++) {
       at[across] = column;
-      return keep(grid.cell(at)).map((row) => [column, row]);
-    });
+      for (const row of keep(grid.cell(at))) this.rows.push([column, row]);
+      const value = reference(at);
+      if (value !== null) this.compared.push([column, value]);
+    }
+    const values = quantity.numbers();
+    this.scale = scaleOf(this.rows.map(([, row]) => values[row]), this.compared.map(([, value]) => value));
     this.joined = joined(this.rows);
     this.draw();
   }
 
   locate(column, row, width, height) {
-    const value = orbits.numbers(this.measure.name)[row];
+    const value = this.quantity.numbers()[row];
     const unit = this.scale.unit(value);
     const x = INSET.left + this.columns.position(column) * (width - INSET.left - INSET.right);
     const y = height - SLICE.bottom - Math.max(0, Math.min(1, unit)) * (height - SLICE.top - SLICE.bottom);
@@ -36,30 +48,68 @@ class Slice {
   }
 
   near(event) {
+    if (!this.rows) return null;
     const { width, height, left, top } = this.canvas.getBoundingClientRect();
     const away = ([column, row]) => {
       const { x, y, missing } = this.locate(column, row, width, height);
       return missing ? Infinity : Math.hypot(event.clientX - left - x, event.clientY - top - y);
     };
-    const best = this.rows.reduce((found, pair) => (found === null || away(pair) < away(found) ? pair : found), null);
-    return best !== null && away(best) < 30 ? best[1] : null;
+    let [best, least] = [null, 30];
+    for (const pair of this.rows) {
+      const distance = away(pair);
+      if (distance < least) [best, least] = [pair[1], distance];
+    }
+    return best;
+  }
+
+  // Left and right go to the neighbouring column, along the branch where it goes on; up and down to the next value.
+  key(event) {
+    const row = this.next(event.key);
+    if (row === undefined) return;
+    event.preventDefault();
+    if (row !== null) this.onChoose(row);
+  }
+
+  next(key) {
+    const values = this.quantity.numbers();
+    const here = this.rows.find(([, row]) => row === this.chosen) ?? this.rows[0];
+    if (!here) return undefined;
+    const value = values[here[1]];
+    const nearest = (rows) => rows.reduce((best, pair) => (best === null || Math.abs(values[pair[1]] - value) < Math.abs(values[best[1]] - value) ? pair : best), null);
+    if (key === "ArrowLeft" || key === "ArrowRight") {
+      const pair = this.joined.find(([one, other]) => (key === "ArrowRight" ? one : other) === here[1]);
+      if (pair) return pair[key === "ArrowRight" ? 1 : 0];
+      const beyond = this.rows.filter(([column]) => (key === "ArrowRight" ? column > here[0] : column < here[0])).map(([column]) => column);
+      if (!beyond.length) return null;
+      const column = key === "ArrowRight" ? Math.min(...beyond) : Math.max(...beyond);
+      return nearest(this.rows.filter((pair2) => pair2[0] === column))[1];
+    }
+    if (key === "ArrowUp" || key === "ArrowDown") {
+      const sign = key === "ArrowUp" ? 1 : -1;
+      const others = this.rows.filter(([column, row]) => column === here[0] && row !== here[1] && sign * (values[row] - value) > 0);
+      return nearest(others)?.[1] ?? null;
+    }
+    if (key === "Home" || key === "End") return this.rows.at(key === "Home" ? 0 : -1)[1];
+    return undefined;
   }
 
   draw() {
     if (!this.rows) return;
     const { pen, width, height } = prepared(this.canvas);
+    this.render(pen, width, height);
+  }
+
+  render(pen, width, height) {
     const [right, bottom] = [width - INSET.right, height - SLICE.bottom];
     const y = (value) => bottom - this.scale.unit(value) * (bottom - SLICE.top);
     pen.font = `12px ${styled("font")}`;
-    pen.textAlign = "right";
-    pen.textBaseline = "middle";
-    for (const value of this.scale.ticks(5)) {
+    for (const [value] of this.scale.ticks(5)) {
       pen.strokeStyle = styled("line");
       pen.lineWidth = 1;
       segment(pen, INSET.left, y(value), right, y(value));
-      pen.fillStyle = styled("ink-soft");
-      pen.fillText(brief(value), INSET.left - 8, y(value));
     }
+    pen.fillStyle = styled("ink-soft");
+    ticksBeside(pen, this.scale.ticks(5).map(([value, text]) => [this.scale.unit(value), text]), INSET.left, SLICE.top, bottom);
     if (this.level !== null && this.scale.unit(this.level) >= 0 && this.scale.unit(this.level) <= 1) {
       pen.strokeStyle = styled("ink");
       segment(pen, INSET.left, y(this.level), right, y(this.level));
@@ -68,8 +118,37 @@ class Slice {
     // Many cells leave little room: marks are smaller, so that the lines between them can be seen.
     this.size = (right - INSET.left) / this.columns.values.length < 6 ? 1.6 : 3;
     this.boundaries(pen, right, bottom);
+    this.compare(pen, right, bottom);
     this.lines(pen, width, height);
-    for (const [column, row] of this.rows) this.dot(pen, this.locate(column, row, width, height), row);
+    this.dots(pen, width, height);
+    nameBelow(pen, axisQuantities[this.across].title, INSET.left, right, bottom);
+    nameBeside(pen, this.quantity.unit ? `[${this.quantity.unit}]` : "", SLICE.top, bottom);
+  }
+
+  // The value to compare with, over the columns for which it holds.
+  compare(pen, right, bottom) {
+    const width = right - INSET.left;
+    let labelled = false;
+    for (const [column, value] of this.compared) {
+      const unit = this.scale.unit(value);
+      if (!(unit >= 0 && unit <= 1)) continue;
+      const [x0, x1] = this.columns.span(column).map((u) => INSET.left + Math.max(0, Math.min(1, u)) * width);
+      const y = bottom - unit * (bottom - SLICE.top);
+      pen.strokeStyle = styled("zmp");
+      pen.lineWidth = 1.8;
+      segment(pen, x0, y, x1, y);
+      if (labelled) continue;
+      labelled = true;
+      pen.fillStyle = styled("zmp");
+      pen.font = `600 12px ${styled("font")}`;
+      pen.textAlign = "right";
+      pen.textBaseline = unit > 0.85 ? "top" : "bottom";
+      const text = `${this.label} ${this.quantity.text(value, 4)}`;
+      pen.lineWidth = 3;
+      pen.strokeStyle = styled("card");
+      pen.strokeText(text, right - 6, y + (unit > 0.85 ? 3 : -3));
+      pen.fillText(text, right - 6, y + (unit > 0.85 ? 3 : -3));
+    }
   }
 
   // Where boundaries cross the slice.
@@ -89,6 +168,7 @@ class Slice {
   // Branches: half of each line between two cycles looks as the cycle that it begins at.
   lines(pen, width, height) {
     const columns = new Map(this.rows.map(([column, row]) => [row, column]));
+    const [stableColour, openColour] = [styled("map-stable"), styled("open")];
     pen.lineWidth = 1.4;
     for (const [one, other] of this.joined) {
       const [a, b] = [one, other].map((row) => this.locate(columns.get(row), row, width, height));
@@ -96,7 +176,7 @@ class Slice {
       const [x, y] = [(a.x + b.x) / 2, (a.y + b.y) / 2];
       for (const [end, row] of [[a, one], [b, other]]) {
         const stable = stableColumn[row] === 1;
-        pen.strokeStyle = styled(stable ? "map-stable" : "open");
+        pen.strokeStyle = stable ? stableColour : openColour;
         pen.setLineDash(stable ? [] : [4, 3]);
         segment(pen, end.x, end.y, x, y);
       }
@@ -106,32 +186,33 @@ class Slice {
 
   axis(pen, right, bottom) {
     pen.strokeStyle = styled("line");
+    pen.lineWidth = 1;
     pen.strokeRect(INSET.left - 0.5, SLICE.top - 0.5, right - INSET.left + 1, bottom - SLICE.top + 1);
-    pen.textAlign = "center";
-    pen.textBaseline = "top";
-    for (const [unit, text] of this.columns.ticks(right < 500 ? 5 : 8)) {
-      const x = INSET.left + unit * (right - INSET.left);
-      segment(pen, x, bottom, x, bottom + 5);
-      pen.fillText(text, x, bottom + 8);
-    }
+    pen.fillStyle = styled("ink-soft");
+    ticksBelow(pen, this.columns.ticks(right < 500 ? 5 : 8, axisQuantities[this.across].factor), INSET.left, right, bottom);
   }
 
   // Beyond the scale a mark becomes a triangle at its edge.
-  dot(pen, { x, y, beyond, missing }, row) {
-    if (missing) return;
-    const [stable, chosen] = [stableColumn[row] === 1, row === this.chosen];
-    const size = chosen ? 6 : this.size;
-    pen.beginPath();
-    if (beyond) {
-      pen.moveTo(x, y - beyond * (size + 2));
-      pen.lineTo(x + size, y + beyond * 2);
-      pen.lineTo(x - size, y + beyond * 2);
-      pen.closePath();
-    } else pen.arc(x, y, size, 0, 2 * Math.PI);
-    pen.fillStyle = styled(stable ? "map-stable" : "card");
-    pen.strokeStyle = styled(chosen ? "ink" : stable ? "map-stable" : "open");
-    pen.lineWidth = chosen ? 2.5 : 1.3;
-    pen.fill();
-    pen.stroke();
+  dots(pen, width, height) {
+    const colours = Object.fromEntries(["map-stable", "card", "open", "ink"].map((name) => [name, styled(name)]));
+    const last = this.rows.filter(([, row]) => row === this.chosen); // the chosen one is drawn over the others
+    for (const [column, row] of [...this.rows.filter(([, row2]) => row2 !== this.chosen), ...last]) {
+      const { x, y, beyond, missing } = this.locate(column, row, width, height);
+      if (missing) continue;
+      const [stable, chosen] = [stableColumn[row] === 1, row === this.chosen];
+      const size = chosen ? 6 : this.size;
+      pen.beginPath();
+      if (beyond) {
+        pen.moveTo(x, y - beyond * (size + 2));
+        pen.lineTo(x + size, y + beyond * 2);
+        pen.lineTo(x - size, y + beyond * 2);
+        pen.closePath();
+      } else pen.arc(x, y, size, 0, 2 * Math.PI);
+      pen.fillStyle = colours[stable ? "map-stable" : "card"];
+      pen.strokeStyle = colours[chosen ? "ink" : stable ? "map-stable" : "open"];
+      pen.lineWidth = chosen ? 2.5 : 1.3;
+      pen.fill();
+      pen.stroke();
+    }
   }
 }

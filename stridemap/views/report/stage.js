@@ -5,6 +5,14 @@ const MASS_COLOURS = { stance_foot: "stance", swing_foot: "swing", wobbling: "ma
 const TRACE = 97; // samples of a step for traces
 const springLines = model.lines.filter(({ role }) => role === "spring");
 
+// The name of a body's colour. A body where the legs meet is drawn as they are; any other has a colour of its own.
+function bodyColour({ lines, positions }, i) {
+  const { role } = model.masses[i];
+  if (role !== "body") return MASS_COLOURS[role];
+  const hips = model.lines.filter((line) => line.role === "legs").map(({ name }) => lines[name][Math.floor(lines[name].length / 2)]);
+  return hips.some((hip) => distance(hip, positions[i]) < 1e-9) ? "stance" : "body";
+}
+
 class Stage {
   // `onTime(t)` is called when the time within the step changes.
   constructor(canvas, onTime) {
@@ -95,6 +103,7 @@ class Stage {
     this.trace(pen, toPixels, width, scale);
     this.measures(pen, toPixels, scale);
     this.walker(pen, toPixels, scale);
+    this.centreOfMass(pen, toPixels);
     this.lenses(pen, width, height, scale);
   }
 
@@ -154,21 +163,12 @@ class Stage {
     order.forEach((i) => {
       const position = positions[i];
       const radius = Math.max(3, 0.045 * this.size * scale * Math.sqrt(Math.abs(masses[i] / heaviest)));
-      pen.fillStyle = styled(this.massColour(i));
+      pen.fillStyle = styled(bodyColour(this.seen, i));
       disc(pen, toPixels(position), radius);
       pen.strokeStyle = styled("card");
       pen.lineWidth = 1.5;
       pen.stroke();
     });
-  }
-
-  // A body where the legs meet is drawn as they are; any other body has a colour of its own.
-  massColour(i) {
-    const { role } = model.masses[i];
-    if (role !== "body") return MASS_COLOURS[role];
-    const { lines, positions } = this.seen;
-    const hips = model.lines.filter((line) => line.role === "legs").map(({ name }) => lines[name][Math.floor(lines[name].length / 2)]);
-    return hips.some((hip) => distance(hip, positions[i]) < 1e-9) ? "stance" : "body";
   }
 
   // Springs move little: each is drawn once more under a magnifying glass, in the upper corner, with the loops that
@@ -208,7 +208,7 @@ class Stage {
     });
   }
 
-  // Centre of mass, the paper's zero moment point with its distance from the foot, and ground force.
+  // The paper's zero moment point with its distance from the foot, and ground force.
   measures(pen, toPixels, scale) {
     const { com, zmp, force, contact, cop } = this.seen;
     const footAt = toPixels([contact, 0]);
@@ -233,6 +233,10 @@ class Stage {
       pen.lineWidth = 3;
       arrow(pen, toPixels([at, 0]), toPixels([at + along, up]), 9);
     }
+  }
+
+  centreOfMass(pen, toPixels) {
+    const { com } = this.seen;
     if (com !== null) {
       pen.fillStyle = styled("card");
       disc(pen, toPixels(com), 5.5);
@@ -247,7 +251,7 @@ class Stage {
 function lensPower(fits) {
   if (!Number.isFinite(fits)) return 0;
   const unit = 10 ** Math.floor(Math.log10(fits));
-  return Math.max(...[1, 2, 5].map((m) => m * unit).filter((m) => m <= fits));
+  return Math.max(...[1, 2, 3, 4, 5, 6, 8].map((m) => m * unit).filter((m) => m <= fits));
 }
 
 function disc(pen, [x, y], radius) {

@@ -12,6 +12,7 @@ class Strip {
 
   load(path) {
     this.path = path;
+    this.figures = [];
     const samples = path.samples(FIGURES);
     const heights = samples.flatMap(({ positions, lines }) => [positions, ...Object.values(lines)].flat().map(([, y]) => y));
     const inside = STRIP.height - STRIP.top - STRIP.bottom;
@@ -40,8 +41,9 @@ class Strip {
     const at = ([x, y]) => [middle + (x - centre) * scale, ground - y * scale];
     const line = (points, cls) => svg("polyline", { points: points.map((point) => at(point).map((v) => v.toFixed(2)).join()).join(" "), class: cls });
     const share = i / (FIGURES - 1);
-    const time = `t = ${brief(share * this.path.period, 3)}`;
-    const group = svg("g", { class: "stick", role: "button", tabindex: 0, "aria-label": time, "data-time": share * this.path.period });
+    const shown = brief(share * this.path.period * kindFactor("time"), 3);
+    const time = i ? shown : `t = ${shown}`;
+    const group = svg("g", { class: "stick", role: "button", tabindex: 0, "aria-label": `t = ${shown} ${kindUnit("time")}`, "data-time": share * this.path.period });
     group.append(svg("rect", { x: middle - STRIP.width / FIGURES / 2, y: 0, width: STRIP.width / FIGURES, height: STRIP.height, class: "reach" }));
     for (const { name, role } of model.lines) {
       const points = seen.lines[name];
@@ -53,10 +55,10 @@ class Strip {
     const order = seen.positions.map((_, n) => n).sort((a, b) => Math.abs(seen.masses[b]) - Math.abs(seen.masses[a]));
     for (const n of order) {
       const [x, y] = at(seen.positions[n]);
-      const r = Math.max(1.5, 0.05 * scale * Math.sqrt(Math.abs(seen.masses[n] / heaviest)));
-      group.append(svg("circle", { cx: x, cy: y, r, class: `body ${{ wobbling: "mass", swing_foot: "swing", body: "body" }[model.masses[n].role] ?? "stance"}` }));
+      const r = Math.max(2, 0.055 * scale * Math.sqrt(Math.abs(seen.masses[n] / heaviest)));
+      group.append(svg("circle", { cx: x, cy: y, r, class: bodyColour(seen, n) }));
     }
-    group.append(svg("text", { x: middle, y: STRIP.height - 9, class: "middle" }, i ? brief(share * this.path.period, 3) : time));
+    group.append(svg("text", { x: middle, y: STRIP.height - 9, class: "middle" }, time));
     const go = () => this.onTime(share * this.path.period);
     group.addEventListener("click", go);
     group.addEventListener("keydown", (event) => {

@@ -25,25 +25,44 @@ from stridemap.views.report.claims import read_claims
 from stridemap.views.report.curves import curves as encoded
 from stridemap.views.report.curves import read_curves
 from stridemap.views.report.payload import NEEDED, payload
+from stridemap.views.report.references import Reference
 
 SCRIPTS = (
+    "numbers.js",
     "data.js",
+    "units.js",
     "walker.js",
     "scale.js",
+    "colours.js",
+    "references.js",
+    "filter.js",
+    "pen.js",
     "curves.js",
+    "zoom.js",
     "map.js",
+    "patches.js",
     "joining.js",
     "slice.js",
+    "scatter.js",
     "charts.js",
+    "lines.js",
     "stage.js",
+    "strip.js",
     "cycle.js",
+    "bar.js",
+    "export.js",
+    "print.js",
+    "selection.js",
+    "address.js",
     "page.js",
+    "controls.js",
+    "start.js",
 )
 """The page's own programs, in the order in which they build on each other."""
 
 PROGRAM = """
 "use strict";
-(() => {{
+(async () => {{
 const equations = {equations};
 {own}
 }})();
@@ -78,6 +97,7 @@ def write_report(
     claims: str | Path | Sequence[Mapping[str, Any]] | None = None,
     model: str | Path | None = None,
     curves: str | Path | pd.DataFrame | None = None,
+    references: Sequence[Reference] = (),
 ) -> ReportSummary:
     """Write a sweep as one HTML file that needs no other file and no network.
 
@@ -95,6 +115,9 @@ def write_report(
     curves : path or DataFrame, optional
         Boundaries to draw over the map: what ``stridemap boundary --out`` wrote, over two parameters of the
         sweep's grid.
+    references : sequence of Reference, optional
+        Values to compare with, such as those of another model: lines in slices, colours of the map, words of
+        filters.
 
     Raises
     ------
@@ -109,12 +132,13 @@ def write_report(
     if orbits.empty:
         raise InputError(f"the sweep in {folder} found no limit cycle, so there is nothing to show")
     lines = _curves(loaded, provenance["configuration"], curves)
-    data = payload(loaded, provenance["configuration"], orbits, cells, lines)
+    data = payload(loaded, provenance["configuration"], orbits, cells, lines, references)
     verdicts = read_claims(claims) if isinstance(claims, str | Path) else claims
     page = _page(
         title=sections.text(f"Limit cycles: {loaded.title}"),
         heading=sections.text(loaded.title),
         lead=sections.lead(loaded, provenance, orbits, cells),
+        keys=sections.keys(loaded),
         claims=(verdict_section := verdict_list(loaded, verdicts)),
         claims_link='<a href="#claims">Statements of the paper</a>' if verdict_section else "",
         provenance=sections.provenance(loaded, provenance),

@@ -19,7 +19,7 @@ ROOT = Path(__file__).parents[3]
 
 def names(theme):
     """Names and colours of the style sheet; the first block is the light page's."""
-    blocks = re.findall(r":root \{(.*?)\}", palette.style_sheet())
+    blocks = re.findall(r":root[^{]* \{(.*?)\}", palette.style_sheet())
     return dict(re.findall(r"--([\w-]+): (#\w{6});", blocks[["light", "dark"].index(theme)]))
 
 

@@ -1,0 +1,53 @@
+// Patches of cells of one group: where its letter stands, and where the border to another group runs.
+
+// The cells of each connected patch that bears one letter: [letter, [[column, row], ...]].
+function patchesOf(letters) {
+  const seen = letters.map((row) => row.map(() => false));
+  const found = [];
+  for (let r = 0; r < letters.length; r++) {
+    for (let c = 0; c < letters[r].length; c++) {
+      if (!letters[r][c] || seen[r][c]) continue;
+      const letter = letters[r][c];
+      const [patch, open] = [[], [[c, r]]];
+      while (open.length) {
+        const [x, y] = open.pop();
+        if (letters[y]?.[x] !== letter || seen[y][x]) continue;
+        seen[y][x] = true;
+        patch.push([x, y]);
+        open.push([x + 1, y], [x - 1, y], [x, y + 1], [x, y - 1]);
+      }
+      found.push([letter, patch]);
+    }
+  }
+  return found;
+}
+
+// The cell of a patch that lies deepest within it: the last that is left when its rim is taken away again and again.
+function deepest(patch) {
+  const key = ([c, r]) => c * 100_000 + r;
+  let left = patch;
+  for (;;) {
+    const inside = new Set(left.map(key));
+    const kept = left.filter(([c, r]) => [[c + 1, r], [c - 1, r], [c, r + 1], [c, r - 1]].every((cell) => inside.has(key(cell))));
+    if (!kept.length) break;
+    left = kept;
+  }
+  // Of what is left, the one nearest to its middle.
+  const mean = (i) => left.reduce((sum, cell) => sum + cell[i], 0) / left.length;
+  const middle = [mean(0), mean(1)];
+  const away = ([c, r]) => Math.hypot(c - middle[0], r - middle[1]);
+  return left.reduce((best, cell) => (away(cell) < away(best) ? cell : best));
+}
+
+// Edges between cells of different groups, as pairs of the cell and the side on which its neighbour lies.
+function bordersOf(letters) {
+  const found = [];
+  for (let r = 0; r < letters.length; r++) {
+    for (let c = 0; c < letters[r].length; c++) {
+      for (const [side, other] of [["right", letters[r][c + 1]], ["top", letters[r + 1]?.[c]]]) {
+        if (letters[r][c] && other && other !== letters[r][c]) found.push([c, r, side]);
+      }
+    }
+  }
+  return found;
+}

@@ -1,0 +1,45 @@
+// The start, from the address or from the paper's own point, and each time that the address changes.
+
+function start() {
+  const [cell, row] = takeAddress(location.hash);
+  state.indices = grid.indices(cell);
+  const filter = state.filter;
+  state.filter = "";
+  const understood = setFilter(filter);
+  buildControls();
+  if (!understood) byId("filter").value = filter;
+  buildAxes();
+  buildSliders();
+  showUnits();
+  choose(cell, row, "replace");
+}
+
+buildUnits();
+buildFilter();
+buildPin();
+buildBrush();
+buildButtons();
+start();
+buildPlayer();
+buildCurves();
+
+// Links within the page have addresses too, which say nothing of the choice.
+addEventListener("popstate", () => {
+  if (!location.hash || location.hash.includes("=")) {
+    start();
+    refresh();
+  }
+});
+
+// Canvases are drawn anew when their size or the colours change.
+for (const [id, drawn] of [["map", map], ["slice", slice], ["scatter", scatter], ["stage", stage], ["stage-pinned", pinnedStage]]) new ResizeObserver(() => drawn.draw()).observe(byId(id));
+matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
+  looks = null;
+  map.drawnKey = scatter.drawnKey = null;
+  redraw();
+  stage.draw();
+});
+
+// For scripts and for tests: the tables, the equations, and the page itself.
+window.stridemap = { report, orbits, cells, grid, equations, evaluate, Path, map, slice, scatter, curves, joinedBy, stage, state, choose, quantities, compileFilter, bar };
+document.documentElement.dataset.ready = "yes";
