@@ -126,7 +126,8 @@ def _numbers(claim: Mapping[str, Any]) -> str:
     if listed and isinstance(listed, Mapping):
         what = body.partition(":")[0]
         cells = "".join(
-            f"<div><dt>{_symbols(name)}</dt><dd>{text(value)}</dd></div>" for name, value in listed.items()
+            f"<div><dt>{_symbols(name)}</dt><dd>{text(value).replace('/', '/<wbr>')}</dd></div>"
+            for name, value in listed.items()
         )
         body = f'<p class="what">{text(what)}</p><dl class="listed">{cells}</dl>'
     else:
@@ -170,7 +171,12 @@ def _evidence(value: Any, digits: int = 4) -> str:
         return ", ".join(_evidence(inner, digits) for inner in value)
     if isinstance(value, bool) or value is None:
         return {True: "yes", False: "no", None: "none"}[value]
-    return text(f"{value:.{digits}g}" if isinstance(value, float) else value)
+    return text(_shown(value, digits) if isinstance(value, float) else value)
+
+
+def _shown(value: float, digits: int) -> str:
+    """A number in so many digits; without an exponent where there are a few more before the point."""
+    return f"{value:.0f}" if 10**digits <= abs(value) < 1e7 else f"{value:.{digits}g}"
 
 
 def enough_digits(value: Any) -> int:
