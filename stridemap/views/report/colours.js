@@ -17,12 +17,16 @@ const DIVERGING = [
 // Where a value lies between two others, from 0 to 1; their difference may be beyond the largest number.
 const between = (value, low, high) => (value / 2 - low / 2) / (high / 2 - low / 2);
 
-function colourAt(unit, stops = STOPS) {
-  const position = Math.max(0, Math.min(1, unit || 0)) * (stops.length - 1);
+// Each scale of colours in 512 steps, made once.
+const STEPS = 511;
+const mixed = new Map([STOPS, DIVERGING].map((stops) => [stops, Array.from({ length: STEPS + 1 }, (_, step) => {
+  const position = (step / STEPS) * (stops.length - 1);
   const i = Math.min(Math.floor(position), stops.length - 2);
-  const mixed = stops[i].map((channel, c) => Math.round(channel + (position - i) * (stops[i + 1][c] - channel)));
-  return `rgb(${mixed.join(" ")})`;
-}
+  const channels = stops[i].map((channel, c) => Math.round(channel + (position - i) * (stops[i + 1][c] - channel)));
+  return `rgb(${channels.join(" ")})`;
+})]));
+
+const colourAt = (unit, stops = STOPS) => mixed.get(stops)[Math.round(Math.max(0, Math.min(1, unit || 0)) * STEPS)];
 
 // Shares of the values that lie below the ends of a scale.
 const ENDS = [0.02, 0.98];

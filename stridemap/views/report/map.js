@@ -46,8 +46,7 @@ class GridMap {
   }
 
   get size() {
-    const { width, height } = this.canvas.getBoundingClientRect();
-    return { width, height };
+    return sizeOf(this.canvas);
   }
 
   // The frame within the axes, in CSS pixels.
@@ -150,13 +149,19 @@ class GridMap {
     this.frame(pen, width, height);
   }
 
+  // Neighbours in a row that look alike are one rectangle.
   cells(pen, frame) {
     const [columns, rows] = this.scales.map((scale) => (scale ? [scale.index(0), scale.index(1)] : [0, 0]));
     const hatched = [];
     for (let r = rows[0]; r <= rows[1]; r++) {
+      const line = this.looks[r];
+      const alike = (one, other) => one.fill === other.fill && Boolean(one.hatch) === Boolean(other.hatch) && Boolean(one.dim) === Boolean(other.dim) && !one.cross && !other.cross;
       for (let c = columns[0]; c <= columns[1]; c++) {
-        const { fill, hatch, cross, dim } = this.looks[r][c];
+        const { fill, hatch, cross, dim } = line[c];
         const box = this.box(c, r, frame);
+        while (c < columns[1] && alike(line[c], line[c + 1])) c++;
+        const end = this.box(c, r, frame);
+        box.width = end.x + end.width - box.x;
         pen.globalAlpha = dim ? 0.18 : 1;
         // Neighbours overlap by a hair, or their edges would show as a grid of thin lines.
         if (fill) fillBox(pen, box, fill, dim ? 0 : 0.4);
@@ -182,11 +187,12 @@ class GridMap {
     pen.strokeStyle = styled("map-halo");
     pen.fillStyle = styled("map-letter");
     const inFrame = ({ x, y, width, height }) => x + width > frame.x && x < frame.x + frame.width && y + height > frame.y && y < frame.y + frame.height;
+    const depths = depthsOf(letters);
     for (const [letter, whole] of patchesOf(letters)) {
       const patch = whole.filter(([c, r]) => inFrame(this.box(c, r, frame)));
       const area = patch.reduce((sum, [c, r]) => { const { width, height } = this.box(c, r, frame); return sum + width * height; }, 0);
       if (area < 450) continue;
-      const box = this.box(...deepest(patch), frame);
+      const box = this.box(...deepest(patch, depths), frame);
       const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
       if (x < frame.x + 6 || x > frame.x + frame.width - 6 || y < frame.y + 6 || y > frame.y + frame.height - 6) continue;
       pen.strokeText(letter, x, y);
@@ -196,19 +202,18 @@ class GridMap {
   }
 
   borders(pen, frame, edges) {
+    const [right, top] = [edges.filter(([, , side]) => side === "right"), edges.filter(([, , side]) => side === "top")];
     for (const [colour, thick] of [[styled("map-halo"), 2.6], [styled("map-letter"), 1.1]]) {
-      pen.strokeStyle = colour;
-      pen.lineWidth = thick;
-      pen.lineCap = "round";
-      pen.beginPath();
-      for (const [c, r, side] of edges) {
+      pen.fillStyle = colour;
+      for (const [c, r] of right) {
         const { x, y, width, height } = this.box(c, r, frame);
-        pen.moveTo(side === "right" ? x + width : x, y);
-        pen.lineTo(x + width, side === "right" ? y + height : y);
+        pen.fillRect(x + width - thick / 2, y - thick / 2, thick, height + thick);
       }
-      pen.stroke();
+      for (const [c, r] of top) {
+        const { x, y, width } = this.box(c, r, frame);
+        pen.fillRect(x - thick / 2, y - thick / 2, width + thick, thick);
+      }
     }
-    pen.lineCap = "butt";
   }
 
   frame(pen, width, height) {
@@ -270,6 +275,11 @@ function strokeCross(pen, { x, y, width, height }) {
 
 // Diagonal lines over boxes: what is unstable can be seen without colour.
 function hatchOver(pen, boxes, frame) {
+  if (!(pen instanceof SvgPen)) {
+    pen.fillStyle = hatching(pen);
+    for (const { x, y, width, height } of boxes) pen.fillRect(x, y, width, height);
+    return;
+  }
   within(pen, boxes, () => {
     pen.strokeStyle = styled("map-hatch");
     pen.lineWidth = 1;
@@ -280,6 +290,21 @@ function hatchOver(pen, boxes, frame) {
     }
     pen.stroke();
   });
+}
+
+// A pattern of diagonal lines, six pixels apart.
+function hatching(pen) {
+  const ratio = window.devicePixelRatio || 1;
+  const tile = document.createElement("canvas");
+  const side = Math.round(6 * ratio);
+  [tile.width, tile.height] = [side, side];
+  const ink = tile.getContext("2d");
+  ink.strokeStyle = styled("map-hatch");
+  ink.lineWidth = ratio;
+  for (const shift of [-side, 0, side]) segment(ink, shift - 1, side + 1, shift + side + 1, -1);
+  const pattern = pen.createPattern(tile, "repeat");
+  pattern?.setTransform?.(new DOMMatrix([6 / side, 0, 0, 6 / side, 0, 0]));
+  return pattern;
 }
 
 // Ticks of an axis, pairs of a place from 0 to 1 and a text, and the name of the axis.

@@ -177,6 +177,8 @@ function showSlice() {
 }
 
 function showScatter() {
+  byId("brush-clear").hidden = byId("brush-filter").hidden = state.brush === null;
+  if (!scatter.inSight) return;
   const [x, y, z] = [state.x, state.y, state.z].map((name) => quantities.get(name));
   const key = JSON.stringify([drawnKey(), state.x, state.y, state.z]);
   const rows = kept.get("plane rows", JSON.stringify([planeCells().length, planeCells()[0], planeCells().at(-1), state.across, state.up, choiceKey()]), () => planeCells().flatMap(wanted));
@@ -185,13 +187,14 @@ function showScatter() {
   scatter.show({ x, y, z, rows, colour: (row) => (Number.isNaN(values[row]) ? styled("swing") : scale.colour(values[row])), chosen: state.row, pinned: state.pin, brush: state.brush, within: brushed(), key });
   const ends = [scale.low, (scale.low + scale.high) / 2, scale.high].map((value) => html("span", { class: "key" }, html("span", { class: "swatch", style: `background: ${scale.colour(value)}` }), z.text(value, 3)));
   byId("scatter-legend").replaceChildren(html("span", { class: "key" }, `colour: ${z.title}`), ...ends);
-  byId("brush-clear").hidden = byId("brush-filter").hidden = state.brush === null;
 }
 
 // How many cycles are shown, of all; they can be saved.
 function selection() {
-  const rows = kept.get("selection", JSON.stringify([drawnKey(), state.x, state.y]), shownRows);
-  const many = new Set(rows.map((row) => cellColumn[row])).size;
+  const { rows, many } = kept.get("selection", JSON.stringify([drawnKey(), state.x, state.y]), () => {
+    const shown = shownRows();
+    return { rows: shown, many: new Set(shown.map((row) => cellColumn[row])).size };
+  });
   byId("selection").textContent = `${rows.length.toLocaleString("en")} ${rows.length === 1 ? "cycle" : "cycles"} in ${many.toLocaleString("en")} ${many === 1 ? "cell" : "cells"} shown`;
   byId("save-csv").disabled = byId("save-json").disabled = rows.length === 0;
   return rows;

@@ -22,17 +22,22 @@ function patchesOf(letters) {
   return found;
 }
 
-// The cell of a patch that lies deepest within it: the last that is left when its rim is taken away again and again.
-function deepest(patch) {
-  const key = ([c, r]) => c * 100_000 + r;
-  let left = patch;
-  for (;;) {
-    const inside = new Set(left.map(key));
-    const kept = left.filter(([c, r]) => [[c + 1, r], [c - 1, r], [c, r + 1], [c, r - 1]].every((cell) => inside.has(key(cell))));
-    if (!kept.length) break;
-    left = kept;
+// How many steps each cell is from one of another letter.
+function depthsOf(letters) {
+  const depths = letters.map((row) => new Uint16Array(row.length));
+  const [rows, columns] = [letters.length, letters[0].length];
+  const step = (r, c, other, at) => (letters[other]?.[at] === letters[r][c] ? depths[other][at] + 1 : 1);
+  for (let r = 0; r < rows; r++) for (let c = 0; c < columns; c++) depths[r][c] = Math.min(step(r, c, r - 1, c), step(r, c, r, c - 1));
+  for (let r = rows - 1; r >= 0; r--) {
+    for (let c = columns - 1; c >= 0; c--) depths[r][c] = Math.min(depths[r][c], step(r, c, r + 1, c), step(r, c, r, c + 1));
   }
-  // Of what is left, the one nearest to its middle.
+  return depths;
+}
+
+// The cell of a patch that lies deepest within it; of several, the one nearest to their middle.
+function deepest(patch, depths) {
+  const depth = patch.reduce((most, [c, r]) => Math.max(most, depths[r][c]), 0);
+  const left = patch.filter(([c, r]) => depths[r][c] === depth);
   const mean = (i) => left.reduce((sum, cell) => sum + cell[i], 0) / left.length;
   const middle = [mean(0), mean(1)];
   const away = ([c, r]) => Math.hypot(c - middle[0], r - middle[1]);

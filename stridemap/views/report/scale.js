@@ -116,9 +116,21 @@ class CellScale {
   }
 }
 
+// The size of a canvas in CSS pixels. It is kept, because asking for it lays the page out; an observer forgets it.
+const sizes = new Map();
+
+function sizeOf(canvas) {
+  if (!sizes.has(canvas)) {
+    const { width, height } = canvas.getBoundingClientRect();
+    if (!(width > 0 && height > 0)) return { width, height };
+    sizes.set(canvas, { width, height });
+  }
+  return sizes.get(canvas);
+}
+
 // A canvas for sharp lines: drawn in CSS pixels, with as many real ones as the screen has.
 function prepared(canvas) {
-  const { width, height } = canvas.getBoundingClientRect();
+  const { width, height } = sizeOf(canvas);
   const ratio = window.devicePixelRatio || 1;
   const [w, h] = [Math.max(1, Math.round(width * ratio)), Math.max(1, Math.round(height * ratio))];
   if (canvas.width !== w || canvas.height !== h) [canvas.width, canvas.height] = [w, h];

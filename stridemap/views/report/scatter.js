@@ -7,7 +7,7 @@ class Scatter {
   // `onChoose(row)` is called when the reader presses a point, `onBrush(box)` when a rectangle [x0, x1, y0, y1] is
   // drawn over it, or null when it is taken away, and `onPoint(row, event)` when a point is pointed at.
   constructor(canvas, { onChoose, onBrush, onPoint }) {
-    Object.assign(this, { canvas, onChoose, onBrush });
+    Object.assign(this, { canvas, onChoose, onBrush, inSight: typeof IntersectionObserver === "undefined" });
     canvas.addEventListener("pointerdown", (event) => this.press(event));
     canvas.addEventListener("pointermove", (event) => {
       if (this.from) this.drag(event);
@@ -28,7 +28,7 @@ class Scatter {
     this.draw();
   }
 
-  frame({ width, height } = this.canvas.getBoundingClientRect()) {
+  frame({ width, height } = sizeOf(this.canvas)) {
     return { x: SCATTER.left, y: SCATTER.top, width: width - SCATTER.left - SCATTER.right, height: height - SCATTER.top - SCATTER.bottom };
   }
 
@@ -125,7 +125,7 @@ class Scatter {
     const frame = { x, y, width: w, height: h };
     const [xs, ys] = [this.x.numbers(), this.y.numbers()];
     for (const inside of this.inside ? [false, true] : [true]) {
-      pen.globalAlpha = inside ? 0.9 : 0.12;
+      pen.globalAlpha = inside ? 1 : 0.12;
       for (const row of this.rows) {
         if (Number.isNaN(xs[row]) || Number.isNaN(ys[row]) || (this.inside && Boolean(this.inside[row]) !== inside)) continue;
         const [px, py] = this.locate(row, frame);

@@ -31,8 +31,21 @@ addEventListener("popstate", () => {
   }
 });
 
+// The scatter is drawn while it is in sight.
+if (typeof IntersectionObserver !== "undefined") {
+  new IntersectionObserver(([entry]) => {
+    scatter.inSight = entry.isIntersecting;
+    if (scatter.inSight) showScatter();
+  }, { rootMargin: "100px" }).observe(byId("scatter-card"));
+}
+
 // Canvases are drawn anew when their size or the colours change.
-for (const [id, drawn] of [["map", map], ["slice", slice], ["scatter", scatter], ["stage", stage], ["stage-pinned", pinnedStage]]) new ResizeObserver(() => drawn.draw()).observe(byId(id));
+for (const [id, drawn] of [["map", map], ["slice", slice], ["scatter", scatter], ["stage", stage], ["stage-pinned", pinnedStage]]) {
+  new ResizeObserver(() => {
+    sizes.delete(byId(id));
+    drawn.draw();
+  }).observe(byId(id));
+}
 matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
   looks = null;
   map.drawnKey = scatter.drawnKey = null;
