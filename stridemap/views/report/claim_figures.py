@@ -248,7 +248,7 @@ def _linked(content: str, text: str, at: Mapping[str, float] | None) -> str:
         return f"<g>{content}</g>"
     where = ", ".join(f"{name} = {value:.6g}" for name, value in at.items())
     said = _text(f"{text}: {where}, on the map" if text else f"{where}, on the map")
-    address = _text(urlencode({name: f"{value:.9g}" for name, value in at.items()}))
+    address = _text(urlencode({name: f"{value:.9g}" for name, value in at.items()}, errors="replace"))
     return f'<a href="#{address}" aria-label="{said}"><title>{said}</title>{content}</a>'
 
 

@@ -23,6 +23,7 @@ from stridemap.sweeps import store
 from stridemap.sweeps.config import canonical_json
 from stridemap.sweeps.run import sweep
 from stridemap.views.report.write import write_report
+from stridemap.views.small_figures import Axis, Band, Bar, Curve, Guide, Mark, Panel, SmallFigure, rows_axis
 from tests.oracles.states import need
 from tests.oracles.sweeping import Inline
 
@@ -144,6 +145,19 @@ def hostile_walker():
     )
 
 
+def hostile_figure():
+    """With a text in each place, and bars wide enough to show theirs."""
+    axis, rows = Axis(ALL, 0.0, 1.0), rows_axis([ALL, ALL])
+    place = {ALL: 0.5}
+    first = Panel(
+        ALL, axis, axis, [Curve("group-A", [0.1, 0.5], [0.1, 0.5], text=ALL)],
+        marks=[Mark(0.5, 0.5, True, ALL, place)], guides=[Guide("y", 0.5, ALL)],
+        bands=[Band("x", 0.2, 0.4, ALL)],
+    )  # fmt: skip
+    second = Panel(ALL, axis, rows, bars=[Bar("group-B", 0, 0.0, 1.0, ALL, place)])
+    return SmallFigure(ALL, [first, second]).to_dict()
+
+
 def hostile_claims():
     return {
         "claims": [
@@ -152,6 +166,10 @@ def hostile_claims():
                 "statement": ALL,
                 "verdict": "holds",
                 "numbers": ALL,
+                "short": ALL,
+                "where": ALL,
+                "listed": {ALL: ALL},
+                "figure": hostile_figure(),
                 "evidence": {ALL: [ALL, {ALL: [1.5, None, True]}], "half": "\ud800"},
             }
         ]
