@@ -28,8 +28,10 @@ class Element {
   getContext() { return pen; }
   addEventListener() {}
   setAttribute(name, value) { this.attributes[name] = value; }
+  removeAttribute() {}
   append(...children) { this.children.push(...children); }
   replaceChildren(...children) { this.children = children; }
+  prepend(...children) { this.children.unshift(...children); }
   closest() { return new Element(); }
   querySelector() { return new Element(); }
   contains() { return false; }
@@ -42,26 +44,31 @@ const documentElement = new Element();
 const window = {};
 vm.runInNewContext(program, {
   document: { getElementById, documentElement, createElement: () => new Element(), createElementNS: () => new Element() },
-  window, console, URLSearchParams,
+  window, console, URLSearchParams, DecompressionStream, Blob, Response, setTimeout, clearTimeout, addEventListener() {},
   atob: (text) => Buffer.from(text, "base64").toString("binary"),
   getComputedStyle: () => ({ getPropertyValue: (name) => name.slice(2) }),
   matchMedia: () => ({ matches: true, addEventListener() {} }),
   Path2D: class { rect() {} },
   ResizeObserver: class { observe() {} },
   requestAnimationFrame() {},
-  history: { replaceState() {} },
+  history: { replaceState() {}, pushState() {} },
   location: { hash: "" },
 });
 
-const { stage, state, map } = window.stridemap;
-drawn.length = 0;
-stage.walker(pen, (point) => point, 100);
-const walker = [...drawn];
-const texts = {};
-for (const { attributes } of elements.colour.children) {
-  elements.colour.onchange.call(null, (elements.colour.value = attributes.value));
-  texts[attributes.value] = [state.colour, elements["slice-name"].textContent, map.looks.flat().length];
+async function ready() {
+  while (documentElement.dataset.ready !== "yes") await new Promise((done) => setTimeout(done, 5));
+  const { stage, state, map } = window.stridemap;
+  drawn.length = 0;
+  stage.walker(pen, (point) => point, 100);
+  const walker = [...drawn];
+  const texts = {};
+  for (const { attributes } of elements.colour.children) {
+    elements.colour.onchange.call(null, (elements.colour.value = attributes.value));
+    texts[attributes.value] = [state.colour, elements["slice-name"].textContent, map.looks.flat().length];
+  }
+  console.log(JSON.stringify({
+    ready: documentElement.dataset.ready, walker, texts, closing: stage.path.closing, now: elements.now.textContent,
+  }));
 }
-console.log(JSON.stringify({
-  ready: documentElement.dataset.ready, walker, texts, closing: stage.path.closing, now: elements.now.textContent,
-}));
+
+ready();

@@ -34,8 +34,9 @@ const ENDS = [0.02, 0.98];
 // The scale of what is shown: it spans most of the values, and the few beyond count as its ends.
 class ValueScale {
   // `range` is the reader's own, `centre` the value from which a scale diverges, `most` where its own range ends
-  // at the latest, `include` what has to lie on it; `whole` numbers have whole ticks, and `factor` converts units.
-  constructor(values, { range = null, centre = null, most = Infinity, whole = false, factor = 1, include = [] } = {}) {
+  // at the latest, `include` what has to lie on it; `whole` numbers have whole ticks, and `factor` converts units. An
+  // axis, other than colours, reaches to all values that do not lie far off, so that none of its marks is cut off.
+  constructor(values, { range = null, centre = null, most = Infinity, whole = false, factor = 1, include = [], axis = false } = {}) {
     Object.assign(this, { whole, factor });
     const finite = Float64Array.from(values).filter(Number.isFinite).sort();
     const sorted = finite.length ? finite : [0];
@@ -43,6 +44,12 @@ class ValueScale {
     const few = sorted.length < 50;
     [this.least, this.largest] = [sorted[0], sorted.at(-1)];
     let [low, high] = few ? [at(0), at(1)] : ENDS.map(at);
+    if (axis) {
+      const reach = high - low;
+      const pad = 0.04 * reach;
+      if (low - this.least <= reach) low = Math.min(low, low > 0 && this.least > 0 ? Math.max(this.least - pad, this.least / 1.1) : this.least - pad);
+      if (this.largest - high <= reach) high = Math.max(high, this.largest + pad);
+    }
     if (low < most) high = Math.min(high, most);
     for (const value of include.filter(Number.isFinite)) [low, high] = [Math.min(low, value), Math.max(high, value)];
     [low, high] = this.apart(low, high);

@@ -1,4 +1,4 @@
-"""Tables for the page, in few bytes: every number with the decimals that the page shows, and no more.
+"""Tables for the page, in few bytes: every number to the last digit that the page shows.
 
 A column of decimal fractions is a column of whole numbers, whose bytes lie apart by their place, the lowest
 bytes of all rows first; all columns together are compressed and written in the characters of base 85. What
@@ -6,8 +6,9 @@ no whole number can stand for (infinities, sizes far from the others) is listed 
 of which this holds too often travels in double precision.
 """
 
+import math
 import zlib
-from collections.abc import Mapping
+from collections.abc import Collection
 from typing import Any
 
 import numpy as np
@@ -17,8 +18,11 @@ from numpy.typing import NDArray
 DECIMALS = 10
 """Decimals of measured quantities, as the command line prints them."""
 
-STATE_DECIMALS = 12
-"""Decimals of section points and periods: with them the page integrates a step to the accuracy it shows."""
+STATE_DECIMALS = 15
+"""Decimals of section points and periods: an unstable step enlarges what they leave away a thousand times."""
+
+STATE_SHOWN = 12
+"""Decimals of section points and periods that the page shows, of small ones as well."""
 
 SMALL = 1e-3
 """Sizes below which a number is shown in `DIGITS` digits and a power of ten."""
@@ -41,17 +45,16 @@ class Encoder:
         self._parts: list[bytes] = []
         self._size = 0
 
-    def table(self, frame: pd.DataFrame, decimals: Mapping[str, int] | None = None) -> dict[str, Any]:
+    def table(self, frame: pd.DataFrame, states: Collection[str] = ()) -> dict[str, Any]:
         """What the page is told of a table: rows and columns, with the places of their bytes.
 
         Parameters
         ----------
         frame : DataFrame
-        decimals : mapping of str to int, optional
-            Decimals of columns that have others than `DECIMALS`.
+        states : collection of str, optional
+            Columns from which a step is integrated; they have `STATE_DECIMALS`.
         """
-        given = decimals or {}
-        columns = {name: self._column(frame[name], given.get(name, DECIMALS)) for name in frame}
+        columns = {name: self._column(frame[name], name in states) for name in frame}
         return {"rows": len(frame), "columns": columns}
 
     def packed(self) -> dict[str, Any]:
@@ -59,7 +62,7 @@ class Encoder:
         data = zlib.compress(b"".join(self._parts), 9)
         return {"text": base85(data), "packed": len(data)}
 
-    def _column(self, values: pd.Series, decimals: int) -> dict[str, Any]:
+    def _column(self, values: pd.Series, state: bool) -> dict[str, Any]:
         if pd.api.types.is_bool_dtype(values):
             truth = np.where(values.isna(), 2, values.fillna(False).astype(bool))
             return {"type": "bool", **self._whole(truth.astype(np.int64))}
@@ -68,7 +71,8 @@ class Encoder:
         if pd.api.types.is_numeric_dtype(values):
             whole = pd.api.types.is_integer_dtype(values)
             numbers = values.to_numpy(dtype=float, na_value=np.nan)
-            return {"type": "number", "whole": whole, **self._numbers(numbers, 0 if whole else decimals)}
+            decimals = 0 if whole else STATE_DECIMALS if state else DECIMALS
+            return {"type": "number", "whole": whole, **self._numbers(numbers, decimals)}
         words = sorted(values.dropna().unique())
         index = {word: i for i, word in enumerate(words)}
         codes = np.array([index.get(word, -1) for word in values], dtype=np.int64)
@@ -82,7 +86,7 @@ class Encoder:
                 "decimals": decimals, **_listed(values, odd_fixed)
             }  # fmt: skip
         mantissa, power, odd = _scientific(values)
-        if odd.sum() * _MOST_ODD <= len(values):
+        if decimals == DECIMALS and odd.sum() * _MOST_ODD <= len(values):
             digits = self._whole(mantissa, missing=np.isnan(values) | odd)
             return digits | {"powers": self._whole(power), **_listed(values, odd)}
         return {"double": self._bytes(values.astype("<f8").view(np.uint8).reshape(-1, 8).T)}
@@ -132,22 +136,30 @@ def _decimal(values: NDArray[np.float64], decimals: int) -> tuple[NDArray[np.int
     """Numbers in units of the last decimal, and which of them cannot be written so.
 
     Small ones are first rounded to the digits in which they are shown, because rounding twice is another
-    number.
+    number. Those with `STATE_DECIMALS` are shown with fewer, and keep the side of a half that they are on.
     """
     scale = 10.0**decimals
+    state = decimals == STATE_DECIMALS
     with np.errstate(all="ignore"):
         size = np.abs(values)
-        small = np.isfinite(values) & (size < SMALL) & (values != 0) & (decimals > 0)
+        small = np.isfinite(values) & (size < SMALL) & (values != 0) & (decimals == DECIMALS)
         scaled = values * scale
         odd = np.isinf(values) | (np.abs(scaled) >= _LARGEST) | (small & (size < SMALL / scale * 1e6))
         scaled = np.where(odd | np.isnan(values), 0.0, scaled)
         whole = np.rint(scaled)
         # The product is rounded itself: near a half only the decimal expansion decides.
-        unsure = np.abs(np.abs(scaled - whole) - 0.5) < 1e-3 + 1e-15 * np.abs(scaled)
+        step = 10 ** (STATE_DECIMALS - STATE_SHOWN)
+        if state:
+            unsure = np.abs(np.abs(whole) % step - step // 2) <= 2
+        else:
+            unsure = np.abs(np.abs(scaled - whole) - 0.5) < 1e-3 + 1e-15 * np.abs(scaled)
     for row in np.flatnonzero((unsure | small) & ~odd):
         value = float(values[row])
         shown = float(f"{value:.{DIGITS - 1}e}") if small[row] else value
         whole[row] = int(f"{shown:.{decimals}f}".replace(".", "")) if decimals else round(shown)
+        if state and abs(whole[row]) % step == step // 2:
+            up = abs(int(f"{value:.{STATE_SHOWN}f}".replace(".", ""))) * step > abs(whole[row])
+            whole[row] += math.copysign(1, value) * (1 if up else -1)
     return whole.astype(np.int64), odd
 
 

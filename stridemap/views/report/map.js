@@ -1,6 +1,6 @@
 // The map: a cell of the grid is a rectangle; a click, or the arrow keys and Enter, choose one. Boundaries lie over it.
 
-const INSET = { left: 58, right: 14, top: 12, bottom: 46 };
+const INSET = { left: 58, right: 14, top: 26, bottom: 46 };
 
 class GridMap {
   // `onChoose(cell)` is called when the reader chooses a cell, `onPoint(cell, spoken, event)` when one is pointed at,
@@ -18,9 +18,9 @@ class GridMap {
 
   // What to show: `look(cell)` gives {fill, hatch, letter, cross, dim} of a cell; what was drawn is drawn again
   // only when `key` is another.
-  show({ across, up, indices, look, chosen, pinned, view, key }) {
+  show({ across, up, indices, look, caption, chosen, pinned, view, key }) {
     const cursor = this.cursor;
-    Object.assign(this, { across, up, indices: [...indices], look, chosen, pinned, view, shown: key });
+    Object.assign(this, { across, up, indices: [...indices], look, caption, chosen, pinned, view, shown: key });
     const [left, right, bottom, top] = view ?? WHOLE;
     this.scales = [across, up].map((i, k) => (i === null ? null : new CellScale(grid.axes[i]).zoom(...(k ? [bottom, top] : [left, right]))));
     this.curves.show(across, up, this.indices);
@@ -136,7 +136,7 @@ class GridMap {
     pen.setTransform(ratio, 0, 0, ratio, 0, 0);
     this.render(pen, width, height);
     const { x, y, width: w, height: h } = this.frameOf({ width, height });
-    this.curves.draw(this.scales, { left: x, top: y, width: w, height: h }, this.lettered);
+    if (w > 0 && h > 0) this.curves.draw(this.scales, { left: x, top: y, width: w, height: h }, this.lettered);
   }
 
   render(pen, width, height) {
@@ -226,6 +226,9 @@ class GridMap {
     pen.font = `12px ${styled("font")}`;
     ticksBelow(pen, this.scales[0].ticks(width < 500 ? 5 : 8, factor(this.across)), INSET.left, right, bottom);
     if (this.up !== null) ticksBeside(pen, this.scales[1].ticks(8, factor(this.up)), INSET.left, INSET.top, bottom);
+    pen.textAlign = "right";
+    pen.textBaseline = "alphabetic";
+    pen.fillText(this.caption, right, INSET.top - 8);
     nameBelow(pen, axisQuantities[this.across].title, INSET.left, right, bottom);
     if (this.up !== null) nameBeside(pen, axisQuantities[this.up].title, INSET.top, bottom);
   }

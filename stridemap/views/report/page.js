@@ -125,7 +125,7 @@ function redraw() {
     looks = { key, plain: { stable: styled("map-stable"), unstable: styled("map-unstable") }, scale: measured ? mapScale() : null, values: measured ? quantityOf(state.colour).numbers() : null };
   }
   map.show({
-    across: state.across, up: state.up, indices: state.indices, look, chosen: state.cell,
+    across: state.across, up: state.up, indices: state.indices, look, caption: caption(), chosen: state.cell,
     pinned: state.pin === null ? null : cellColumn[state.pin], view: state.view, key,
   });
   byId("whole").hidden = state.view === null;
@@ -135,6 +135,16 @@ function redraw() {
   showScatter();
   selection();
   for (const [i, output] of sliders) output(state.indices[i]);
+}
+
+// What the colours of the map mean, in a line that saved pictures bear as well.
+function caption() {
+  const at = grid.axes.flatMap((axis, i) => (i === state.across || i === state.up ? [] : [`${axis.symbol} = ${axisQuantities[i].text(axis.values[state.indices[i]])}`]));
+  const quantity = quantityOf(state.colour);
+  const { scale } = looks;
+  const colour = state.colour === STABILITY ? "blue: stable, hatched: unstable" : `${quantity.title}: dark to bright from ${quantity.text(scale.low, 4)} to ${quantity.text(scale.high, 4)}`;
+  const diverging = scale && scale.centre !== null ? `${quantity.title}: blue below ${quantity.text(scale.centre, 4)}, brown above, from ${quantity.text(scale.low, 4)} to ${quantity.text(scale.high, 4)}` : colour;
+  return [...at, diverging].join("; ");
 }
 
 // Drawn anew in full, as when the units or the colours of the page change.
@@ -168,7 +178,7 @@ function showSlice() {
       return Number.isNaN(value) ? null : value;
     },
     scaleOf: (values, compared) => new ValueScale(values, {
-      most: MOST[quantity.name], whole: quantity.whole, factor: quantity.factor, include: quantity.name in CENTRES ? [] : compared.slice(0, 1),
+      axis: !quantity.whole, most: MOST[quantity.name], whole: quantity.whole, factor: quantity.factor, include: quantity.name in CENTRES ? [] : compared.slice(0, 1),
       range: state.range && quantity.name === state.colour ? state.range : null,
     }),
     crossings: state.up === null ? [] : curves.crossings(grid.axes[state.up].values[state.indices[state.up]]),
@@ -176,9 +186,16 @@ function showSlice() {
   });
 }
 
-function showScatter() {
+// While it is out of sight the scatter is drawn when nothing else happens, so that nothing waits for it.
+let idle = null;
+
+function showScatter(late = false) {
   byId("brush-clear").hidden = byId("brush-filter").hidden = state.brush === null;
-  if (!scatter.inSight) return;
+  clearTimeout(idle);
+  if (!scatter.inSight && !late) {
+    idle = setTimeout(showScatter, 400, true);
+    return;
+  }
   const [x, y, z] = [state.x, state.y, state.z].map((name) => quantities.get(name));
   const key = JSON.stringify([drawnKey(), state.x, state.y, state.z]);
   const rows = kept.get("plane rows", JSON.stringify([planeCells().length, planeCells()[0], planeCells().at(-1), state.across, state.up, choiceKey()]), () => planeCells().flatMap(wanted));

@@ -16,7 +16,7 @@ from stridemap.solver.model.model import Model
 from stridemap.spec import Parameter
 from stridemap.views.notation import printed, rate_symbol, symbol, units
 from stridemap.views.report.curves import looks
-from stridemap.views.report.encoding import STATE_DECIMALS, Encoder
+from stridemap.views.report.encoding import Encoder
 from stridemap.views.report.references import Reference, checked
 from stridemap.views.report.si import si_names, si_powers
 from stridemap.words import is_multiplier
@@ -55,7 +55,7 @@ def payload(
         For a reference that does not belong to the sweep.
     """
     encoder = Encoder()
-    fine = dict.fromkeys((*model.section, "period"), STATE_DECIMALS)
+    states = (*model.section, "period")
     names = si_names(model.spec)
     hidden = {"cell", *(parameter.name for parameter in model.parameters)}
     return {
@@ -74,7 +74,7 @@ def payload(
         ],
         "fixed": configuration["params"],
         "cells": encoder.table(cells[["status", "reason"]]),
-        "orbits": encoder.table(orbits[["cell", *(name for name in orbits if name not in hidden)]], fine),
+        "orbits": encoder.table(orbits[["cell", *(name for name in orbits if name not in hidden)]], states),
         "bytes": encoder.packed(),
         "measures": _measures(model, orbits, hidden),
         "curves": list(curves),

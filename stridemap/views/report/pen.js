@@ -1,6 +1,7 @@
 // A pen like that of a canvas, which writes SVG: so that one program draws a chart on the screen and as vectors.
 
 const textOf = (value) => String(value).replace(/[&<>"]/g, (sign) => ({ "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;" })[sign]);
+const local = (id) => `url${"("}#${id})`; // the name of something in the same drawing; the page itself names no address
 const round2 = (value) => String(Math.round(value * 100) / 100);
 
 class SvgPen {
@@ -59,7 +60,7 @@ class SvgPen {
   // What `draw` draws, only within boxes {x, y, width, height}.
   within(boxes, draw) {
     const id = `clip${this.clips++}`;
-    this.parts.push(`<clipPath id="${id}"><path d="${boxes.map(({ x, y, width, height }) => `M${round2(x)} ${round2(y)}h${round2(width)}v${round2(height)}h${round2(-width)}Z`).join("")}"/></clipPath><g clip-path="url(#${id})">`);
+    this.parts.push(`<clipPath id="${id}"><path d="${boxes.map(({ x, y, width, height }) => `M${round2(x)} ${round2(y)}h${round2(width)}v${round2(height)}h${round2(-width)}Z`).join("")}"/></clipPath><g clip-path="${local(id)}">`);
     draw();
     this.parts.push("</g>");
   }

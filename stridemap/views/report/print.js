@@ -15,10 +15,13 @@ function chosenWords() {
 function beforePrint() {
   document.documentElement.dataset.print = "yes"; // the style sheet's light colours, before anything is drawn
   afterPrint.undo?.();
+  const { inSight } = scatter; // out of sight it may not have been drawn yet
+  scatter.inSight = true;
+  refresh();
+  scatter.inSight = inSight;
   const added = PRINTED.flatMap(([id, chart, over]) => {
     const canvas = byId(id);
     if (canvas.getBoundingClientRect().width === 0 || (id === "stage-pinned" && state.pin === null)) return [];
-    map.drawnKey = scatter.drawnKey = null;
     const figure = html("div", { class: "printed", "data-of": id });
     figure.innerHTML = redrawn(chart(), over?.()).text;
     canvas.after(figure);

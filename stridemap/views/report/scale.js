@@ -140,5 +140,13 @@ function prepared(canvas) {
   return { pen, width, height };
 }
 
-// A colour or font of the style sheet, so that canvases follow light and dark.
-const styled = (name) => getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
+// A colour or font of the style sheet, so that canvases follow light and dark. It is kept until one of these changes,
+// because asking for it computes the styles of the page.
+const styles = new Map();
+for (const media of ["(prefers-color-scheme: dark)", "print"]) matchMedia(media).addEventListener("change", () => styles.clear());
+for (const event of ["beforeprint", "afterprint"]) addEventListener(event, () => styles.clear());
+
+function styled(name) {
+  if (!styles.has(name)) styles.set(name, getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim());
+  return styles.get(name);
+}

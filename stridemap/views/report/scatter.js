@@ -22,7 +22,7 @@ class Scatter {
     Object.assign(this, { x, y, z, rows, colour, chosen, pinned, brush, inside, shown: key });
     const scale = (quantity) => {
       const values = quantity.numbers();
-      return new ValueScale(rows.map((row) => values[row]), { whole: quantity.whole, factor: quantity.factor, most: MOST[quantity.name] });
+      return new ValueScale(rows.map((row) => values[row]), { axis: !quantity.whole, whole: quantity.whole, factor: quantity.factor, most: MOST[quantity.name] });
     };
     this.scales = kept.get("scatter", key, () => [scale(x), scale(y)]);
     this.draw();

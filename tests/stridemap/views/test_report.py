@@ -1,6 +1,5 @@
 """The report as a file: what is in it, that it needs nothing else, and what it refuses."""
 
-import base64
 import json
 import os
 import re
@@ -20,8 +19,8 @@ from stridemap.sweeps import store
 from stridemap.sweeps.run import sweep
 from stridemap.sweeps.store import read_cells, read_provenance
 from stridemap.views.report.claims import read_claims
-from stridemap.views.report.payload import _table
 from stridemap.views.report.write import write_report
+from tests.oracles.page_tables import Tables, data_of
 from tests.oracles.sweeping import Inline
 
 CLAIMS = {
@@ -38,20 +37,6 @@ CLAIMS = {
 }
 
 
-def data_of(page):
-    return json.loads(
-        re.search(r'<script type="application/json" id="data">(.*?)</script>', page, re.DOTALL)[1]
-    )
-
-
-def decoded(column):
-    kind = {"f8": "<f8", "i4": "<i4", "word": "<i4", "bool": "u1"}[column["type"]]
-    numbers = np.frombuffer(base64.b64decode(column["data"]), kind)
-    if column["type"] == "word":
-        return [column["words"][code] if code >= 0 else None for code in numbers]
-    return numbers.astype(bool) if column["type"] == "bool" else numbers
-
-
 @pytest.fixture
 def page(done):
     write_report(done / "out", done / "page.html")
@@ -61,35 +46,30 @@ def page(done):
 # -- what is in it -------------------------------------------------------------------------------------------
 
 
-def test_it_holds_the_tables_to_the_last_bit(done, page):
+def shown(value, decimals):
+    """A number as the page shows it: with so many decimals, or small ones in four digits."""
+    if pd.isna(value):
+        return None
+    if not np.isfinite(value):
+        return str(value)
+    return f"{value:.{decimals}f}" if value == 0 or abs(value) >= 1e-3 else f"{value:.3e}"
+
+
+def test_it_holds_the_tables_to_the_last_digit_that_is_shown(done, page):
     data, orbits, cells = data_of(page), stridemap.read_orbits(done / "out"), read_cells(done / "out")
     assert data["orbits"]["rows"] == len(orbits) > 0
     assert data["cells"]["rows"] == len(cells)
-    columns = data["orbits"]["columns"]
-    assert set(orbits) - set(columns) == set(load("compass").preset)
-    for name, column in columns.items():
-        found = decoded(column)
-        if column["type"] == "f8":
-            wanted = orbits[name].to_numpy(dtype=float, na_value=np.nan)
-            assert np.array_equal(found, wanted, equal_nan=True), name
+    tables, model = Tables(data["bytes"]), load("compass")
+    assert set(orbits) - set(data["orbits"]["columns"]) == set(model.preset)
+    for name, column in data["orbits"]["columns"].items():
+        found = tables.column(data["orbits"], name)
+        if column["type"] == "number" and not column["whole"]:
+            decimals = 12 if name in (*model.section, "period") else 10
+            wanted = [shown(value, decimals) for value in orbits[name]]
+            assert [shown(np.nan if v is None else v, decimals) for v in found] == wanted, name
         else:
-            assert list(found) == [None if pd.isna(value) else value for value in orbits[name]], name
-    assert decoded(data["cells"]["columns"]["status"]) == list(cells.status)
-
-
-def test_words_stand_where_they_stand_in_the_table():
-    """Of several words, which a sweep of one walker may lack."""
-    words = ["found", "empty", "failed", None, "empty", "found"]
-    columns = _table(pd.DataFrame({"status": words, "reason": [None] * 6}))["columns"]
-    assert decoded(columns["status"]) == words
-    assert decoded(columns["reason"]) == [None] * 6
-
-
-def test_what_is_not_known_is_not_false():
-    known = pd.DataFrame({"stable": pd.array([True, None, False], dtype="boolean")})
-    column = _table(known)["columns"]["stable"]
-    assert column["type"] == "bool"
-    assert list(base64.b64decode(column["data"])) == [1, 2, 0]
+            assert found == [None if pd.isna(value) else value for value in orbits[name]], name
+    assert tables.column(data["cells"], "status") == list(cells.status)
 
 
 def test_cells_are_numbered_as_in_the_tables(tmp_path):
@@ -217,10 +197,11 @@ OPTIONS = ("--thin", 60, "--workers", 2)
 
 @pytest.fixture(scope="module")
 def paper(tmp_path_factory):
-    """The paper's sweeps, very coarse, except that the map is all there is to show."""
+    """The paper's sweeps, very coarse; the map and what it is compared with are all there is to show."""
     folder = tmp_path_factory.mktemp("paper")
     sweeps = paper_sweeps(folder, thin=60, executor=Inline())
     sweeps.run("map")
+    sweeps.run("compass")
     return folder
 
 
@@ -239,6 +220,13 @@ def test_without_a_folder_it_is_the_papers_map(paper, tmp_path, run, monkeypatch
     assert [axis["name"] for axis in data_of(page)["axes"]] == ["k", "alpha", "omega"]
     assert "3 statements: 1 holds, 1 in part, 1 differs." in page
     assert [one["type"] for one in data_of(page)["curves"]] == ["fold"]
+    compared = {(one["quantity"], one["parameters"]["omega"]): one for one in data_of(page)["references"]}
+    at_three = compared["cot", 3.0]
+    assert at_three["label"] == "compass"
+    (published,) = [
+        row for row in stridemap.read_orbits(paper / "compass").itertuples() if row.omega == 3 and row.stable
+    ]
+    assert at_three["value"] == published.cot
 
 
 def test_options_of_the_papers_sweeps_are_for_them_alone(done, refused, tmp_path):

@@ -309,10 +309,10 @@ def test_by_keyboard_alone(report, open_page):
     page.keyboard.press("Enter")
     assert "k = 0.5, α = 0.3, ω = 3" in page.inner_text("#cell-name")
     reached = set()
-    for _ in range(12):
+    for _ in range(60):
         page.keyboard.press("Tab")
         reached.add(page.evaluate("document.activeElement.id || document.activeElement.name"))
-    assert {"play", "time", "speed"} <= reached
+    assert {"slice", "scatter-x", "profiles", "pin", "play", "time", "speed"} <= reached
 
 
 @pytest.mark.parametrize(("width", "height"), [(1400, 900), (420, 800)])

@@ -14,9 +14,9 @@ from stridemap.views.report.write import write_report
 from tests.oracles.claim_tables import changed, made_up
 from tests.oracles.states import need
 from tests.oracles.sweeping import Inline
-from tests.stridemap.views.test_report_browser import ARGUMENTS
+from tests.stridemap.views.test_report_browser import ARGUMENTS, until
 
-GRID = {"k": [0.5, 6.0, 22.5], "alpha": [0.25, 0.5], "omega": [2.0, 3.0]}
+GRID = {"k": [0.5, 6.0, 22.5], "alpha": [0.25, 0.5], "omega": [3.0]}
 CHARTS = ("map", "slice", "stage")
 
 
@@ -24,7 +24,7 @@ CHARTS = ("map", "slice", "stage")
 def folder(tmp_path_factory):
     """A report with verdicts on made-up tables, of which one holds in part."""
     folder = tmp_path_factory.mktemp("claims")
-    config = parse_config({"model": "wobbling", "grid": GRID, "search": {"starts": 12}})
+    config = parse_config({"model": "wobbling", "grid": GRID, "search": {"starts": 8}})
     sweep(config, folder / "out", executor=Inline())
     claims = evaluate(changed(made_up(), "typical", wobble_amplitude=0.03))
     write_report(folder / "out", folder / "page.html", [claim.to_dict() for claim in claims])
@@ -72,7 +72,8 @@ def test_each_statement_shows_verdict_section_and_figure(page):
     assert page.inner_text("#claims > p") == "20 statements: 19 hold, 1 holds in part, none differs."
     seen = page.eval_on_selector_all(
         ".claim",
-        "all => all.map((c) => [c.id, c.querySelectorAll('svg.small').length, c.querySelectorAll('svg a').length])",
+        """all => all.map((one) =>
+        [one.id, one.querySelectorAll('svg.small').length, one.querySelectorAll('svg a').length])""",
     )
     assert [name for name, *_ in seen] == [f"claim-C{i}" for i in range(1, 21)]
     assert all(panels for _, panels, _ in seen)
@@ -94,13 +95,7 @@ def test_a_mark_leads_to_its_cycles_on_the_map(page):
     assert link.get_attribute("href") == "#k=22.5&alpha=0.25&omega=3"
     link.focus()
     page.keyboard.press("Enter")
-    page.wait_for_function(
-        "document.getElementById('cell-name').textContent.startsWith('k = 22.5')"
-    ) if False else None
-    for _ in range(100):
-        if page.inner_text("#cell-name") == "k = 22.5, α = 0.25, ω = 3":
-            break
-        page.wait_for_timeout(20)
+    until(page, "document.getElementById('cell-name').textContent.startsWith('k = 22.5')")
     assert page.inner_text("#cell-name") == "k = 22.5, α = 0.25, ω = 3"
     assert page.locator("#cell-name").bounding_box()["y"] < 900  # it is in sight
     page.click("#claims .chips a >> nth=6")  # a link within the page leaves the choice as it is
@@ -151,7 +146,8 @@ def test_a_strip_of_stick_figures_over_one_step(page):
     """Each at its own time, with legs as long as they are; pressing one goes there."""
     figures = page.eval_on_selector_all(
         "#strip .stick",
-        """all => all.map((one) => [Number(one.dataset.time), one.querySelector('polyline.stance').getAttribute('points'),
+        """all => all.map((one) => [Number(one.dataset.time),
+        one.querySelector('polyline.stance').getAttribute('points'),
         one.querySelector('polyline.swing').getAttribute('points')])""",
     )
     period = page.evaluate("stridemap.stage.path.period")
@@ -169,13 +165,8 @@ def test_a_strip_of_stick_figures_over_one_step(page):
     assert lengths[0] > 100
     page.click("#strip .stick >> nth=3")
     assert page.evaluate("stridemap.stage.time") == pytest.approx(3 * period / 8)
-    assert page.locator("#strip .stick.shown").get_attribute("data-time") == str(figures[3][0]) or True
-    assert (
-        page.eval_on_selector_all(
-            "#strip .stick", "all => all.findIndex((s) => s.classList.contains('shown'))"
-        )
-        == 3
-    )
+    shown = "all => all.map((one) => one.classList.contains('shown'))"
+    assert page.eval_on_selector_all("#strip .stick", shown) == [i == 3 for i in range(9)]
 
 
 # -- paper and telephone -------------------------------------------------------------------------------------
@@ -214,7 +205,7 @@ def test_on_paper_charts_are_vectors_and_controls_are_left_out(page):
     assert (
         page.eval_on_selector(".swatch.stable", "node => getComputedStyle(node).printColorAdjust") == "exact"
     )
-    kept = "all => all.filter((one) => getComputedStyle(one).breakAfter !== 'avoid').map((one) => one.textContent)"
+    kept = "all => all.map((one) => getComputedStyle(one).breakAfter).filter((value) => value !== 'avoid')"
     assert page.eval_on_selector_all("h2, h3, caption", kept) == []
     assert page.eval_on_selector_all(".claim, .profile", kept.replace("breakAfter", "breakInside")) == []
     page.evaluate("dispatchEvent(new Event('afterprint'))")
