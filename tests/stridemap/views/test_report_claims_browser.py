@@ -56,7 +56,7 @@ def page(folder):
 def as_at_the_start(page):
     yield
     page.set_viewport_size({"width": 1400, "height": 900})
-    page.emulate_media(media="screen", color_scheme="light")
+    page.emulate_media(media="null", color_scheme="light")
 
 
 def coloured(page, selector, what="fill"):
@@ -209,6 +209,6 @@ def test_on_paper_charts_are_vectors_and_controls_are_left_out(page):
     assert page.eval_on_selector_all("h2, h3, caption", kept) == []
     assert page.eval_on_selector_all(".claim, .profile", kept.replace("breakAfter", "breakInside")) == []
     page.evaluate("dispatchEvent(new Event('afterprint'))")
-    page.emulate_media(media="screen", color_scheme="light")
+    page.emulate_media(media="null", color_scheme="light")
     assert page.locator(".printed").count() == 0
     assert page.is_visible("#map")
