@@ -128,12 +128,13 @@ class Functions:
         for name, force in self.mechanics.conservative_forces.items():
             outputs.append(Output(f"v_{name}", force, f"gradient of the {name} potential"))
         terms = " + ".join(o.name for o in outputs[1:])
-        source = f"{self._source('bias_forces')}: M ddq + h + v = Q with v = {terms}"
-        if source.startswith("M ddq"):
-            source = f"M ddq + h + v = Q with v = {terms}"
+        damping = ""
         if self.walker.dissipation != 0:
             outputs.append(Output("damping", self.mechanics.dissipative_force, "force of the dampers"))
-            source += ", and the damping beside h"
+            damping = " + damping"
+        equation = f"M ddq + h + v{damping} = Q with v = {terms}"
+        known = self._source("bias_forces")
+        source = equation if known.startswith("M ddq") else f"{known}: {equation}"
         return self._builder().close("bias_forces", "Bias forces of the swing phase", source, outputs)
 
     def controller_torque(self) -> Program:

@@ -5,7 +5,7 @@
 >>> [orbit.group for orbit in orbits]
 ['B', 'B']
 >>> stridemap.load("wobbling").mass_matrix
-Function(mass_matrix:(t,q[3],v[3],u,p[8])->(M[3x3]) SXFunction)
+Function(mass_matrix:(t,q[3],v[3],u,p[9])->(M[3x3]) SXFunction)
 """
 
 import ast
@@ -55,7 +55,7 @@ if TYPE_CHECKING:
     from stridemap.sweeps.config import SweepConfig, load_config, parse_config
     from stridemap.sweeps.run import Progress, Summary, sweep
     from stridemap.sweeps.store import read_cells, read_orbits, read_provenance
-    from stridemap.units import Units
+    from stridemap.units import Units, critical_damping
     from stridemap.views.animation import animate
 
 __version__ = version("stridemap")

@@ -266,6 +266,54 @@ class Units:
         }
 
 
+def critical_damping(model: Any, params: Mapping[str, float] | None = None, **keywords: float) -> float:
+    r"""Damping at which a free spring-borne mass no longer oscillates, in the model's unit of damping.
+
+    Dampers are known as a share of it: ``c = 0.025 * critical_damping("wobbling", k=6, alpha=0.25)`` is 2.5 %
+    of critical, whatever the robot's size.
+
+    Parameters
+    ----------
+    model : str, path or Model
+        A model with a spring mode and a spring `k`, as ``wobbling``.
+    params : mapping of str to float, optional
+        Parameters by name, in the model's units; the preset for those that are left out.
+    **keywords : float
+        Parameters too.
+
+    Raises
+    ------
+    InputError
+        For an unknown model or parameter, a value that the model does not allow, or a model without a spring.
+
+    Notes
+    -----
+    :math:`2 k / \Omega`, with the frequency :math:`\Omega` of the mass against the freely sliding hip: for
+    ``wobbling`` :math:`2 \sqrt{k \alpha (1 - \alpha)}`, with the reduced mass of wobbling mass and hip.
+
+    Examples
+    --------
+    >>> round(critical_damping("wobbling", k=6, alpha=0.25), 6)  # in M sqrt(g/L)
+    2.12132
+    >>> robot = Units(leg_length=0.8, mass=40.0)
+    >>> c = 0.025 * critical_damping("wobbling", robot.parameters("wobbling", k=2941.995))
+    >>> round(robot.to_si(c, "M sqrt(g/L)"), 3)  # N s/m
+    7.427
+    """
+    from stridemap.solver.api.arguments import joined
+
+    loaded = _load(model)
+    if "spring_mode" not in loaded.spec.functions or "k" not in loaded.preset:
+        raise InputError(
+            f"{loaded.name} has no critical damping: that needs a model with a spring mode and a spring k, "
+            "such as wobbling"
+        )
+    point = loaded.point(joined(params, keywords))
+    frequency = float(loaded.evaluate("spring_mode", p=point)["frequency"])
+    stiffness = float(point[loaded.spec.names.index("k")])
+    return 2 * stiffness / frequency if frequency > 0 else 0.0
+
+
 _RENAMED = {"QUANTITIES": "KINDS", "MEASURES": "MEASURE_KINDS"}
 
 

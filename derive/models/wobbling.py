@@ -1,6 +1,7 @@
 """The paper's walker: a compass walker whose hip carries a mass on a horizontal spring.
 
-The rail of the wobbling mass stays horizontal at the height of the hip.
+The rail of the wobbling mass stays horizontal at the height of the hip. The paper's spring has no friction;
+a real one has, so the walker has a damper beside it, and with ``c = 0`` it is the paper's.
 """
 
 import sympy as sp
@@ -14,8 +15,9 @@ K = Parameter("k", 6.0, "M g / L", "stiffness of the wobbling mass's spring", 0.
 ALPHA = Parameter(
     "alpha", 0.25, "1", "wobbling mass as a share of the upper body's mass", 0.0, 1.0, True, True
 )
+C = Parameter("c", 0.0, "M sqrt(g/L)", "damping of the wobbling mass; the paper has none", 0.0)
 
-k, alpha, x = K.symbol, ALPHA.symbol, X.symbol
+k, alpha, c, x = K.symbol, ALPHA.symbol, C.symbol, X.symbol
 mass = hip + sp.Matrix([x, 0])
 _, *feet = COMPASS.bodies
 
@@ -24,9 +26,10 @@ WALKER = COMPASS.with_(
     title="Compass walker with a horizontally wobbling mass",
     reference="T. Kamimura, A. Sano, ICRA 2023 (arXiv:2209.14515)",
     coordinates=(*COMPASS.coordinates, X),
-    parameters=(K, ALPHA, *COMPASS.parameters),
+    parameters=(K, ALPHA, *COMPASS.parameters, C),
     bodies=(Body("hip", 1 - alpha, hip), Body("wobbling mass", alpha, mass), *feet),
     potentials={"spring": k * x**2 / 2},
+    dissipation=c * X.rate**2 / 2,
     relabel={**COMPASS.relabel, x: x},
     spring_mode=sp.sqrt(k / (alpha * (1 - alpha))),
     wobbling=X,

@@ -30,17 +30,19 @@ def mass_matrix(xp, q, p):
 def bias_forces(xp, q, v, p):
     """Bias forces of the swing phase.
 
-    Source: Kamimura & Sano 2023, eq. (1): M ddq + h + v = Q with v = v_gravity + v_spring.
-    22 operations.
+    Source: Kamimura & Sano 2023, eq. (1): M ddq + h + v + damping = Q with v = v_gravity + v_spring.
+    23 operations.
     """
     theta1 = q[0]
     theta2 = q[1]
     x = q[2]
     dtheta1 = v[0]
     dtheta2 = v[1]
+    dx = v[2]
     k = p[0]
     alpha = p[1]
     beta = p[3]
+    c = p[8]
     s_theta2 = xp.sin(theta2)
     s_theta1 = xp.sin(theta1)
     s_theta1_minus_theta2 = xp.sin(theta1 - theta2)
@@ -48,6 +50,7 @@ def bias_forces(xp, q, v, p):
         "h": [beta*dtheta2*s_theta2*(2*dtheta1 - dtheta2), -beta*dtheta1*dtheta1*s_theta2, alpha*dtheta1*dtheta1*s_theta1],
         "v_gravity": [beta*(s_theta1_minus_theta2 - s_theta1) - s_theta1, -beta*s_theta1_minus_theta2, 0],
         "v_spring": [0, 0, k*x],
+        "damping": [0, 0, c*dx],
     }
 
 
@@ -89,7 +92,7 @@ def state_derivative(xp, t, q, v, p):
     """Time derivative of the state in the swing phase.
 
     Source: Kamimura & Sano 2023, eq. (1).
-    82 operations.
+    84 operations.
     """
     theta1 = q[0]
     theta2 = q[1]
@@ -105,6 +108,7 @@ def state_derivative(xp, t, q, v, p):
     Kd = p[5]
     S = p[6]
     gamma = p[7]
+    c = p[8]
     c_theta2 = xp.cos(theta2)
     M_11 = 2*beta*(1 - c_theta2) + 1
     t1 = 1/M_11
@@ -126,7 +130,7 @@ def state_derivative(xp, t, q, v, p):
     torque = -Kd*(dtheta2 + gamma*omega*s_omega_t) - Kp*(S - gamma*(c_omega_t + 1) + theta2)
     force_2 = beta*(dtheta1*dtheta1*s_theta2 + s_theta1_minus_theta2) + torque
     acc_f2 = force_2 - M_L21*force_1
-    force_3 = -alpha*dtheta1*dtheta1*s_theta1 - k*x
+    force_3 = -alpha*dtheta1*dtheta1*s_theta1 - c*dx - k*x
     acc_f3 = force_3 - M_L31*force_1 - M_L32*acc_f2
     acc_3 = acc_f3/M_D3
     acc_2 = acc_f2*t2 - M_L32*acc_3
@@ -141,13 +145,14 @@ def state_derivative_dq(xp, t, q, v, p):
     """Derivative of the accelerations with respect to q.
 
     Source: Kamimura & Sano 2023, eq. (1), differentiated: M d(dv) = d(Q - h - v) - dM dv.
-    150 operations.
+    152 operations.
     """
     theta1 = q[0]
     theta2 = q[1]
     x = q[2]
     dtheta1 = v[0]
     dtheta2 = v[1]
+    dx = v[2]
     k = p[0]
     alpha = p[1]
     omega = p[2]
@@ -156,6 +161,7 @@ def state_derivative_dq(xp, t, q, v, p):
     Kd = p[5]
     S = p[6]
     gamma = p[7]
+    c = p[8]
     c_theta2 = xp.cos(theta2)
     M_11 = 2*beta*(1 - c_theta2) + 1
     t1 = 1/M_11
@@ -179,7 +185,7 @@ def state_derivative_dq(xp, t, q, v, p):
     torque = -Kd*(dtheta2 + gamma*omega*s_omega_t) - Kp*(S - gamma*(c_omega_t + 1) + theta2)
     force_2 = beta*(dtheta1*dtheta1*s_theta2 + s_theta1_minus_theta2) + torque
     acc_f2 = force_2 - M_L21*force_1
-    force_3 = -alpha*dtheta1*dtheta1*s_theta1 - k*x
+    force_3 = -alpha*dtheta1*dtheta1*s_theta1 - c*dx - k*x
     acc_f3 = force_3 - M_L31*force_1 - M_L32*acc_f2
     acc_3 = acc_f3*t3
     c_theta1_minus_theta2 = xp.cos(theta1 - theta2)
@@ -213,7 +219,7 @@ def state_derivative_dv(xp, q, v, p):
     """Derivative of the accelerations with respect to v.
 
     Source: Kamimura & Sano 2023, eq. (1), differentiated: M d(dv) = d(Q - h - v) - dM dv.
-    76 operations.
+    84 operations.
     """
     theta1 = q[0]
     theta2 = q[1]
@@ -222,6 +228,7 @@ def state_derivative_dv(xp, q, v, p):
     alpha = p[1]
     beta = p[3]
     Kd = p[5]
+    c = p[8]
     c_theta2 = xp.cos(theta2)
     M_11 = 2*beta*(1 - c_theta2) + 1
     t1 = 1/M_11
@@ -252,8 +259,12 @@ def state_derivative_dv(xp, q, v, p):
     d2_3 = d2_f3*t3
     d2_2 = d2_f2*t2 - M_L32*d2_3
     d2_1 = r2_1*t1 - M_L21*d2_2 - M_L31*d2_3
+    r3_3 = -c
+    d3_3 = r3_3*t3
+    d3_2 = -M_L32*d3_3
+    d3_1 = -M_L21*d3_2 - M_L31*d3_3
     return {
-        "dv_dv": [[d1_1, d2_1, 0], [d1_2, d2_2, 0], [d1_3, d2_3, 0]],
+        "dv_dv": [[d1_1, d2_1, d3_1], [d1_2, d2_2, d3_2], [d1_3, d2_3, d3_3]],
     }
 
 
@@ -261,17 +272,19 @@ def forward_dynamics(xp, q, v, u, p):
     """Accelerations for given torques of the motors.
 
     Source: Kamimura & Sano 2023, eq. (1) with the torques u in Q.
-    67 operations.
+    69 operations.
     """
     theta1 = q[0]
     theta2 = q[1]
     x = q[2]
     dtheta1 = v[0]
     dtheta2 = v[1]
+    dx = v[2]
     u_theta2 = u[0]
     k = p[0]
     alpha = p[1]
     beta = p[3]
+    c = p[8]
     c_theta2 = xp.cos(theta2)
     M_11 = 2*beta*(1 - c_theta2) + 1
     t1 = 1/M_11
@@ -290,7 +303,7 @@ def forward_dynamics(xp, q, v, u, p):
     force_1 = beta*dtheta2*s_theta2*(dtheta2 - 2*dtheta1) - beta*s_theta1_minus_theta2 + s_theta1*(beta + 1)
     force_2 = beta*(dtheta1*dtheta1*s_theta2 + s_theta1_minus_theta2) + u_theta2
     acc_f2 = force_2 - M_L21*force_1
-    force_3 = -alpha*dtheta1*dtheta1*s_theta1 - k*x
+    force_3 = -alpha*dtheta1*dtheta1*s_theta1 - c*dx - k*x
     acc_f3 = force_3 - M_L31*force_1 - M_L32*acc_f2
     acc_3 = acc_f3/M_D3
     acc_2 = acc_f2*t2 - M_L32*acc_3
@@ -304,17 +317,19 @@ def forward_dynamics_dq(xp, q, v, u, p):
     """Derivative with respect to q of the accelerations for given torques.
 
     Source: Kamimura & Sano 2023, eq. (1) with the torques u in Q, differentiated.
-    134 operations.
+    136 operations.
     """
     theta1 = q[0]
     theta2 = q[1]
     x = q[2]
     dtheta1 = v[0]
     dtheta2 = v[1]
+    dx = v[2]
     u_theta2 = u[0]
     k = p[0]
     alpha = p[1]
     beta = p[3]
+    c = p[8]
     c_theta2 = xp.cos(theta2)
     M_11 = 2*beta*(1 - c_theta2) + 1
     t1 = 1/M_11
@@ -335,7 +350,7 @@ def forward_dynamics_dq(xp, q, v, u, p):
     force_1 = beta*s_theta2*t4 - beta*s_theta1_minus_theta2 + s_theta1*(beta + 1)
     force_2 = beta*(dtheta1*dtheta1*s_theta2 + s_theta1_minus_theta2) + u_theta2
     acc_f2 = force_2 - M_L21*force_1
-    force_3 = -alpha*dtheta1*dtheta1*s_theta1 - k*x
+    force_3 = -alpha*dtheta1*dtheta1*s_theta1 - c*dx - k*x
     acc_f3 = force_3 - M_L31*force_1 - M_L32*acc_f2
     acc_3 = acc_f3*t3
     c_theta1_minus_theta2 = xp.cos(theta1 - theta2)
@@ -369,7 +384,7 @@ def forward_dynamics_dv(xp, q, v, p):
     """Derivative with respect to v of the accelerations for given torques.
 
     Source: Kamimura & Sano 2023, eq. (1) with the torques u in Q, differentiated.
-    75 operations.
+    83 operations.
     """
     theta1 = q[0]
     theta2 = q[1]
@@ -377,6 +392,7 @@ def forward_dynamics_dv(xp, q, v, p):
     dtheta2 = v[1]
     alpha = p[1]
     beta = p[3]
+    c = p[8]
     c_theta2 = xp.cos(theta2)
     M_11 = 2*beta*(1 - c_theta2) + 1
     t1 = 1/M_11
@@ -406,8 +422,12 @@ def forward_dynamics_dv(xp, q, v, p):
     d2_3 = d2_f3*t3
     d2_2 = d2_f2*t2 - M_L32*d2_3
     d2_1 = r2_1*t1 - M_L21*d2_2 - M_L31*d2_3
+    r3_3 = -c
+    d3_3 = r3_3*t3
+    d3_2 = -M_L32*d3_3
+    d3_1 = -M_L21*d3_2 - M_L31*d3_3
     return {
-        "dv_dv": [[d1_1, d2_1, 0], [d1_2, d2_2, 0], [d1_3, d2_3, 0]],
+        "dv_dv": [[d1_1, d2_1, d3_1], [d1_2, d2_2, d3_2], [d1_3, d2_3, d3_3]],
     }
 
 
@@ -447,17 +467,19 @@ def forward_dynamics_dp(xp, q, v, u, p):
     """Derivative with respect to p of the accelerations for given torques.
 
     Source: Kamimura & Sano 2023, eq. (1) with the torques u in Q, differentiated.
-    128 operations.
+    138 operations.
     """
     theta1 = q[0]
     theta2 = q[1]
     x = q[2]
     dtheta1 = v[0]
     dtheta2 = v[1]
+    dx = v[2]
     u_theta2 = u[0]
     k = p[0]
     alpha = p[1]
     beta = p[3]
+    c = p[8]
     c_theta2 = xp.cos(theta2)
     M_11 = 2*beta*(1 - c_theta2) + 1
     t1 = 1/M_11
@@ -483,7 +505,7 @@ def forward_dynamics_dp(xp, q, v, u, p):
     force_2 = beta*(dtheta1*dtheta1*s_theta2 + s_theta1_minus_theta2) + u_theta2
     acc_f2 = force_2 - M_L21*force_1
     t5 = dtheta1*dtheta1*s_theta1
-    force_3 = -alpha*t5 - k*x
+    force_3 = -alpha*t5 - c*dx - k*x
     acc_f3 = force_3 - M_L31*force_1 - M_L32*acc_f2
     acc_3 = acc_f3*t3
     r2_1 = acc_3*c_theta1
@@ -502,8 +524,12 @@ def forward_dynamics_dp(xp, q, v, u, p):
     d4_3 = d4_f3*t3
     d4_2 = d4_f2*t2 - M_L32*d4_3
     d4_1 = r4_1*t1 - M_L21*d4_2 - M_L31*d4_3
+    r9_3 = -dx
+    d9_3 = r9_3*t3
+    d9_2 = -M_L32*d9_3
+    d9_1 = -M_L21*d9_2 - M_L31*d9_3
     return {
-        "dv_dp": [[d1_1, d2_1, 0, d4_1, 0, 0, 0, 0], [d1_2, d2_2, 0, d4_2, 0, 0, 0, 0], [d1_3, d2_3, 0, d4_3, 0, 0, 0, 0]],
+        "dv_dp": [[d1_1, d2_1, 0, d4_1, 0, 0, 0, 0, d9_1], [d1_2, d2_2, 0, d4_2, 0, 0, 0, 0, d9_2], [d1_3, d2_3, 0, d4_3, 0, 0, 0, 0, d9_3]],
     }
 
 
@@ -802,13 +828,14 @@ def ground_force(xp, t, q, v, p):
     """Force of the ground on the stance foot.
 
     Source: the two floating-base rows that hold the stance foot.
-    119 operations.
+    121 operations.
     """
     theta1 = q[0]
     theta2 = q[1]
     x = q[2]
     dtheta1 = v[0]
     dtheta2 = v[1]
+    dx = v[2]
     k = p[0]
     alpha = p[1]
     omega = p[2]
@@ -817,6 +844,7 @@ def ground_force(xp, t, q, v, p):
     Kd = p[5]
     S = p[6]
     gamma = p[7]
+    c = p[8]
     s_theta1 = xp.sin(theta1)
     t1 = s_theta1*(beta + 1)
     c_theta1 = xp.cos(theta1)
@@ -841,7 +869,7 @@ def ground_force(xp, t, q, v, p):
     torque = -Kd*(dtheta2 + gamma*omega*s_omega_t) - Kp*(S - gamma*(c_omega_t + 1) + theta2)
     force_2 = beta*(dtheta1*dtheta1*s_theta2 + s_theta1_minus_theta2) + torque
     acc_f2 = force_2 - M_L21*force_1
-    force_3 = -alpha*dtheta1*dtheta1*s_theta1 - k*x
+    force_3 = -alpha*dtheta1*dtheta1*s_theta1 - c*dx - k*x
     acc_f3 = force_3 - M_L31*force_1 - M_L32*acc_f2
     acc_3 = acc_f3/M_D3
     acc_2 = acc_f2*t5 - M_L32*acc_3
@@ -856,13 +884,14 @@ def zmp(xp, t, q, v, p):
     """The paper's zero moment point, which leaves out the change of angular momentum.
 
     Source: Kamimura & Sano 2023, eq. (6): p = x_g - x_g'' y_g / (1 + y_g'').
-    134 operations.
+    136 operations.
     """
     theta1 = q[0]
     theta2 = q[1]
     x = q[2]
     dtheta1 = v[0]
     dtheta2 = v[1]
+    dx = v[2]
     k = p[0]
     alpha = p[1]
     omega = p[2]
@@ -871,6 +900,7 @@ def zmp(xp, t, q, v, p):
     Kd = p[5]
     S = p[6]
     gamma = p[7]
+    c = p[8]
     t1 = 2*beta + 1
     t2 = 1/t1
     s_theta1 = xp.sin(theta1)
@@ -900,7 +930,7 @@ def zmp(xp, t, q, v, p):
     torque = -Kd*(dtheta2 + gamma*omega*s_omega_t) - Kp*(S - gamma*(c_omega_t + 1) + theta2)
     force_2 = beta*(dtheta1*dtheta1*s_theta2 + s_theta1_minus_theta2) + torque
     acc_f2 = force_2 - M_L21*force_1
-    force_3 = -alpha*dtheta1*dtheta1*s_theta1 - k*x
+    force_3 = -alpha*dtheta1*dtheta1*s_theta1 - c*dx - k*x
     acc_f3 = force_3 - M_L31*force_1 - M_L32*acc_f2
     acc_3 = acc_f3/M_D3
     acc_2 = acc_f2*t7 - M_L32*acc_3

@@ -112,6 +112,23 @@ def test_swinging_torso(example):
     assert "cost of transport 0.294, compass 0.308" in out
 
 
+def test_how_much_damping(example):
+    names, out = example(7)
+    best, compass = names["best"], names["compass"]
+    # The sentences: where the gain is gone with the paper's springs, in per cent of critical damping ...
+    shares = re.findall(r"group (\w): (\w+) is the compass's at ([\d.]+) %", out)
+    assert [(group, name, round(float(share), 1)) for group, name, share in shares] == [
+        ("B", "cot", 1.5), ("B", "d_max", 2.0), ("C", "cot", 1.6), ("C", "d_max", 1.8),
+    ]  # fmt: skip
+    # ... with the best spring for each damper, and in group A nowhere, with or without a damper.
+    lost = {g: np.interp(compass.cot, rows.cot, rows.share) for g, rows in best.groupby("group") if g != "A"}
+    assert lost == pytest.approx({"B": 2.6, "C": 1.9}, abs=0.05)
+    assert best[best.group == "A"].cot.min() > compass.cot
+    # Every group gets more stable.
+    ends = best.sort_values("c").groupby("group").spectral_radius.agg(["first", "last"])
+    assert (ends["last"] < ends["first"] - 0.05).all()
+
+
 def push(names, spring):
     """By what factor 40 steps change a small distance from the cycle; the spring in N/m."""
     point = names["robot"].parameters("wobbling", **(names["si"] | {"k": spring}))

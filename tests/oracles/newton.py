@@ -300,7 +300,9 @@ class Wobbling(Newton):
         forces = super().bias_forces()
         spring = 0 * forces["h"]
         spring[:, 2] = self.par["k"] * self.q[:, 2]
-        return {**forces, "v_spring": spring}
+        damping = 0 * forces["h"]
+        damping[:, 2] = self.par["c"] * self.v[:, 2]
+        return {**forces, "v_spring": spring, "damping": damping}
 
     def potential_energy(self):
         spring = self.par["k"] * self.q[:, 2] ** 2 / 2

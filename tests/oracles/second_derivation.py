@@ -62,11 +62,12 @@ def compass():
 
 def wobbling():
     x = me.dynamicsymbols("x")
-    k, alpha, beta = sp.symbols("k alpha beta")
+    k, alpha, beta, c = sp.symbols("k alpha beta c")
     a, hip = two_legs(1 - alpha, [(0, beta)])
     a.coordinates.append(x)
     wobbler = a.add("wobbler", hip, x * a.world.x, alpha, sp.S.Zero)
-    a.forces += [(wobbler, -k * x * a.world.x), (hip, k * x * a.world.x)]
+    pull = (k * x + c * x.diff(me.dynamicsymbols._t)) * a.world.x
+    a.forces += [(wobbler, -pull), (hip, pull)]
     return a
 
 
