@@ -147,8 +147,8 @@ def _finite(panel: Panel) -> Panel:
     for curve in panel.curves:
         x, y = np.asarray(curve.x, dtype=float), np.asarray(curve.y, dtype=float)
         good = np.isfinite(x) & np.isfinite(y)
-        points = ([float(f"{v:.{DIGITS}g}") for v in values[good]] for values in (x, y))
-        curves.append(Curve(curve.look, *points, dots=curve.dots, text=curve.text))
+        along, up = ([float(f"{v:.{DIGITS}g}") for v in values[good]] for values in (x, y))
+        curves.append(Curve(curve.look, along, up, curve.dots, curve.text))
     return Panel(
         panel.title, panel.x, panel.y, [curve for curve in curves if curve.x],
         [bar for bar in panel.bars if math.isfinite(bar.low + bar.high)],

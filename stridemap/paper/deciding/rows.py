@@ -60,7 +60,7 @@ def order_of_groups(_: CycleTables, evidence: Evidence) -> SmallFigure:
         letters = parts.get(f"order at {name}", {}).get("k", {})
         for group, k in letters.items():
             if k:
-                bars.append(Bar(look_of(group), row, *k, group, {"k": k[0], **point}))
+                bars.append(Bar(look_of(group), row, k[0], k[1], group, {"k": k[0], **point}))
         for gap in parts.get(f"gaps at {name}", {}).get("gaps", []):
             k = (gap["k_from"] + gap["k_to"]) / 2
             marks.append(Mark(k, row, gap["k_without"] > 0, "", {"k": k, **point}))
@@ -69,7 +69,7 @@ def order_of_groups(_: CycleTables, evidence: Evidence) -> SmallFigure:
     for omega in OMEGAS:
         part = parts.get(f"all five at omega {omega:g}", {})
         spans = part.get("alpha", {})
-        bars = [Bar(look_of(g), i, *a, g, None) for i, g in enumerate(GROUPS) if (a := spans.get(g))]
+        bars = [Bar(look_of(g), i, a[0], a[1], g) for i, g in enumerate(GROUPS) if (a := spans.get(g))]
         marks = [
             Mark(0.02, i, holds=False, text="none found") for i, g in enumerate(GROUPS) if not spans.get(g)
         ]
@@ -89,7 +89,8 @@ def order_of_groups(_: CycleTables, evidence: Evidence) -> SmallFigure:
 def shares_of_time(_: CycleTables, evidence: Evidence) -> SmallFigure:
     """C3: for how much of either half of the step x has the stated sign, at the least."""
     parts = evidence["parts"]
-    rows, marks = [], []
+    rows: list[str] = []
+    marks: list[Mark] = []
     for part, entry in parts.items():
         group, _, name = part.partition(" at ")
         share, k = entry.get("least_share_of_time"), entry.get("least_share_at_k")

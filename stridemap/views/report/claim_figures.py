@@ -202,7 +202,7 @@ def _marks(frame: _Frame) -> Iterable[str]:
             if all(abs(up - v) > 10 or left + width < u or left > u + w for u, v, w in taken)
         ]
         if free and mark.text:
-            left, up = min(free, key=lambda place: _covered(points, *place, width))
+            left, up = min(free, key=lambda place: _covered(points, place[0], place[1], width))
             taken.append((left, up, width))
             text = f'<text x="{left:.1f}" y="{up:.1f}" class="halo">{_text(mark.text)}</text>'
         yield _linked(_symbol(mark, x, y) + text, mark.text, mark.at)
