@@ -14,7 +14,9 @@ class Strip {
     this.path = path;
     this.figures = [];
     const samples = path.samples(FIGURES);
-    const heights = samples.flatMap(({ positions, lines }) => [positions, ...Object.values(lines)].flat().map(([, y]) => y));
+    this.element.replaceChildren();
+    if (!samples.every((seen) => this.places(seen).flat().every((v) => Math.abs(v) < 1e100))) return; // it cannot be integrated
+    const heights = samples.flatMap((seen) => this.places(seen).map(([, y]) => y));
     const inside = STRIP.height - STRIP.top - STRIP.bottom;
     const [low, high] = [Math.min(0, ...heights), Math.max(...heights)];
     const widest = Math.max(...samples.map((seen) => this.reach(seen)));
@@ -28,15 +30,20 @@ class Strip {
     this.mark(0);
   }
 
+  // All points of a figure.
+  places({ positions, lines }) {
+    return [positions, ...Object.values(lines)].flat();
+  }
+
   // How wide a figure is.
-  reach({ positions, lines }) {
-    const across = [positions, ...Object.values(lines)].flat().map(([x]) => x);
+  reach(seen) {
+    const across = this.places(seen).map(([x]) => x);
     return Math.max(...across) - Math.min(...across) || 1;
   }
 
   figure(seen, i, scale, ground) {
     const middle = ((i + 0.5) * STRIP.width) / FIGURES;
-    const across = [seen.positions, ...Object.values(seen.lines)].flat().map(([x]) => x);
+    const across = this.places(seen).map(([x]) => x);
     const centre = (Math.max(...across) + Math.min(...across)) / 2;
     const at = ([x, y]) => [middle + (x - centre) * scale, ground - y * scale];
     const line = (points, cls) => svg("polyline", { points: points.map((point) => at(point).map((v) => v.toFixed(2)).join()).join(" "), class: cls });

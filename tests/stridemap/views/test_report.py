@@ -117,7 +117,7 @@ def test_verdicts_are_shown_as_text(done):
     (done / "claims.json").write_text(json.dumps(CLAIMS))
     write_report(done / "out", done / "page.html", done / "claims.json")
     page = (done / "page.html").read_text()
-    assert "3 statements: 1 holds, 1 in part, 1 differs." in page
+    assert "3 statements: 1 holds, 1 holds in part, 1 differs." in page
     assert "k &lt; 7 &amp; &lt;/script&gt;" in page
     assert page.count("</script>") == page.count("<script") == 2
     assert "<dt>k</dt><dd>0.5, 6</dd>" in page
@@ -218,7 +218,7 @@ def test_without_a_folder_it_is_the_papers_map(paper, tmp_path, run, monkeypatch
     page, cells = (tmp_path / "map.html").read_text(), read_cells(paper / "map")
     assert f"in {len(cells)} cells: {tmp_path / 'map.html'}" in out
     assert [axis["name"] for axis in data_of(page)["axes"]] == ["k", "alpha", "omega"]
-    assert "3 statements: 1 holds, 1 in part, 1 differs." in page
+    assert "3 statements: 1 holds, 1 holds in part, 1 differs." in page
     assert [one["type"] for one in data_of(page)["curves"]] == ["fold"]
     compared = {(one["quantity"], one["parameters"]["omega"]): one for one in data_of(page)["references"]}
     at_three = compared["cot", 3.0]

@@ -214,7 +214,12 @@ def test_texts_make_no_element_and_no_attribute(hostile):
     parser.feed((hostile / "page.html").read_text(encoding="utf-8"))
     tags = [tag for tag, _ in parser.found]
     assert tags.count("script") == 2
-    assert [attributes.get("id") for tag, attributes in parser.found if tag == "svg"] == ["curves"]
+    drawings = [attributes for tag, attributes in parser.found if tag == "svg"]
+    assert [attributes["id"] for attributes in drawings if "id" in attributes] == ["curves"]
+    assert sum(attributes.get("class") == "small" for attributes in drawings) == 2  # the panels of the figure
+    assert not {name for attributes in drawings for name in attributes} - {
+        "id", "class", "viewbox", "role", "aria-label", "aria-hidden",
+    }  # fmt: skip
     assert not {"img", "iframe", "object", "embed", "base", "form"} & set(tags)
     assert not [(tag, a) for tag, attributes in parser.found for a in attributes if a.startswith("on")]
     assert {attributes.get("href", "#")[0] for tag, attributes in parser.found if tag == "a"} == {"#"}
