@@ -17,7 +17,7 @@ function html(tag, attributes = {}, ...children) {
   return node;
 }
 
-const SAMPLES = 241;
+const SAMPLES = 121;
 
 // A series of a chart: how it is called, and its values at the times of the samples, in the units that are shown.
 const seriesOf = (label, samples, value, factor, cls) => ({ label, times: samples.map(({ t }) => t * kindFactor("time")), values: samples.map((s) => value(s) * factor), cls });

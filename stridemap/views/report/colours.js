@@ -34,7 +34,7 @@ const ENDS = [0.02, 0.98];
 // The scale of what is shown: it spans most of the values, and the few beyond count as its ends.
 class ValueScale {
   // `range` is the reader's own, `centre` the value from which a scale diverges, `most` where its own range ends
-  // at the latest, `include` what has to lie on it; `whole` numbers have whole ticks, and `factor` converts units. An
+  // at the latest, `include` what lies on it unless it is far off; `whole` numbers have whole ticks, and `factor` converts units. An
   // axis, other than colours, reaches to all values that do not lie far off, so that none of its marks is cut off.
   constructor(values, { range = null, centre = null, most = Infinity, whole = false, factor = 1, include = [], axis = false } = {}) {
     Object.assign(this, { whole, factor });
@@ -51,7 +51,8 @@ class ValueScale {
       if (this.largest - high <= reach) high = Math.max(high, this.largest + pad);
     }
     if (low < most) high = Math.min(high, most);
-    for (const value of include.filter(Number.isFinite)) [low, high] = [Math.min(low, value), Math.max(high, value)];
+    const [from, to, span] = [low, high, high - low];
+    for (const value of include) if (value >= from - span && value <= to + span) [low, high] = [Math.min(low, value - 0.04 * span), Math.max(high, value + 0.04 * span)];
     [low, high] = this.apart(low, high);
     this.own = [low, high];
     [this.low, this.high] = range ?? this.own;
@@ -76,11 +77,14 @@ class ValueScale {
     return this.log ? this.low * (this.high / this.low) ** unit : this.low * (1 - unit) + this.high * unit;
   }
 
-  // Of a diverging scale both sides have all their colours, and the middle one is that of its centre.
+  // Of a diverging scale both sides have all their colours, and the middle one is that of its centre; a side on which
+  // nothing is shown is as long as the other.
   colour(value) {
     if (this.centre === null) return colourAt(this.unit(value));
-    const half = value < this.centre ? between(value, Math.min(this.low, this.centre), this.centre) : 1 + between(value, this.centre, Math.max(this.high, this.centre));
-    return colourAt(Number.isFinite(half) ? Math.max(0, Math.min(2, half)) / 2 : 0.5, DIVERGING);
+    const [below, above] = [this.centre - this.low, this.high - this.centre];
+    const side = value < this.centre ? (below > 0 ? below : above) : above > 0 ? above : below;
+    const away = (value - this.centre) / side;
+    return colourAt(Number.isNaN(away) ? 0.5 : 0.5 + Math.max(-1, Math.min(1, away)) / 2, DIVERGING);
   }
 
   ticks(count) {

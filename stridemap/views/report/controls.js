@@ -165,10 +165,15 @@ function buildPlayer() {
   byId("strip").addEventListener("click", () => play(false));
   byId("strip").addEventListener("keydown", (event) => event.key !== "Tab" && play(false));
   byId("profiles").addEventListener("keydown", (event) => event.key.startsWith("Arrow") && play(false));
-  options(byId("speed"), SPEEDS.map((s) => [s, `${s} ${model.units.time} per second`]), stage.speed, (value) => { stage.speed = Number(value); });
+  showSpeeds();
   const still = matchMedia("(prefers-reduced-motion: reduce)");
   still.addEventListener("change", () => still.matches && play(false));
   play(!still.matches);
+}
+
+// How fast the walker moves, in its own time, per second of the reader's.
+function showSpeeds() {
+  options(byId("speed"), SPEEDS.map((s) => [s, `${brief(s * kindFactor("time"), 3)} ${kindUnit("time")} per second`]), stage.speed, (value) => { stage.speed = Number(value); });
 }
 
 function buildPin() {

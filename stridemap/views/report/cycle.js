@@ -70,12 +70,14 @@ class CycleView {
     const of = state.profiles === "phase" ? portraitsOf : chartsOf;
     const charts = of(this.path.samples(SAMPLES));
     const beside = this.pinnedPath ? of(this.pinnedPath.samples(SAMPLES)) : [];
+    const before = this.charts ?? [];
+    const kept = before.length === charts.length && charts.every((chart, i) => before[i].named === withUnit(chart.title, chart.unit));
     this.charts = charts.map((chart, i) => {
       const row = chart.measure && orbits.has(chart.measure) ? orbits.entry(chart.measure, this.row) : null;
       const bound = row === null ? null : row * kindFactor("length");
-      return lineChart({ ...chart, bound, series: [...chart.series, ...(beside[i]?.series ?? [])] }, chart.series.length);
+      return lineChart({ ...chart, bound, series: [...chart.series, ...(beside[i]?.series ?? [])] }, chart.series.length, kept ? before[i] : undefined);
     });
-    byId("profiles").replaceChildren(...this.charts);
+    if (!kept) byId("profiles").replaceChildren(...this.charts);
   }
 
   // Pressing on a profile goes to that time.
@@ -114,22 +116,35 @@ class CycleView {
     return factor === 1 ? exact(value, decimals) : settled(value * factor, orbits.error(name, row) * factor, decimals);
   }
 
-  // Rows of a table: the chosen cycle's value, the pinned one's where there is one, and the unit.
-  line(label, meaning, name, valueOf, unit = "") {
-    const cell = (row) => html("td", { class: "number" }, valueOf(row));
-    return html(
-      "tr", { title: meaning, "data-name": name },
-      html("th", { scope: "row" }, defined(label, meaning)), cell(this.row), ...(this.pinned === null ? [] : [cell(this.pinned)]), html("td", { class: "unit" }, unit),
-    );
+  // An entry of the section point, always with its decimals: small ones are zeros but for rounding.
+  entry({ name, unit }, row) {
+    const [value, factor] = [orbits.numbers(name)[row], factorOf(unit)];
+    return factor === 1 ? signed(value.toFixed(12)) : settled(value * factor, orbits.error(name, row) * factor, 12);
+  }
+
+  // Rows of a table: the chosen cycle's value, the pinned one's where there is one, and the unit. Only the values are
+  // written anew for another cycle.
+  fill(box, lines, ...before) {
+    const rows = this.pinned === null ? [this.row] : [this.row, this.pinned];
+    const layout = [rows.length, ...lines.map(({ unit }) => unit)].join();
+    if (box.layout !== layout) {
+      box.layout = layout;
+      box.lines = lines.map(({ label, meaning, name, unit }) => {
+        const numbers = rows.map(() => html("td", { class: "number" }));
+        return { numbers, line: html("tr", { title: meaning, "data-name": name }, html("th", { scope: "row" }, defined(label, meaning)), ...numbers, html("td", { class: "unit" }, unit)) };
+      });
+      box.replaceChildren(...before, ...box.lines.map(({ line }) => line));
+    }
+    lines.forEach(({ valueOf }, i) => rows.forEach((row, j) => { box.lines[i].numbers[j].textContent = valueOf(row); }));
   }
 
   tables(row) {
     const decimalsOf = ({ name }) => (name === "period" ? 12 : 10);
-    byId("measures").replaceChildren(
+    this.fill(
+      byId("measures"), report.measures.map((m) => ({ ...m, unit: unitText(m.unit, m.si), valueOf: (r) => this.value(m, r, decimalsOf(m)) })),
       ...(this.pinned === null ? [] : [this.heading()]),
-      ...report.measures.map((m) => this.line(m.label, m.meaning, m.name, (r) => this.value(m, r, decimalsOf(m)), unitText(m.unit, m.si))),
     );
-    byId("state").replaceChildren(...model.section.map((s) => this.line(s.symbol, "", s.name, (r) => signed(orbits.numbers(s.name)[r].toFixed(12)))));
+    this.fill(byId("state"), model.section.map((s) => ({ label: s.symbol, meaning: "", name: s.name, unit: unitText(s.unit, s.si), valueOf: (r) => this.entry(s, r) })));
     const pairs = multipliers(row);
     byId("circle").replaceChildren(unitCircle(pairs));
     const modulus = (r, i) => {

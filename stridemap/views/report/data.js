@@ -109,7 +109,7 @@ class Table {
     const { double, decimals, whole } = this.source[name];
     if (double !== undefined || whole) return 0;
     const value = Math.abs(this.numbers(name)[row]);
-    const relative = value < 1e-3 ? 10 ** (Math.floor(Math.log10(value)) - 3) : 0; // small ones have four digits
+    const relative = value < 1e-3 && decimals !== 15 ? 10 ** (Math.floor(Math.log10(value)) - 3) : 0; // small measures have four digits
     return 0.5 * Math.max(relative || 0, decimals ? 10 ** -decimals : 0);
   }
 }

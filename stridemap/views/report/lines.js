@@ -13,7 +13,8 @@ function padded(values) {
 
 // One chart; its element has `mark(t)`, which moves the mark of the time shown, and `time(event)`, the time that is
 // pressed. `bound` is a value that the series stay within on either side, called `measure`.
-function lineChart({ title, unit, series, across, zero, measure, bound = null }, own) {
+// Where there is a `figure` of the same title, it gets another drawing.
+function lineChart({ title, unit, series, across, zero, measure, bound = null }, own, figure) {
   const { width, height, left, right, top, bottom } = CHART;
   const placesOf = (s) => s.places ?? s.times;
   const extra = (zero || bound !== null ? [0] : []);
@@ -39,7 +40,12 @@ function lineChart({ title, unit, series, across, zero, measure, bound = null },
   const { times } = series[0];
   const mark = across ? svg("circle", { r: 4, class: "now-dot" }) : svg("line", { y1: top, y2: height - bottom, class: "now" });
   root.append(mark);
-  const figure = html("figure", { class: "profile" }, html("figcaption", {}, html("span", {}, withUnit(title, unit)), saveButtons(() => root, title)), root);
+  if (figure) figure.lastChild.replaceWith(root);
+  else {
+    figure = html("figure", { class: "profile" });
+    figure.append(html("figcaption", {}, html("span", {}, withUnit(title, unit)), saveButtons(() => figure.lastChild, title)), root);
+    figure.named = withUnit(title, unit);
+  }
   const sampleAt = (t) => Math.max(0, Math.min(times.length - 1, Math.round((t / times.at(-1)) * (times.length - 1))));
   figure.mark = (t) => {
     if (!across) return ["x1", "x2"].forEach((end) => mark.setAttribute(end, x(t)));

@@ -152,6 +152,7 @@ function refresh() {
   looks = null;
   map.drawnKey = scatter.drawnKey = null;
   buildSliders();
+  showSpeeds();
   if (state.row !== null) {
     view.row = null;
     const { time, step, playing } = stage;

@@ -119,9 +119,7 @@ def _model(model: Model) -> dict[str, Any]:
             }
             for c in spec.coordinates
         ],
-        "section": [
-            {"name": name, "symbol": _section_symbol(name, model.coordinates)} for name in model.section
-        ],
+        "section": [_section(name, model, names) for name in model.section],
         "motors": [
             {"symbol": symbol(m.name), "unit": printed(m.unit), "si": KINDS[m.kind][1]} for m in spec.motors
         ],
@@ -133,8 +131,15 @@ def _model(model: Model) -> dict[str, Any]:
     }
 
 
-def _section_symbol(name: str, coordinates: tuple[str, ...]) -> str:
-    return rate_symbol(name[1:]) if name[:1] == "d" and name[1:] in coordinates else symbol(name)
+def _section(name: str, model: Model, names: Mapping[str, str]) -> dict[str, str]:
+    """Symbol and units of an entry of the section point: a coordinate, a rate, or one of the model's own."""
+    rates = {f"d{c.name}": c for c in model.spec.coordinates}
+    if name in rates:
+        shown, unit = rate_symbol(name[1:]), rates[name].rate_unit
+    else:
+        own = {c.name: c.unit for c in model.spec.coordinates}
+        shown, unit = symbol(name), own.get(name, "1")
+    return {"name": name, "symbol": shown, "unit": printed(unit), "si": names.get(printed(unit), "")}
 
 
 def _measures(model: Model, orbits: pd.DataFrame, hidden: set[str]) -> list[dict[str, str]]:

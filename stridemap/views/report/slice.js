@@ -125,30 +125,33 @@ class Slice {
     nameBeside(pen, this.quantity.unit ? `[${this.quantity.unit}]` : "", SLICE.top, bottom);
   }
 
-  // The value to compare with, over the columns for which it holds.
+  // The value to compare with, over the columns for which it holds; where it is beyond the scale its label says so.
   compare(pen, right, bottom) {
     const width = right - INSET.left;
-    let labelled = false;
+    pen.lineWidth = 1.8;
+    pen.strokeStyle = styled("zmp");
     for (const [column, value] of this.compared) {
       const unit = this.scale.unit(value);
       if (!(unit >= 0 && unit <= 1)) continue;
       const [x0, x1] = this.columns.span(column).map((u) => INSET.left + Math.max(0, Math.min(1, u)) * width);
       const y = bottom - unit * (bottom - SLICE.top);
-      pen.strokeStyle = styled("zmp");
-      pen.lineWidth = 1.8;
       segment(pen, x0, y, x1, y);
-      if (labelled) continue;
-      labelled = true;
-      pen.fillStyle = styled("zmp");
-      pen.font = `600 12px ${styled("font")}`;
-      pen.textAlign = "right";
-      pen.textBaseline = unit > 0.85 ? "top" : "bottom";
-      const text = `${this.label} ${this.quantity.text(value, 4)}`;
-      pen.lineWidth = 3;
-      pen.strokeStyle = styled("card");
-      pen.strokeText(text, right - 6, y + (unit > 0.85 ? 3 : -3));
-      pen.fillText(text, right - 6, y + (unit > 0.85 ? 3 : -3));
     }
+    if (!this.compared.length) return;
+    const value = this.compared.at(-1)[1];
+    const unit = this.scale.unit(value);
+    const beyond = unit > 1 ? " (above)" : unit < 0 ? " (below)" : "";
+    const high = unit > 0.85;
+    const y = bottom - Math.max(0, Math.min(1, unit)) * (bottom - SLICE.top) + (high ? 3 : -3);
+    pen.font = `600 12px ${styled("font")}`;
+    pen.textAlign = "right";
+    pen.textBaseline = high ? "top" : "bottom";
+    pen.fillStyle = styled("zmp");
+    pen.lineWidth = 3;
+    pen.strokeStyle = styled("card");
+    const text = `${this.label} ${this.quantity.text(value, 4)}${beyond}`;
+    pen.strokeText(text, right - 6, y);
+    pen.fillText(text, right - 6, y);
   }
 
   // Where boundaries cross the slice.

@@ -15,6 +15,7 @@ function start() {
 }
 
 buildUnits();
+showSpeeds();
 buildFilter();
 buildPin();
 buildBrush();
@@ -54,5 +55,8 @@ matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
 });
 
 // For scripts and for tests: the tables, the equations, and the page itself.
-window.stridemap = { report, orbits, cells, grid, equations, evaluate, Path, map, slice, scatter, curves, joinedBy, stage, state, choose, quantities, compileFilter, bar };
+window.stridemap = {
+  report, orbits, cells, grid, equations, evaluate, Path, map, slice, scatter, curves, joinedBy, stage, pinnedStage, state, choose, quantities,
+  compileFilter, bar, redrawn, scaleOf: (values, choice) => new ValueScale(values, choice), patches: { patchesOf, depthsOf, deepest, bordersOf },
+};
 document.documentElement.dataset.ready = "yes";

@@ -2,7 +2,7 @@
 
 // Leg length in m, mass of the upper body in kg, gravity in m/s^2, and whether they are used.
 const si = { on: false, length: 1, mass: 50, gravity: 9.80665 };
-const SIZES = { length: ["leg length", "m"], mass: ["mass", "kg"], gravity: ["gravity", "m/s²"] };
+const SIZES = { length: [`leg length ${model.units.length}`, "m"], mass: [`mass ${model.units.mass}`, "kg"], gravity: ["gravity g", "m/s²"] };
 const hasSi = Object.keys(report.si).length > 0;
 
 // What one of a unit is in the units that are shown.

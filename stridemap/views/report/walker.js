@@ -21,7 +21,15 @@ function rate(t, y, p) {
 function advance(t, y, h, p) {
   const { a, b, c } = report.tableau;
   const slopes = [];
-  const moved = (weights) => y.map((value, i) => weights.reduce((sum, w, j) => (w ? sum + h * w * slopes[j][i] : sum), value));
+  const moved = (weights) => {
+    const sum = y.slice();
+    for (let j = 0; j < weights.length; j++) {
+      if (!weights[j]) continue;
+      const [weight, slope] = [h * weights[j], slopes[j]];
+      for (let i = 0; i < sum.length; i++) sum[i] += weight * slope[i];
+    }
+    return sum;
+  };
   for (let stage = 0; stage < b.length; stage++) slopes.push(rate(t + c[stage] * h, moved(a[stage]), p));
   return moved(b);
 }
