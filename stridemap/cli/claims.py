@@ -26,7 +26,7 @@ WIDTH = 79
 
 VerboseOption = Annotated[
     bool,
-    typer.Option("--verbose", "-v", help="Print sections, deciding numbers and what is not so as well."),
+    typer.Option("--verbose", help="Print sections, deciding numbers and what is not so as well."),
 ]
 
 
