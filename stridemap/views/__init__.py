@@ -11,11 +11,13 @@ if TYPE_CHECKING:
     from stridemap.views.boundary_map import boundary_map
     from stridemap.views.branch_diagram import branch_diagram
     from stridemap.views.plots import plot
+    from stridemap.views.report.references import Reference
     from stridemap.views.report.write import ReportSummary, write_report
 
-__all__ = ["ReportSummary", "animate", "boundary_map", "branch_diagram", "plot", "write_report"]
+__all__ = ["Reference", "ReportSummary", "animate", "boundary_map", "branch_diagram", "plot", "write_report"]
 
 _HOMES = {
+    "Reference": "report.references",
     "ReportSummary": "report.write",
     "animate": "animation",
     "boundary_map": "boundary_map",

@@ -50,8 +50,9 @@ function lineChart({ title, unit, series, across, zero, measure, bound = null },
   figure.mark = (t) => {
     if (!across) return ["x1", "x2"].forEach((end) => mark.setAttribute(end, x(t)));
     const i = sampleAt(t);
-    mark.setAttribute("cx", x(series[0].places[i]));
-    mark.setAttribute("cy", y(series[0].values[i]));
+    const place = [x(series[0].places[i]), y(series[0].values[i])];
+    mark.toggleAttribute("hidden", !place.every(Number.isFinite));
+    if (place.every(Number.isFinite)) ["cx", "cy"].forEach((name, k) => mark.setAttribute(name, place[k]));
   };
   figure.time = (event) => pressedTime(event, root, { series: series[0], across, x, y, from, to });
   return figure;

@@ -1,7 +1,8 @@
 """What the page is given: a sweep's tables as columns of numbers, and its model.
 
-Numbers travel with the decimals that the page shows (`stridemap.views.report.encoding`). Trajectories do not travel: the page integrates the step that it shows, from the section point of the
-table and with the equations of the model.
+Numbers travel with the digits that the page shows (`stridemap.views.report.encoding`). Trajectories do
+not travel: the page integrates the step that it shows, from the section point of the table and with the
+equations of the model.
 """
 
 from collections.abc import Mapping, Sequence

@@ -78,9 +78,10 @@ def provenance(model: Model, found: Mapping[str, Any]) -> str:
         preset += ", which were <b>identified by search, not published</b>"
     return (
         f'<dl class="terms">{listed}</dl>'
-        f"<p>{preset}. State, period, multipliers and measures are those of the sweep's tables, "
-        "rounded to the decimals that are shown here. Motions are integrated in this page, from the tables' section points, with the model's "
-        "equations and a Runge-Kutta method of order 8.</p>"
+        f"<p>{preset}. State, period, multipliers and measures are those of the sweep's tables, rounded to "
+        "the digits that are shown here, and states to three decimals more. Motions are integrated in this "
+        "page, from the tables' section points, with the model's equations and a Runge-Kutta method of "
+        "order 8.</p>"
     )
 
 

@@ -1,4 +1,4 @@
-"""The address of the report keeps what was chosen, in values; the history goes back; links and commands are copied."""
+"""The address of the report keeps what was chosen, in values; back and forward; copied links and commands."""
 
 from urllib.parse import parse_qs
 

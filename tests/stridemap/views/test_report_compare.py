@@ -1,4 +1,4 @@
-"""Comparison in the report: a pinned cycle beside another, phase portraits, SI units for the whole page, groups' borders."""
+"""Comparison in the report: pinned cycles, phase portraits, SI units on the whole page, borders of groups."""
 
 import re
 
@@ -148,10 +148,13 @@ def test_letters_stand_within_their_groups_and_borders_between_them(page):
     """Made-up groups: a ring of A around B has its letter on the ring, and not in its middle."""
     found = page.evaluate(
         """(() => { const { patchesOf, depthsOf, deepest, bordersOf } = stridemap.patches;
-        const letters = Array.from({ length: 9 }, (_, r) => Array.from({ length: 12 }, (_, c) => (r > 2 && r < 6 && c > 2 && c < 9 ? "B" : "A")));
+        const letters = Array.from({ length: 9 }, (_, r) =>
+            Array.from({ length: 12 }, (_, c) => (r > 2 && r < 6 && c > 2 && c < 9 ? "B" : "A")));
         letters[0][0] = null;
         const depths = depthsOf(letters);
-        return [patchesOf(letters).map(([letter, patch]) => [letter, patch.length, deepest(patch, depths)]), bordersOf(letters).length]; })()"""
+        const patches = patchesOf(letters);
+        return [patches.map(([letter, patch]) => [letter, patch.length, deepest(patch, depths)]),
+            bordersOf(letters).length]; })()"""
     )
     patches, borders = found
     assert [(letter, size) for letter, size, _ in patches] == [("A", 9 * 12 - 18 - 1), ("B", 18)]

@@ -62,7 +62,8 @@ def test_what_an_expression_keeps(page, orbits, expression, wanted):
 @pytest.mark.parametrize(
     ("expression", "said"),
     [
-        ("cott < 0.3", "“cott” is not a column of this sweep, a parameter, “compass” or “stable”; did you mean “cot”?"),
+        ("cott < 0.3", "“cott” is not a column of this sweep, a parameter, “compass” or “stable”;"),
+        ("cott < 0.3", "; did you mean “cot”?"),
         ("cot", "must say what holds, but “cot” is a number; compare it, as in cot < 1."),
         ("cot <", "ends where a name or a number should be"),
         ("cot < 0.3 and", "ends where a name or a number should be"),

@@ -1,4 +1,4 @@
-"""What a reader takes along from the report: tables and charts as files; and how it looks nearer: zoom, hover, terms."""
+"""What a reader takes along from the report, tables and charts as files, and how it looks nearer."""
 
 import csv
 import io
@@ -90,7 +90,8 @@ def test_a_brush_picks_out_cycles(page, compared):
     inside = stable[stable.cot <= low]
     assert page.inner_text("#selection") == f"{len(inside)} cycles in {inside.cell.nunique()} cells shown"
     dim = page.evaluate(
-        "stridemap.map.looks.flatMap((line, r) => line.map((look, c) => [stridemap.map.cellAt(c, r), look.dim]))"
+        """stridemap.map.looks.flatMap((line, r) =>
+        line.map((look, c) => [stridemap.map.cellAt(c, r), look.dim]))"""
     )
     assert {cell for cell, faded in dim if faded is False} == set(inside.cell)
     assert {cell for cell, faded in dim if faded} == set(stable.cell) - set(inside.cell)
@@ -119,7 +120,12 @@ def test_every_chart_is_saved_as_svg_and_png(page, chart):
     assert name.endswith(".svg")
     width, height = float(root.get("width")), float(root.get("height"))
     texts = [text.text for text in root.iter(f"{SVG}text")]
-    expected = {"#map-save": ["k [M g / L]", "α"], "#slice-save": ["k [M g / L]", "compass 0.308"], "#scatter-save": ["largest distance d [L]", "cost of transport"], "#circle-save": ["Re", "Im"]}  # fmt: skip
+    expected = {
+        "#map-save": ["k [M g / L]", "α"],
+        "#slice-save": ["k [M g / L]", "compass 0.308"],
+        "#scatter-save": ["largest distance d [L]", "cost of transport"],
+        "#circle-save": ["Re", "Im"],
+    }
     for text in expected.get(chart, ["t [√(L/g)]"]):
         assert text in texts
     assert b"var(--" not in data
@@ -174,7 +180,8 @@ def test_zoom_and_pan(page):
 def test_what_is_pointed_at_is_read_out_beside_the_pointer(page):
     at(page, "#omega=3&colour=cot")
     place = page.evaluate(
-        "(() => { const { x, y, width, height } = stridemap.map.box(1, 0); return [x + width / 2, y + height / 2]; })()"
+        """(() => { const { x, y, width, height } = stridemap.map.box(1, 0);
+        return [x + width / 2, y + height / 2]; })()"""
     )
     box = page.locator("#map").bounding_box()
     page.mouse.move(box["x"] + place[0], box["y"] + place[1])
