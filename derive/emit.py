@@ -13,6 +13,7 @@ from stridemap.derive.functions import Functions
 from stridemap.derive.motors import record
 from stridemap.derive.parts import STANCE_FOOT, Body, Line, Measured
 from stridemap.derive.printers.c import C
+from stridemap.derive.printers.c_step import step_header, step_source
 from stridemap.derive.printers.docs import example, readme
 from stridemap.derive.printers.javascript import JavaScript
 from stridemap.derive.printers.printer import Equations
@@ -27,6 +28,8 @@ PRINTERS: Mapping[str, Callable[[Equations], str]] = {
     "{model}.py": Python().text,
     "{model}.h": C().header,
     "{model}.c": C().text,
+    "{model}_step.h": step_header,
+    "{model}_step.c": step_source,
     "{model}.js": JavaScript().text,
     "example.c": example,
     "README.md": readme,

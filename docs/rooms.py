@@ -23,6 +23,7 @@ ROOMS = {
     "generated": ("what derive wrote: C, Python, JavaScript, kernels, manifest", "leaf"),
     "solver": ("limit cycles of a generated walker: arrays in, arrays out", "casadi"),
     "codegen": ("calls derive, writes generated, compiles kernels", "sympy"),
+    "controller": ("C for a controller, with a limit cycle", "sympy"),
     "units": ("to SI units and back", "casadi"),
     "sweeps": ("grids of parameters, tile by tile, into tables that can be trusted", "tables"),
     "views": ("plots, animations, and a sweep as a page to explore", "pictures"),

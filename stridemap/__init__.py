@@ -8,19 +8,18 @@
 Function(mass_matrix:(t,q[3],v[3],u,p[9])->(M[3x3]) SXFunction)
 """
 
-import ast
-import sys
+from functools import cache
 from importlib import import_module
-from importlib.metadata import version
-from inspect import getsource
 from typing import TYPE_CHECKING, Any
 
 from stridemap.services import provide
 
 # The one list of public names. Type checkers read it as it stands; when the package runs, `__getattr__` reads
-# it too and imports a name when it is first used, so that each room can be imported alone.
+# it too and imports a name when it is first used (PEP 562), so that each room can be imported alone, and
+# `import stridemap` loads next to nothing.
 if TYPE_CHECKING:
     from stridemap.codegen import derive_model
+    from stridemap.controller import write_c
     from stridemap.errors import CompilerError, InputError, StorageError, StridemapError, WorkerError
     from stridemap.paper.claim import Claim, Verdict
     from stridemap.paper.evaluate import claims
@@ -58,19 +57,21 @@ if TYPE_CHECKING:
     from stridemap.units import Units, critical_damping
     from stridemap.views.animation import animate
 
-__version__ = version("stridemap")
+    __version__: str
 
 
-def _public() -> dict[str, str]:
+@cache
+def _homes() -> dict[str, str]:
     """Where each public name lives, from the list above."""
-    (block,) = (node for node in ast.parse(getsource(sys.modules[__name__])).body if isinstance(node, ast.If))
+    import ast
+    import inspect
+    import sys
+
+    source = inspect.getsource(sys.modules[__name__])
+    (block,) = (node for node in ast.parse(source).body if isinstance(node, ast.If))
     imports = (node for node in block.body if isinstance(node, ast.ImportFrom))
     return {alias.name: node.module or "" for node in imports for alias in node.names}
 
-
-_HOMES = _public()
-
-__all__ = ["__version__", *sorted(_HOMES)]
 
 provide(
     animate="stridemap.views.animation:animate",
@@ -83,12 +84,20 @@ provide(
 
 
 def __getattr__(name: str) -> Any:
-    if name not in _HOMES:
+    if name == "__version__":
+        from importlib.metadata import version
+
+        value: Any = version("stridemap")
+    elif name == "__all__":
+        value = ["__version__", *sorted(_homes())]
+    elif name.startswith("__") or name not in _homes():
         raise AttributeError(f"module 'stridemap' has no attribute {name!r}")
-    value = getattr(import_module(_HOMES[name]), name)
+    else:
+        value = getattr(import_module(_homes()[name]), name)
     globals()[name] = value
     return value
 
 
 def __dir__() -> list[str]:
-    return __all__
+    names: list[str] = __getattr__("__all__")
+    return names

@@ -9,21 +9,19 @@ import sys
 import tempfile
 import traceback
 from collections.abc import Callable, Mapping
-from contextlib import nullcontext
-from dataclasses import fields, is_dataclass, replace
+from dataclasses import replace
 from importlib.metadata import version
 from importlib.resources import files
 from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-import sympy as sp
-
 from stridemap.derive.emit import emit
+from stridemap.derive.fingerprint import fingerprint
 from stridemap.derive.models import WALKERS
 from stridemap.derive.walker import Walker
 from stridemap.errors import InputError
-from stridemap.services import offered, service
+from stridemap.services import shown
 from stridemap.solver.backends.compiler import cache_folder
 from stridemap.solver.model import derivation
 from stridemap.solver.model.files import MANIFEST, Folder, contents, kernels_file
@@ -61,7 +59,11 @@ def write_model(walker: Walker, folder: Path) -> list[Path]:
     # Only here: SciPy takes half of the start of a process, in which most models are found in the cache.
     from stridemap.solver.kernels.catalogue import c_source
 
-    with service("show_deriving")(walker.name) if offered("show_deriving") else nullcontext() as progress:
+    with shown(f"deriving {walker.name}", "functions", announced=True) as update:
+
+        def progress(done: int, total: int, name: str) -> None:
+            update(done, total, f"{name} done" if done < total else "writing the kernels")
+
         texts, spec = emit(walker, f"stridemap {version('stridemap')}", progress)
         # The kernels are printed from the equations as written; a half-written folder is never seen.
         with tempfile.TemporaryDirectory() as scratch:
@@ -131,18 +133,7 @@ def into_folder(walker: Walker, folder: Path) -> Path:
     InputError
         When the folder cannot be written, or files in it that are not of this model would be lost.
     """
-    names = ("README.md", "example.c", MANIFEST)  # those that do not bear the model's name
-    try:
-        present = [name for name in names if (folder / name).exists()]
-    except OSError as error:  # a name that is longer than the file system allows, for instance
-        raise InputError(
-            f"cannot write {folder} ({error.strerror}); give --out a folder that can be written"
-        ) from error
-    if present and _manifest_in(folder).get("name") != walker.name:
-        raise InputError(
-            f"{folder / present[0]} does not belong to the model {walker.name} and would be overwritten; "
-            "give --out another folder"
-        )
+    check_folder(folder, walker.name)
     try:
         cached = _into_cache(walker)
     except InputError as error:
@@ -154,14 +145,74 @@ def into_folder(walker: Walker, folder: Path) -> Path:
     return folder
 
 
+def check_folder(folder: Path, model: str) -> None:
+    """Refuse a folder in which files that are not of a model would be lost.
+
+    Parameters
+    ----------
+    folder : pathlib.Path
+    model : str
+        Name of the model whose files are to be written.
+
+    Raises
+    ------
+    InputError
+        When there are such files, or the folder cannot be looked into.
+    """
+    names = ("README.md", "example.c", MANIFEST)  # those that do not bear the model's name
+    try:
+        present = [name for name in names if (folder / name).exists()]
+    except OSError as error:  # a name that is longer than the file system allows, for instance
+        raise InputError(
+            f"cannot write {folder} ({error.strerror}); give --out a folder that can be written"
+        ) from error
+    if present and _manifest_in(folder).get("name") != model:
+        raise InputError(
+            f"{folder / present[0]} does not belong to the model {model} and would be overwritten; "
+            "give --out another folder"
+        )
+
+
 def _copy(source: Path, folder: Path) -> None:
     """Copy a model's files, the manifest last: it names the others."""
+    names = [*_manifest_in(source)["files"], MANIFEST]
+    put_all(folder, {name: (source / name).read_bytes() for name in names})
+
+
+def copied(model: Model, folder: Path) -> list[Path]:
+    """Copy the generated files of a model into a folder; returns them, sorted.
+
+    Raises
+    ------
+    InputError
+        When the folder cannot be written, or files in it that are not of this model would be lost.
+    """
+    check_folder(folder, model.name)
+    return sorted(put_all(folder, contents_of(model)))
+
+
+def contents_of(model: Model) -> dict[str, bytes]:
+    """The generated files of a model by name, the manifest last: it names the others."""
+    return {name: model.text(name).encode() for name in model.spec.files} | {
+        MANIFEST: model.files.read(MANIFEST)
+    }
+
+
+def put_all(folder: Path, files: Mapping[str, bytes]) -> list[Path]:
+    """Write files into a folder, which is made if it does not exist; returns their paths in order.
+
+    Raises
+    ------
+    InputError
+        When the folder cannot be written.
+    """
     try:
         folder.mkdir(parents=True, exist_ok=True)
-        for name in [*_manifest_in(source)["files"], MANIFEST]:
-            _put(folder / name, (source / name).read_bytes())
+        for name, content in files.items():
+            _put(folder / name, content)
     except OSError as error:
         raise InputError(f"cannot write {folder}: {error.strerror}") from error
+    return [folder / name for name in files]
 
 
 def into_cache(walker: Walker, keep: bool = False) -> Path:
@@ -298,36 +349,6 @@ def _position(path: Path, error: BaseException) -> tuple[str, str]:
         return f", line {error.lineno}", error.msg
     lines = [f.lineno for f in traceback.extract_tb(error.__traceback__) if f.filename == str(path)]
     return (f", line {lines[-1]}" if lines else ""), str(error) or "no message"
-
-
-def fingerprint(walker: Walker) -> str:
-    """SHA-256 of everything that the generated code of a walker depends on."""
-    versions = [f"{name} {version(name)}" for name in ("stridemap", "sympy", "casadi")]
-    paths = [_part("") / name for name in ("codegen.py", "quantities.py", "spec.py", "words.py")]
-    paths += [path for part in (".derive", ".solver") for path in sorted(_part(part).rglob("*.py"))]
-    sources = [path.read_bytes() for path in paths]
-    key = hashlib.sha256("\n".join([*versions, _described(walker)]).encode())
-    for text in sources:
-        key.update(hashlib.sha256(text).digest())
-    return key.hexdigest()
-
-
-def _part(name: str) -> Path:
-    return Path(str(files(f"stridemap{name}")))
-
-
-def _described(value: Any) -> str:
-    """A declaration as text that is equal for equal declarations only."""
-    if isinstance(value, sp.Basic | sp.MatrixBase):
-        return sp.srepr(value)
-    if is_dataclass(value) and not isinstance(value, type):
-        inner = ", ".join(f"{f.name}={_described(getattr(value, f.name))}" for f in fields(value))
-        return f"{type(value).__name__}({inner})"
-    if isinstance(value, Mapping):
-        return "{" + ", ".join(f"{_described(k)}: {_described(v)}" for k, v in value.items()) + "}"
-    if isinstance(value, tuple | list):
-        return "(" + ", ".join(map(_described, value)) + ")"
-    return repr(value)
 
 
 def derive(folder: Path | None = None) -> list[Path]:

@@ -6,7 +6,8 @@ knows every room, says here where such a service lives, and whoever needs it ask
 used.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from importlib import import_module
 from typing import Any
 
@@ -28,3 +29,46 @@ def service(name: str) -> Callable[..., Any]:
     module, _, function = _HOMES[name].partition(":")
     found: Callable[..., Any] = getattr(import_module(module), function)
     return found
+
+
+SAID_AFTER = 1.0
+"""Seconds after which something that is done once, and is announced, is mentioned to who is not shown it."""
+
+
+@contextmanager
+def shown(title: str, unit: str = "", announced: bool = False) -> Iterator[Callable[..., None]]:
+    """Show how far a piece of work is, for as long as the context lasts, where a command offers to.
+
+    Yields a function ``update(done, total, detail)``: how many of how many pieces are done, and what is being
+    done, each of which may be left out.
+
+    Parameters
+    ----------
+    title : str
+        What it is, such as "compiling the kernels of compass".
+    unit : str
+        What its pieces are called, in the plural.
+    announced : bool
+        Whether a program that is shown nothing gets a line in its log, ``stridemap``, when it takes a second:
+        for what is done once, so that a first call that is slow says why.
+    """
+    if offered("show_work"):
+        with service("show_work")(title, unit) as update:
+            yield update
+        return
+    import logging
+    import threading
+
+    log = logging.getLogger("stridemap").warning
+    timer = threading.Timer(SAID_AFTER, log, [f"{title}; this is done once, and may take a while"])
+    timer.daemon = True
+    if announced:
+        timer.start()
+    try:
+        yield _nothing
+    finally:
+        timer.cancel()
+
+
+def _nothing(*_args: Any, **_words: Any) -> None:
+    """Show nothing."""

@@ -73,10 +73,10 @@ ATTRIBUTES = frozenset(
 
 OPTION_WORDS = frozenset(
     # options of the command line
-    "acceptance backend cascade check claims config continuation curves cycle derive_timeout folder fps from "
-    "friction_limit group help json lines magnify model only out period_n plot range rate resume search "
-    "search_box seeds set show size start starts state steps sweeps target thin trajectory vary verbose "
-    "workers "
+    "acceptance backend cascade check claims config continuation curves cycle derive_timeout folder fps "
+    "friction_limit from group header help json lines magnify model only out period_n plot quiet range "
+    "rate resume search search_box seeds set show size start starts state steps sweeps target thin "
+    "trajectory vary verbose workers "
     # arguments of public functions
     "data executor options orbit orbits params path progress ranges samples source tile_cells "
     "titles".split()

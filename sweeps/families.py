@@ -2,8 +2,6 @@
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
 
 Ints = NDArray[np.int64]
 
@@ -24,7 +22,20 @@ def families(branch: Ints, joins: Ints) -> Ints:
     """
     names, place = np.unique(np.concatenate([branch, joins.ravel()]), return_inverse=True)
     one, other = place[len(branch) :].reshape(-1, 2).T
-    graph = coo_array((np.ones(len(one), dtype=bool), (one, other)), shape=(len(names), len(names)))
-    family = connected_components(graph, directed=False)[1][place[: len(branch)]]
+    family = _smallest_connected(len(names), one, other)[place[: len(branch)]]
     _, first, number = np.unique(family, return_index=True, return_inverse=True)
     return np.argsort(np.argsort(first))[number]
+
+
+def _smallest_connected(n: int, one: Ints, other: Ints) -> Ints:
+    """The smallest of all numbers that each of n is connected with; SciPy's own takes a while to load."""
+    smallest = np.arange(n)
+    while True:
+        apart = smallest[one] != smallest[other]
+        if not apart.any():
+            return smallest
+        one, other = one[apart], other[apart]
+        low, high = np.sort([smallest[one], smallest[other]], axis=0)
+        np.minimum.at(smallest, high, low)
+        while not np.array_equal(shorter := smallest[smallest], smallest):
+            smallest = shorter

@@ -17,6 +17,14 @@ from stridemap.solver.model.model import Model
 Ints = NDArray[np.int64]
 Floats = NDArray[np.float64]
 
+TILES, SMALLEST_TILE, LARGEST_TILE = 4, 4, 2160
+"""Into about how many tiles a grid is cut, and the cells of the smallest and the largest one. Branches are
+followed fastest where many are followed at a time; each worker needs a tile."""
+
+SMALL_GRID = 256
+"""Cells below which lines are cut only where there is nothing else to cut: what a branch costs to hand on is
+much in tiles so small."""
+
 
 @dataclass(frozen=True, eq=False)
 class Grid:
@@ -208,6 +216,17 @@ class Tiles:
             for edges, column in zip(self._edges, columns, strict=True)
         ]
         return np.asarray(np.ravel_multi_index(tuple(blocks), self.counts), dtype=np.int64)
+
+
+def tile_size(grid: Grid) -> int:
+    """Cells of a tile at most, so that several workers have one and each has many branches to follow.
+
+    It depends on the grid alone: how a grid is cut shows in which cycles are found, and workers must not.
+    """
+    size = max(grid.n_cells // TILES, SMALLEST_TILE)
+    if grid.n_cells < SMALL_GRID and grid.n_cells > max(grid.shape):
+        size = max(size, max(grid.shape))
+    return min(size, LARGEST_TILE)
 
 
 def tiles(grid: Grid, target_cells: int = 256) -> Tiles:

@@ -9,7 +9,7 @@ import pyarrow.compute as pc
 
 from stridemap.solver.model.model import Model
 from stridemap.sweeps.solutions import Guesses, Solutions
-from stridemap.sweeps.tables import orbit_schema
+from stridemap.sweeps.tables import orbit_schema, table_of
 from stridemap.sweeps.tasks import Result
 
 KIND, REASON, NUMBER = "_kind", "_reason", "_number"
@@ -30,8 +30,9 @@ def part_table(model: Model, result: Result) -> pa.Table:
     result : Result
     """
     failures = sorted(result.failures.items())
+    orbits = table_of(model, result.orbits)
     of_kind: dict[str, Mapping[str, Any]] = {
-        ORBIT: {name: result.orbits[name] for name in result.orbits.column_names},
+        ORBIT: columns_of(orbits),
         FAILURE: {"cell": [cell for cell, _ in failures], REASON: [why for _, why in failures]},
         DISCARDED: {
             "cell": [cell for cell, _ in result.discarded],
@@ -66,7 +67,7 @@ def result_of(model: Model, round_: int, tile: int, part: pa.Table) -> Result:
     return Result(
         round_,
         tile,
-        orbits.drop_columns([KIND, REASON, NUMBER]).cast(orbit_schema(model)),
+        columns_of(orbits.drop_columns([KIND, REASON, NUMBER]).cast(orbit_schema(model))),
         dict(zip(failed["cell"].to_pylist(), failed[REASON].to_pylist(), strict=True)),
         solutions_of(model, rows(SEEN)),
         Guesses(made.cell, made.u, made.branch, guesses[NUMBER].to_numpy()),
@@ -75,10 +76,15 @@ def result_of(model: Model, round_: int, tile: int, part: pa.Table) -> Result:
     )
 
 
-def solutions_of(model: Model, rows: pa.Table) -> Solutions:
+def columns_of(table: pa.Table) -> dict[str, pa.ChunkedArray]:
+    """The columns of a table by name."""
+    return dict(zip(table.column_names, table.columns, strict=True))
+
+
+def solutions_of(model: Model, rows: Mapping[str, Any] | pa.Table) -> Solutions:
     """Section points and periods of rows, with their cells and branches."""
-    u = np.column_stack([rows[name].to_numpy() for name in (*model.section, "period")])
-    return Solutions(rows["cell"].to_numpy(), u, rows["branch"].to_numpy())
+    u = np.column_stack([np.asarray(rows[name]) for name in (*model.section, "period")])
+    return Solutions(np.asarray(rows["cell"]), u, np.asarray(rows["branch"]))
 
 
 def _columns(model: Model, solutions: Solutions) -> dict[str, Any]:

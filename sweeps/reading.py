@@ -8,10 +8,9 @@ import hashlib
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import numpy as np
-import pandas as pd
 import pyarrow as pa
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationError
 
@@ -24,6 +23,9 @@ from stridemap.sweeps.grid import Grid
 from stridemap.sweeps.store import CELLS, ORBITS, read_cells, read_orbits, read_provenance, table_shape
 from stridemap.sweeps.tables import FORMAT, cell_schema, orbit_schema
 from stridemap.words import multiplier_columns
+
+if TYPE_CHECKING:
+    import pandas as pd
 
 CELL_STATUSES = ("found", "empty", "failed")
 """What can have become of a cell."""
@@ -95,8 +97,8 @@ class FinishedSweep:
 
     model: Model
     provenance: Mapping[str, Any]
-    orbits: pd.DataFrame
-    cells: pd.DataFrame
+    orbits: "pd.DataFrame"
+    cells: "pd.DataFrame"
 
 
 def read_sweep(folder: str | Path, model: str | Path | Model | None = None) -> FinishedSweep:
@@ -219,8 +221,8 @@ def _check_values(
     folder: str | Path,
     configuration: Mapping[str, Any],
     model: Model,
-    orbits: pd.DataFrame,
-    cells: pd.DataFrame,
+    orbits: "pd.DataFrame",
+    cells: "pd.DataFrame",
 ) -> None:
     """Refuse entries that no sweep writes; whatever follows may rely on the others."""
     grid = Grid.from_mapping(

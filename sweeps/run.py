@@ -18,34 +18,30 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-import pandas as pd
 import pyarrow as pa
-import pyarrow.compute
+import pyarrow.compute as pc
 from numpy.typing import NDArray
 
 from stridemap.errors import InputError, WorkerError, short
 from stridemap.solver.backends.base import Backend
 from stridemap.solver.backends.selection import load_kernels, named_backend
+from stridemap.solver.cycles.degenerate import why_no_cycle
 from stridemap.solver.cycles.status import Status
 from stridemap.sweeps.config import MAX_COUNT, SweepConfig, load_config
 from stridemap.sweeps.executors import interrupts_held, processes
 from stridemap.sweeps.families import families
-from stridemap.sweeps.grid import Grid, tiles
+from stridemap.sweeps.grid import Grid, tile_size, tiles
 from stridemap.sweeps.lock import held, refuse_if_held
 from stridemap.sweeps.parts import part_table, result_of, solutions_of
 from stridemap.sweeps.provenance import provenance
 from stridemap.sweeps.solutions import Guesses, Solutions
-from stridemap.sweeps.store import Store, read_cells
-from stridemap.sweeps.tables import cell_table, orbit_schema
+from stridemap.sweeps.store import CELLS, Store, read_table
+from stridemap.sweeps.tables import cell_table, orbit_schema, table_of
 from stridemap.sweeps.tasks import Result, Task
 from stridemap.sweeps.tiles import work
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
-
-TILES, SMALLEST_TILE, LARGEST_TILE = 4, 64, 2160
-"""Into how many tiles a grid is cut, and the cells of the smallest and the largest one. Branches are followed
-fastest where many are followed at a time; each worker needs a tile."""
 
 MOST_WORKERS = 1024
 """Processes of one sweep: each takes some 200 MB, and no machine has as many cores."""
@@ -119,7 +115,7 @@ def sweep(
     backend : str or Backend, optional
         What runs the kernels: "lanes", "scalar" or "interpreter"; by default the fastest that works here.
     tile_cells : int, optional
-        Largest number of cells in a piece of work; by default a quarter of the grid, within bounds. Which
+        Largest number of cells in a piece of work; by default some quarter of the grid, within bounds. Which
         cycles are found may depend on it, never on the number of workers.
     progress : callable, optional
         Called with a `Progress` after each tile.
@@ -141,7 +137,7 @@ def sweep(
     if workers is not None:
         _check_count("workers", workers, MOST_WORKERS)
     if tile_cells is None:
-        tile_cells = min(max(config.n_cells // TILES, SMALLEST_TILE), LARGEST_TILE)
+        tile_cells = tile_size(Grid.from_mapping(config.grid))
     _check_count("tile_cells", tile_cells, MAX_COUNT)
     refuse_if_held(out)
     kernels = load_kernels(config.loaded, named_backend(backend))
@@ -249,7 +245,7 @@ class _Run:
                 result = future.result()
                 self.store.write_part(result.round, result.tile, part_table(self.model, result))
                 finished += 1
-                found += int(np.count_nonzero(self._counts(result.orbits["period"].to_numpy())))
+                found += self._counted(result)
                 self._report(round_, finished, len(tasks), found)
         except OSError as error:
             raise _no_workers(error) from None
@@ -275,14 +271,18 @@ class _Run:
         shortest, longest = self.options.period_range
         return (period > shortest) & (period <= longest)
 
+    def _counted(self, result: Result) -> int:
+        """How many limit cycles of a result count."""
+        return int(np.count_nonzero(self._counts(np.asarray(result.orbits["period"]))))
+
     def _absorb(self, results: list[Result]) -> dict[int, Guesses]:
         """Take up the results of a round, in the order of tiles; returns the guesses for each tile."""
         for result in results:
             self.failures |= result.failures
             for (cell, status), n in result.discarded.items():
                 self.discarded[cell][Status(status)] += n
-            self.orbits.append(result.orbits)
-            self.orbits_found += int(np.count_nonzero(self._counts(result.orbits["period"].to_numpy())))
+            self.orbits.append(table_of(self.model, result.orbits))
+            self.orbits_found += self._counted(result)
             self.known[result.tile].append(solutions_of(self.model, result.orbits))
             self.seen[result.tile].append(result.seen)
             self.joins.append(result.joins)
@@ -309,7 +309,7 @@ class _Run:
         status, reason = zip(*(self._cell(cell, n) for cell, n in enumerate(found.tolist())), strict=True)
         cells = cell_table(self.model, points, orbits, status, reason)
         self.store.finish(orbits, cells)
-        return self._summary(cells.to_pandas())
+        return self._summary(cells)
 
     def _cell(self, cell: int, found: int) -> tuple[str, str | None]:
         if cell in self.failures:
@@ -323,19 +323,32 @@ class _Run:
             f"no limit cycle with {lower:g} < period <= {upper:g} was found, from the starts or from "
             "neighbouring cells"
         )
-        return "empty", f"{why}; thrown away: {_thrown_away(thrown)}" if thrown else why
+        if thrown:
+            why += f"; thrown away: {_thrown_away(thrown)}"
+        degenerate = why_no_cycle(self.model, self._point(cell)) if self._at_an_end(cell) else None
+        return "empty", why if degenerate is None else f"{why}; {degenerate}"
+
+    def _point(self, cell: int) -> Floats:
+        """The parameters of a cell."""
+        point: Floats = self.grid.points(self.model, self.config.params, [cell])[0]
+        return point
+
+    def _at_an_end(self, cell: int) -> bool:
+        """Whether a parameter of a cell is at an end of its allowed range, where equations degenerate."""
+        values = zip(self.model.parameters, self._point(cell).tolist(), strict=True)
+        return any(value in (one.lower, one.upper) for one, value in values)
 
     def summary_of_finished(self) -> Summary:
         """Read the summary of a sweep that was finished before."""
-        return self._summary(read_cells(self.store.folder), already_finished=True)
+        return self._summary(read_table(self.store.folder, CELLS), already_finished=True)
 
-    def _summary(self, cells: pd.DataFrame, already_finished: bool = False) -> Summary:
+    def _summary(self, cells: pa.Table, already_finished: bool = False) -> Summary:
         return Summary(
             self.store.folder,
             cells=len(cells),
-            orbits=int(cells["orbits"].sum()),
-            stable_orbits=int(cells["stable_orbits"].sum()),
-            failed_cells=int((cells["status"] == "failed").sum()),
+            orbits=pc.sum(cells["orbits"]).as_py(),
+            stable_orbits=pc.sum(cells["stable_orbits"]).as_py(),
+            failed_cells=pc.sum(pc.equal(cells["status"], "failed")).as_py(),
             already_finished=already_finished,
         )
 

@@ -16,15 +16,17 @@ import uuid
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-import pandas as pd
 import pyarrow as pa
 import pyarrow.parquet as pq
 
 from stridemap.errors import InputError, StorageError
 from stridemap.sweeps.config import SweepConfig, canonical_json
 from stridemap.sweeps.provenance import DECIDING
+
+if TYPE_CHECKING:
+    import pandas as pd
 
 ORBITS, CELLS, PARTS = "orbits.parquet", "cells.parquet", "parts"
 
@@ -55,7 +57,8 @@ class Store:
     def create(cls, folder: str | Path, config: SweepConfig, provenance: Mapping[str, Any]) -> "Store":
         """Open `folder`, made if it does not exist, for a sweep from the beginning.
 
-        Finished tables of the same configuration stay until `finish` replaces them.
+        Where this very sweep is finished, it stays as it is; finished tables of the same configuration that
+        were made with anything else (`provenance`) stay until `finish` replaces them.
 
         Raises
         ------
@@ -64,9 +67,11 @@ class Store:
             damaged or foreign file under one of our names, or an unfinished sweep. Nothing is touched.
         """
         store = cls(Path(folder), _with_configuration(provenance, config))
-        parts = store._parts()
-        for path in [*store._outputs(), *parts]:
+        outputs, parts = store._outputs(), store._parts()
+        for path in [*outputs, *parts]:
             store._check(path, same_software=False)
+        if len(outputs) == 2 and not parts and all(_provenance(p) == store.provenance for p in outputs):
+            return cls(store.folder, store.provenance, finished=True)
         if parts:
             raise InputError(
                 f"{folder} holds an unfinished sweep of this configuration ({len(parts)} finished pieces); "
@@ -214,7 +219,7 @@ class Store:
                 temporary.unlink(missing_ok=True)
 
 
-def read_orbits(folder: str | Path) -> pd.DataFrame:
+def read_orbits(folder: str | Path) -> "pd.DataFrame":
     """Return the limit cycles of a finished sweep, one row each, ordered by cell and period.
 
     Raises
@@ -222,10 +227,10 @@ def read_orbits(folder: str | Path) -> pd.DataFrame:
     InputError
         If there is no such table in `folder`, or it is damaged or foreign.
     """
-    return _frame(_output(folder, ORBITS))
+    return _frame(folder, ORBITS)
 
 
-def read_cells(folder: str | Path) -> pd.DataFrame:
+def read_cells(folder: str | Path) -> "pd.DataFrame":
     """Return the grid cells of a finished sweep, one row each.
 
     Raises
@@ -233,7 +238,7 @@ def read_cells(folder: str | Path) -> pd.DataFrame:
     InputError
         As `read_orbits`.
     """
-    return _frame(_output(folder, CELLS))
+    return _frame(folder, CELLS)
 
 
 def read_provenance(folder: str | Path) -> dict[str, Any]:
@@ -341,9 +346,21 @@ def _read(path: Path) -> pa.Table:
         return table
 
 
-def _frame(path: Path) -> pd.DataFrame:
+def read_table(folder: str | Path, name: str) -> pa.Table:
+    """Return a table of a finished sweep as Arrow has it.
+
+    Raises
+    ------
+    InputError
+        As `read_orbits`.
+    """
+    path = _output(folder, name)
     _provenance(path)
-    table = _read(path)
+    return _read(path)
+
+
+def _frame(folder: str | Path, name: str) -> "pd.DataFrame":
+    table = read_table(folder, name)
     frame: pd.DataFrame = table.to_pandas()
     for field in table.schema:
         if field.nullable and pa.types.is_integer(field.type):  # pandas would make them floats

@@ -5,7 +5,8 @@ A row of orbits is a limit cycle, a row of cells a grid cell. Columns bear the n
 quantities there are says `stridemap.quantities`.
 """
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
 
 import numpy as np
 import pyarrow as pa
@@ -57,10 +58,21 @@ def orbit_table(cell: NDArray[np.int64], branch: NDArray[np.int64], orbits: Orbi
     ValueError
         If a value is missing in a column that must be full.
     """
-    schema = orbit_schema(orbits.model)
-    columns = {"cell": cell, "branch": branch, **orbits.columns()}
+    return table_of(orbits.model, {"cell": cell, "branch": branch, **orbits.columns()})
+
+
+def table_of(model: Model, columns: Mapping[str, Any]) -> pa.Table:
+    """A table of `orbit_schema` from its columns, as NumPy or Arrow has them.
+
+    Raises
+    ------
+    ValueError
+        If a value is missing in a column that must be full.
+    """
+    schema, columns = orbit_schema(model), dict(columns)
     for name in (field.name for field in schema if field.nullable):  # what a model lacks is null, not NaN
-        columns[name] = pa.array(columns[name], schema.field(name).type, from_pandas=True)
+        if isinstance(columns[name], np.ndarray):
+            columns[name] = pa.array(columns[name], schema.field(name).type, from_pandas=True)
     table = pa.Table.from_pydict(columns, schema=schema)
     _require_full(table)
     return table

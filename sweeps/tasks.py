@@ -1,9 +1,14 @@
-"""What a worker is given for one tile of a sweep, and what it gives back."""
+"""What a worker is given for one tile of a sweep, and what it gives back: plain arrays.
 
+The tables are made of them where they are written. What makes tables takes as long to load as all else that a
+worker needs.
+"""
+
+from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
-import pyarrow as pa
 from numpy.typing import NDArray
 
 from stridemap.solver.backends.base import Backend
@@ -65,8 +70,8 @@ class Result:
     Parameters
     ----------
     round, tile : int
-    orbits : Table
-        Rows of the table of orbits, with the numbers of branches that the search gave them.
+    orbits : mapping of str to array, shape (n,)
+        Columns of the table of orbits, with the numbers of branches that the search gave them.
     failures : dict of int to str
         Cells that failed with the reason.
     seen : Solutions
@@ -81,7 +86,7 @@ class Result:
 
     round: int
     tile: int
-    orbits: pa.Table
+    orbits: Mapping[str, Any]
     failures: dict[int, str]
     seen: Solutions
     outgoing: Guesses

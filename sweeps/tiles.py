@@ -23,7 +23,6 @@ from stridemap.solver.model.scales import Scales
 from stridemap.sweeps.connections import connections
 from stridemap.sweeps.lines import Lines
 from stridemap.sweeps.solutions import NONE, Guesses, Solutions
-from stridemap.sweeps.tables import orbit_table
 from stridemap.sweeps.tasks import Result, Task
 
 _T = TypeVar("_T")
@@ -68,7 +67,7 @@ def work(task: Task) -> Result:
     return Result(
         task.round,
         task.tile,
-        orbit_table(cells, branch, orbits),
+        {"cell": cells, "branch": branch, **orbits.columns()},
         search.failures,
         search.new,
         search.outgoing,

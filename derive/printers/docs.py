@@ -1,5 +1,6 @@
 """A worked C program and a README for the generated folder of one walker."""
 
+import textwrap
 from collections.abc import Iterable
 
 from stridemap.derive.declaration import Declaration
@@ -107,7 +108,8 @@ def readme(equations: Equations) -> str:
         "| file | what it is |",
         "| --- | --- |",
         f"| `{name}.h`, `{name}.c` | readable C99: one function per quantity, documented in the header |",
-        "| `example.c` | a complete C program that calls them |",
+        f"| `{name}_step.h`, `{name}_step.c` | a function that takes a walking step, for a controller |",
+        "| `example.c` | a complete C program that calls the equations |",
         f"| `{name}.py` | the same equations for any Python namespace (NumPy, CasADi, mpmath) |",
         f"| `{name}.js` | the same equations in JavaScript, for pages |",
         f"| `{name}_kernels.c` | what the solver runs, from CasADi: step map, Newton search, measures |",
@@ -124,9 +126,28 @@ def readme(equations: Equations) -> str:
         "compiles as C++.",
         "",
         "In single precision (a microcontroller): define `STRIDEMAP_FLOAT` for your own files and for",
-        f"`{name}.c`. All numbers are `float` then, and the functions have names of their own, so that the",
-        "two precisions do not link by mistake. Code that was written for the former prototypes, which",
-        "differed from function to function, compiles with `STRIDEMAP_OLD_SIGNATURES` for one release.",
+        f"`{name}.c` and `{name}_step.c`. All numbers are `float` then, and the functions have names of",
+        "their own, so that the two precisions do not link by mistake. Code that was written for the",
+        "former prototypes, which differed from function to function, compiles with",
+        "`STRIDEMAP_OLD_SIGNATURES` for one release.",
+        "",
+        "## Take a step",
+        "",
+        *_filled(
+            f"`{name}_step` integrates one walking step from just after a touchdown, finds the next one "
+            f"as stridemap's simulator does, and applies the impact; `{name}_swing` starts from any state "
+            f"within a step. The status that they return says how the step ended. {_names(walker)}"
+        ),
+        "",
+        "```c",
+        *_call_of_step(walker),
+        "```",
+        "",
+        *_filled(
+            f"`stridemap derive {name} --out DIR --cycle stable`, or the path of a model file in place of "
+            f"the name, writes a limit cycle beside these files: `{name}_cycle.h` has its parameters, its "
+            "section point, period and multipliers, and its motion over phase."
+        ),
         "",
         "## Arguments",
         "",
@@ -161,6 +182,38 @@ def readme(equations: Equations) -> str:
         "",
     ]
     return "\n".join(lines)
+
+
+def _filled(text: str) -> list[str]:
+    """A paragraph as lines."""
+    return textwrap.wrap(text, 100, break_long_words=False, break_on_hyphens=False)
+
+
+def _names(walker: Declaration) -> str:
+    """What has names in the header of the step function."""
+    name, upper = walker.name, walker.name.upper()
+    text = f"`{name}_step.h` also has names for places in arrays, such as `{upper}_"
+    if not walker.parameters:
+        return f"{text}Z_{walker.section_names[0]}`."
+    first = walker.parameters[0].name
+    return f"{text}P_{first}`, and a structure of the parameters, `{name}_parameters`."
+
+
+def _call_of_step(walker: Declaration) -> list[str]:
+    """How a step is taken."""
+    name, most = walker.name, "1000"
+    lines = [f"{REAL} p[{len(walker.parameters)}], z[{len(walker.section_names)}], period;"]
+    given = "p"
+    if walker.parameters:
+        lines += [f"{name}_parameters walker;", "", f"{name}_parameters_preset(&walker);"]
+        lines += [f"{name}_parameters_to_array(&walker, p);"]
+    else:
+        lines, given = [f"{REAL} z[{len(walker.section_names)}], period;", ""], "0"
+    start = [_inside(walker.search_box[s]) for s in walker.section_names]
+    lines += [
+        f"z[{walker.name.upper()}_Z_{s}] = {v:g};" for s, v in zip(walker.section_names, start, strict=True)
+    ]
+    return [*lines, f"{name}_status status = {name}_step(z, {given}, 0.01, {most}, &period);"]
 
 
 def _torque_row(walker: Declaration) -> list[str]:

@@ -122,6 +122,9 @@ def _refuse_taken(walker: Declaration, kind: str, name: str) -> None:
             refuse(walker, f"it has {taken}; choose another name for the model, such as {name}_walker")
         return
     taken = meaning(name)
+    variant = name.removeprefix(f"{walker.name}_")
+    if variant != name and (variant.endswith("_float") or variant.startswith("old_")):
+        taken = "a name that variants of the generated functions in C have"
     if kind == "quantity" and name in ATTRIBUTES:
         taken = "the name of an attribute that every limit cycle has"
     if kind == "line" and name in ("positions", "masses"):
@@ -134,7 +137,8 @@ def _refuse_taken(walker: Declaration, kind: str, name: str) -> None:
             walker,
             f"the rate of the coordinate {name[1:]} is called {name}, which is {taken}; {remedy}",
         )
-    refuse(walker, f"the {kind} {name} has {taken}; choose another name, such as {better(name)}")
+    plain = name if meaning(name) else variant
+    refuse(walker, f"the {kind} {name} has {taken}; choose another name, such as {better(plain)}")
 
 
 def _parameters(walker: Declaration) -> None:

@@ -41,6 +41,9 @@ C = frozenset(
     "strtoll strtoul strtoull system errno EDOM EILSEQ ERANGE assert NDEBUG main".split()
 )
 
+MACROS = "STRIDEMAP_"
+"""Beginning of the macros of generated C, such as those that keep a header from being read twice."""
+
 JAVASCRIPT = frozenset(
     "arguments await break case catch class const continue debugger default delete do else enum eval export "
     "extends false finally for function if implements import in instanceof interface let new null package "
@@ -97,10 +100,12 @@ def in_code(name: str) -> str | None:
         return "the name of an entry of STANCE_FOOT or of its velocity"
     languages = {"Python": PYTHON, "C": C, "JavaScript": JAVASCRIPT}
     taken = [language for language, words in languages.items() if name in words]
+    if not taken and name.startswith(MACROS):
+        return f"a name that begins with {MACROS}, as macros of the generated C do"
     return f"a name that means something in {' and in '.join(taken)}" if taken else None
 
 
 def better(name: str) -> str:
     """A name in place of one that is taken."""
-    candidates = (_BETTER.get(name, f"{name}_value"), f"{name}_of_walker")
+    candidates = (_BETTER.get(name, f"{name}_value"), f"{name}_of_walker", f"walker_{name}")
     return next(one for one in candidates if meaning(one) is None)

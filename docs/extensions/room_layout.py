@@ -127,7 +127,12 @@ def rows(graph: Graph, chain: set[str]) -> dict[str, int]:
             min((levels[upper] for lower, upper in graph.edges if lower == room), default=99) - levels[room]
         )
 
-    for room in sorted(graph.rooms.keys() - chain, key=lambda r: (slack(r), r)):
+    def held(room: str) -> bool:
+        """Whether the long column, whose rows are fixed, imports it."""
+        return any(upper in chain for lower, upper in graph.edges if lower == room and upper != top)
+
+    top = max(chain, key=lambda r: levels[r])
+    for room in sorted(graph.rooms.keys() - chain, key=lambda r: (slack(r), not held(r), r)):
         taken = {row[other] for other in row if other not in chain}
         row[room] = next(n for n in range(levels[room], levels[room] + 99) if n not in taken)
     return row

@@ -1,15 +1,19 @@
 """Limit cycles and walks at one point of parameter space."""
 
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from stridemap.errors import InputError
+from stridemap.services import shown
 from stridemap.solver.api.arguments import MAX_PERIOD_N, joined, section_state, whole
 from stridemap.solver.backends.base import Backend
 from stridemap.solver.backends.selection import named_backend
+from stridemap.solver.cycles.degenerate import why_no_cycle
 from stridemap.solver.cycles.orbit import Orbit
 from stridemap.solver.cycles.orbits import Orbits
 from stridemap.solver.cycles.search import find_all
@@ -19,7 +23,9 @@ from stridemap.solver.model.loading import load
 from stridemap.solver.model.model import Model
 from stridemap.solver.observables.motion import Motion
 from stridemap.solver.options import AcceptanceOptions, SearchOptions
-from stridemap.solver.walks.simulator import Walk, walk
+
+if TYPE_CHECKING:
+    from stridemap.solver.walks.simulator import Walk
 
 
 def find_orbits(
@@ -79,9 +85,18 @@ def find_orbits(
     accepted = AcceptanceOptions.from_mapping(acceptance or {})
     whole("period_n", period_n, 1, MAX_PERIOD_N)
     solver = Solver.for_model(loaded, named_backend(backend), accepted)
-    if period_n > 1:
-        return find_all_of_steps(solver, point, period_n, search)
-    return find_all(solver, point[None, :], search)[1]
+    with shown("searching for limit cycles"):
+        if period_n > 1:
+            return find_all_of_steps(solver, point, period_n, search)
+        found = find_all(solver, point[None, :], search)[1]
+    return found if len(found) else _explained(found, point)
+
+
+def _explained(none: Orbits, point: NDArray[np.float64]) -> Orbits:
+    """No limit cycles, with the reason where the equations have one."""
+    if none.search is None:
+        return none
+    return replace(none, search=replace(none.search, reason=why_no_cycle(none.model, point)))
 
 
 def motion(orbit: Orbit, samples: int = 201) -> Motion:
@@ -109,7 +124,7 @@ def simulate(
     steps: int = 10,
     params: Mapping[str, float] | None = None,
     **keywords: float,
-) -> Walk:
+) -> "Walk":
     """Walk from a state just after touchdown, or from within a step, with an event-driven integrator.
 
     Parameters
@@ -145,6 +160,8 @@ def simulate(
     >>> walk.trajectory(0.1)
     <trajectory of simplest_walker: 409 rows, from 0 to 38.8158>
     """
+    from stridemap.solver.walks.simulator import walk  # SciPy's integrators take a while to load
+
     loaded = load(model)
     point = loaded.point(joined(params, keywords))
     if start is not None and state is not None:
@@ -159,6 +176,10 @@ def simulate(
     if state is None:
         orbits = find_all(Solver.for_model(loaded), point[None, :])[1]
         if not len(orbits):
-            raise InputError("there is no limit cycle to start from at this point; give a state")
+            why = why_no_cycle(loaded, point)
+            raise InputError(
+                "there is no limit cycle to start from at this point; give a state"
+                + ("" if why is None else f" ({why})")
+            )
         state = orbits[int(orbits.spectral_radius.argmin())].state
     return walk(loaded, point, section_state(loaded.section, state), steps)

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from stridemap.services import shown
 from stridemap.solver.api.arguments import joined
 from stridemap.solver.backends.base import Backend
 from stridemap.solver.backends.selection import named_backend
@@ -140,7 +141,8 @@ def find(
     search = SearchOptions.from_mapping(options or {})
     solver = Solver.for_model(loaded, named_backend(backend))
     sought = Target(quantity, value, vary, low, high)
-    found, seen = hits(solver, point, sought, values_within(low, high, current), search)
+    with shown(f"looking for {quantity} = {value:.6g} over {vary}"):
+        found, seen = hits(solver, point, sought, values_within(low, high, current), search)
     amounts = sought.of(seen)
     amounts = amounts[np.isfinite(amounts)]
     reach = (float(amounts.min()), float(amounts.max())) if len(amounts) else None

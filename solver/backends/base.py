@@ -192,22 +192,18 @@ class Kernels(ABC):
             One array per output: shape (n, rows), or (n, columns, rows) for a matrix, as CasADi stores it.
             NaN where a point's computation broke down.
         """
-        function = self.functions[kernel]
+        shapes = catalogue.shapes(self.model, kernel)
         n = len(inputs[0])
         arrays = [np.ascontiguousarray(x, dtype=np.float64) for x in inputs]
-        for i, array in enumerate(arrays):
-            if array.size != n * function.nnz_in(i):
-                raise ValueError(
-                    f"{kernel.name}: input {function.name_in(i)} has shape {array.shape}, "
-                    f"not ({n}, {function.nnz_in(i)})"
-                )
-        outputs = [np.empty((n, function.nnz_out(i))) for i in range(function.n_out())]
+        for (name, size), array in zip(shapes.inputs.items(), arrays, strict=True):
+            if array.size != n * size:
+                raise ValueError(f"{kernel.name}: input {name} has shape {array.shape}, not ({n}, {size})")
+        outputs = [np.empty((n, rows * columns)) for rows, columns in shapes.outputs]
         if n:
             self._map(kernel, [a.reshape(n, -1) for a in arrays], outputs)
-        shapes = [function.size_out(i) for i in range(function.n_out())]
         return [
             out if columns == 1 else out.reshape(n, columns, rows)
-            for out, (rows, columns) in zip(outputs, shapes, strict=True)
+            for out, (rows, columns) in zip(outputs, shapes.outputs, strict=True)
         ]
 
 
@@ -233,8 +229,8 @@ class Backend(ABC):
 
 
 @cache
-def _functions(model: Model) -> dict[Kernel, ca.Function]:
-    return catalogue.build(model)
+def _functions(model: Model) -> Mapping[Kernel, ca.Function]:
+    return catalogue.Catalogue(model)
 
 
 @cache

@@ -86,7 +86,7 @@ def trace(kernels: Calls, n_rk: int, u: Array, p: Array) -> tuple[Array, Array, 
     nq = len(kernels.model.coordinates)
     (y,) = kernels.call(BEGIN, u, p)
     state = np.ascontiguousarray(y[:, 0])
-    w = np.hstack([state, np.zeros((len(u), kernels.functions[OBSERVED_SWING].size1_in("w") - 2 * nq))])
+    w = np.hstack([state, np.zeros((len(u), len(kernels.model.actuated)))])
     h = u[:, -1] / n_rk
     parts: list[list[Array]] = []
     for i in range(0, n_rk, BLOCK):

@@ -21,6 +21,7 @@ from pathlib import Path
 from platformdirs import user_cache_path
 
 from stridemap.errors import CompilerError, InputError, StorageError
+from stridemap.services import shown
 
 FLAGS = ("-O1", "-std=c99", "-ffp-contract=off", "-fPIC", "-shared")
 """Contraction is off, so that compiled code and virtual machine agree to the last bit; higher levels of
@@ -257,7 +258,8 @@ def compile_shared(name: str, text: str, compiler: str, flags: Sequence[str] = F
         with tempfile.TemporaryDirectory(dir=folder) as scratch:
             source, built = Path(scratch) / name, Path(scratch) / f"{stem}.so"
             source.write_text(text, encoding="utf-8")
-            status, said = _run([*command, str(source), "-o", str(built), "-lm"], COMPILE_SECONDS)
+            with shown(f"compiling the kernels ({name})", announced=True):
+                status, said = _run([*command, str(source), "-o", str(built), "-lm"], COMPILE_SECONDS)
             if status or not built.is_file():
                 raise CompilerError(
                     f"the C compiler {_short(compiler)} failed on {name} "

@@ -4,14 +4,13 @@ import ctypes
 from dataclasses import dataclass
 from pathlib import Path
 
-import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
 from stridemap.solver.backends.base import ONE_POINT, Backend, Kernels
 from stridemap.solver.backends.compiler import FLAGS, Compiler
 from stridemap.solver.backends.shared_library import check, pointers, sizes
-from stridemap.solver.kernels.catalogue import Kernel
+from stridemap.solver.kernels.catalogue import KERNELS, Kernel, c_name
 from stridemap.solver.model.files import kernels_file
 from stridemap.solver.model.model import Model
 
@@ -55,22 +54,23 @@ class ScalarKernels(Kernels):
         name = kernels_file(model.name)
         self._library = self._compiler.library(name, model.text(name), FLAGS)
         self.library = Path(self._library._name)
-        self._work = {f.name(): (ctypes.c_longlong * 4)(*self._work_size(f)) for f in self.functions.values()}
+        names = [c_name(model, kernel) for kernel in KERNELS]
+        self._work = {one: (ctypes.c_longlong * 4)(*self._work_size(one)) for one in names}
 
     @property
     def compiler(self) -> str:
         """Compiler, its version and the flags."""
         return f"{self._compiler.version} {' '.join(FLAGS)}"
 
-    def _work_size(self, function: ca.Function) -> list[int]:
+    def _work_size(self, name: str) -> list[int]:
         sizes = [ctypes.c_longlong() for _ in range(4)]
-        getattr(self._library, f"{function.name()}_work")(*[ctypes.byref(s) for s in sizes])
+        getattr(self._library, f"{name}_work")(*[ctypes.byref(s) for s in sizes])
         return [s.value for s in sizes]
 
     def _map(self, kernel: Kernel, inputs: list[Array], outputs: list[Array]) -> None:
         n = len(inputs[0])
         failed = np.zeros(n, dtype=np.int32)
-        name = self.functions[kernel].name()
+        name = c_name(self.model, kernel)
         status = getattr(self._library, f"{self.model.name}_map")(
             getattr(self._library, name), self._work[name], ctypes.c_longlong(n),
             ctypes.c_longlong(len(inputs)), pointers(inputs), sizes(inputs),

@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stridemap.errors import CompilerError
+from stridemap.services import shown
 from stridemap.solver.backends.base import ONE_POINT, Kernels
 from stridemap.solver.kernels.catalogue import residual
 from stridemap.solver.model.model import Model
@@ -49,7 +50,8 @@ def checked(kernels: Kernels) -> Kernels:
         return kernels
     seen = kernels.library.with_suffix(".checked")
     if not os.path.isfile(seen):
-        check_arithmetic(kernels)
+        with shown(f"checking the compiled kernels of {kernels.model.name}"):
+            check_arithmetic(kernels)
         with contextlib.suppress(OSError):  # where it cannot be noted, it is found out again
             seen.touch()
     check_tiny(kernels)

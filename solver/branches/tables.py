@@ -6,7 +6,6 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize import linear_sum_assignment
 
 from stridemap.errors import InputError, StorageError
 from stridemap.solver.branches.equations import CycleEquations
@@ -107,6 +106,8 @@ def by_continuity(multipliers: NDArray[np.complex128]) -> NDArray[np.complex128]
     -------
     ndarray of complex, shape (m, nz)
     """
+    from scipy.optimize import linear_sum_assignment  # takes half a second to load
+
     out = multipliers.copy()
     finite = np.flatnonzero(np.isfinite(out).all(axis=1)).tolist()
     for number, i in enumerate(finite[1:], 1):

@@ -19,7 +19,6 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize import brentq, minimize_scalar
 
 from stridemap.solver.branches.arclength import Window, at_value, both_ways
 from stridemap.solver.branches.curve import Curve
@@ -195,6 +194,8 @@ class _Chord:
 
     def root(self, left: float, right: float) -> Iterator[Orbits]:
         """The solution between two fractions with differences of opposite signs; nothing at a jump."""
+        from scipy.optimize import brentq  # takes half a second to load
+
         try:
             s = brentq(self.away, left, right, xtol=1e-16, rtol=4 * np.finfo(float).eps)
             self.away(s)
@@ -207,6 +208,8 @@ class _Chord:
 
     def roots_around_a_turn(self) -> Iterator[Orbits]:
         """The solutions where the difference turns within the chord and was zero before and after."""
+        from scipy.optimize import minimize_scalar
+
         sign = math.copysign(1.0, self.away(0.0))
         try:
             turn = minimize_scalar(

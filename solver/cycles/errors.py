@@ -15,7 +15,6 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize import linear_sum_assignment
 
 from stridemap.solver.cycles.floquet import sorted_eigenvalues, step_map_derivative
 from stridemap.solver.linear import inverted
@@ -138,8 +137,12 @@ def differences(values: Complex, others: Complex) -> Array:
     doubtful = np.flatnonzero(apart > 1e-12 * (1 + np.abs(values).max(axis=1, initial=0.0)))
     for i in doubtful.tolist():
         distance = np.abs(values[i][:, None] - others[i])
-        rows, columns = linear_sum_assignment(distance)
-        apart[i] = min(apart[i], distance[rows, columns].max())
+        own = np.diagonal(distance)
+        if not (own <= distance.min(axis=1)).all():  # else there is no better match than by their order
+            from scipy.optimize import linear_sum_assignment  # takes half a second to load
+
+            own = distance[linear_sum_assignment(distance)]
+        apart[i] = min(apart[i], own.max())
     return apart
 
 

@@ -42,6 +42,8 @@ class SearchReport:
         Whether every limit cycle was reached from at least two starts, so that another one is unlikely.
     discarded : Orbits
         The solutions that are not limit cycles, one row each; ``discarded.status`` says why.
+    reason : str or None
+        Where nothing was found and the equations say why: a sentence.
     """
 
     starts: int
@@ -49,6 +51,7 @@ class SearchReport:
     reached: Index
     settled: bool
     discarded: Any = field(repr=False)
+    reason: str | None = None
 
     @property
     def unresolved(self) -> int:
@@ -64,7 +67,7 @@ class SearchReport:
     @property
     def warnings(self) -> list[str]:
         """Sentences on what the search may have missed; none where it is sure of itself."""
-        out = []
+        out = [] if self.reason is None else [self.reason]
         if self.unresolved:
             out.append(
                 f"{_counted(self.unresolved, 'solution')} nearly closed, but the motion changes too suddenly "

@@ -10,7 +10,6 @@ from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.stats import qmc
 
 from stridemap.solver.cycles.duplicates import (
     DUPLICATE,
@@ -21,6 +20,7 @@ from stridemap.solver.cycles.duplicates import (
 )
 from stridemap.solver.cycles.orbits import Orbits
 from stridemap.solver.cycles.report import ENDS, IMPOSSIBLE, LIMIT_CYCLE, OPEN, SearchReport
+from stridemap.solver.cycles.sobol import sobol_points
 from stridemap.solver.cycles.solver import Solver
 from stridemap.solver.cycles.status import STATUSES
 from stridemap.solver.model.model import Model
@@ -55,10 +55,10 @@ def starts(model: Model, options: SearchOptions, point: int = 0, skip: int = 0) 
         Section points with periods (Sobol points, scrambled).
     """
     box = options.box_for(model)
-    sobol = qmc.Sobol(len(box) + 1, rng=np.random.default_rng([options.seed, point]))
     # Sobol points are balanced in powers of two; a part of them is cut off.
     last = skip + options.starts
-    unit = sobol.random_base2(int(np.ceil(np.log2(last))))[skip:last]
+    rng = np.random.default_rng([options.seed, point])
+    unit = sobol_points(len(box) + 1, int(np.ceil(np.log2(last))), rng)[skip:last]
     section = box[:, 0] + box[:, 1] * (2 * unit[:, :-1] - 1) ** 3
     shortest, longest = options.resolved_for(model).period_range
     period = shortest + (longest - shortest) * unit[:, -1:]

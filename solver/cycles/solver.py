@@ -12,8 +12,8 @@ from stridemap.solver.cycles.acceptance import NEARLY, Candidates, depends_on_re
 from stridemap.solver.cycles.duplicates import first_of_each
 from stridemap.solver.cycles.orbits import Orbits
 from stridemap.solver.kernels.catalogue import CYCLE_N_RK, FINE_N_RK
+from stridemap.solver.kernels.dormand_prince import ORDER
 from stridemap.solver.kernels.resolution import Resolution, coarsest
-from stridemap.solver.kernels.runge_kutta import ORDER
 from stridemap.solver.linear import solved
 from stridemap.solver.model.model import Model
 from stridemap.solver.model.scales import Scales

@@ -13,13 +13,14 @@ In C every name begins with the model's, so that kernels of several models link 
 CasADi functions run in CasADi's virtual machine where there is no C compiler.
 """
 
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from enum import StrEnum
 from typing import NamedTuple
 
 import casadi as ca
 
-from stridemap.solver.kernels.observation import Observation
+from stridemap.solver.kernels.observation import Observation, observables
 from stridemap.solver.kernels.step_map import BLOCK, StepMap
 from stridemap.solver.model.files import kernels_file
 from stridemap.solver.model.model import Model
@@ -156,35 +157,97 @@ BRANCH_FREE = (
 """The kernels without branches, which can work on many points in lockstep."""
 
 
-def build(model: Model) -> dict[Kernel, ca.Function]:
-    """All kernels of a model.
+KERNELS = (*NEWTON, *BRANCH_FREE)
+"""All kernels, in the order in which they are printed."""
+
+
+class Shapes(NamedTuple):
+    """What a kernel takes and gives.
+
+    Parameters
+    ----------
+    inputs : dict of str to int
+        Number of entries of each input, by name and in order.
+    outputs : tuple of (int, int)
+        Rows and columns of each output.
+    """
+
+    inputs: dict[str, int]
+    outputs: tuple[tuple[int, int], ...]
+
+
+def shapes(model: Model, kernel: Kernel) -> Shapes:
+    """Sizes of a kernel's inputs and outputs, which are known without building it.
 
     Parameters
     ----------
     model : Model
-
-    Returns
-    -------
-    dict of Kernel to casadi.Function
+    kernel : Kernel
     """
-    step_map = StepMap(model)
-    observation = Observation(step_map)
-    kernels = {kernel: _newton(step_map, kernel, method) for kernel, method in NEWTON.items()}
-    makers = {
-        Kind.RESIDUAL: step_map.residual,
-        Kind.JACOBIAN: step_map.jacobian,
-        Kind.TRACE: observation.trace,
+    n, nu = 2 * len(model.coordinates), len(model.section) + 1
+    width, rows, nodes = n + len(model.actuated), len(observables(model)), kernel.n_rk + 1
+    point = {"u": nu, "p": len(model.parameters)}
+    p = {"p": len(model.parameters)}
+    closing = {Kind.RESIDUAL: ((nu, 1),), Kind.JACOBIAN: ((nu, nu), (nu, 1))}
+    if kernel in NEWTON:
+        return Shapes({"u0": nu, **p}, ((nu, 1), *closing[NEWTON[kernel].closing.kind]))
+    known = {
+        **{kind: (point, outputs) for kind, outputs in closing.items()},
+        Kind.TRACE: (point, ((width, nodes), (rows, nodes), (rows, nodes), (nu, 1))),
+        Kind.ADVANCE: ({"t": 1, "w": width, "h": 1, **p}, ((width, 1), (rows, 1), (rows, 1))),
+        Kind.BEGIN: (point, ((n, nu),)),
+        Kind.SWING: ({"t": 1, "h": 1, "y": n * nu, **p}, ((n, nu),)),
+        Kind.END: ({"y": n * nu, **point}, closing[Kind.JACOBIAN]),
+        Kind.OBSERVED_SWING: (
+            {"t": 1, "h": 1, "w": width, **p},
+            ((width, 1), (width, BLOCK), (rows, BLOCK), (rows, BLOCK)),
+        ),
     }
-    pieces = {
-        ADVANCE: observation.advance,
-        BEGIN: step_map.begin,
-        SWING: step_map.swing,
-        END: step_map.end,
-        OBSERVED_SWING: observation.observed_swing,
-    }
-    for kernel in BRANCH_FREE:
-        kernels[kernel] = pieces[kernel] if kernel in pieces else makers[kernel.kind](kernel.n_rk)
-    return kernels
+    return Shapes(*known[kernel.kind])
+
+
+class Catalogue(Mapping[Kernel, ca.Function]):
+    """All kernels of a model as CasADi functions, each built when it is first asked for.
+
+    Parameters
+    ----------
+    model : Model
+    """
+
+    def __init__(self, model: Model) -> None:
+        self._step_map = StepMap(model)
+        self._observation = Observation(self._step_map)
+        self._built: dict[Kernel, ca.Function] = {}
+
+    def __getitem__(self, kernel: Kernel) -> ca.Function:
+        if kernel not in self:
+            raise KeyError(kernel)
+        if kernel not in self._built:
+            self._built[kernel] = self._made(kernel)
+        return self._built[kernel]
+
+    def __contains__(self, kernel: object) -> bool:
+        return kernel in KERNELS
+
+    def __iter__(self) -> Iterator[Kernel]:
+        return iter(KERNELS)
+
+    def __len__(self) -> int:
+        return len(KERNELS)
+
+    def _made(self, kernel: Kernel) -> ca.Function:
+        step_map, observation = self._step_map, self._observation
+        if kernel in NEWTON:
+            return _newton(step_map, kernel, NEWTON[kernel])
+        if kernel.n_rk:
+            makers = {
+                Kind.RESIDUAL: step_map.residual,
+                Kind.JACOBIAN: step_map.jacobian,
+                Kind.TRACE: observation.trace,
+            }
+            return makers[kernel.kind](kernel.n_rk)
+        owner = observation if kernel in (ADVANCE, OBSERVED_SWING) else step_map
+        return getattr(owner, kernel.kind.value)
 
 
 def _newton(step_map: StepMap, kernel: Kernel, method: Newton) -> ca.Function:
@@ -207,7 +270,7 @@ def c_source(model: Model) -> str:
     model : Model
     """
     generator = ca.CodeGenerator(kernels_file(model.name), {"with_header": False})
-    for kernel in build(model).values():
+    for kernel in Catalogue(model).values():
         generator.add(kernel)
     banner = (
         f"/* {model.title}: kernels of the solver\n"

@@ -5,7 +5,7 @@ from functools import cached_property
 
 import casadi as ca
 
-from stridemap.solver.kernels.runge_kutta import STAGES
+from stridemap.solver.kernels.dormand_prince import STAGES
 from stridemap.solver.kernels.step_map import BLOCK, StepMap
 from stridemap.solver.model.model import Model
 

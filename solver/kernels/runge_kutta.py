@@ -1,23 +1,17 @@
 """One fixed step of the explicit Runge-Kutta method of order 8 with 12 stages.
 
-The tableau is Dormand and Prince's (Hairer, Norsett, Wanner, Solving Ordinary Differential Equations
-I, section II.10); its coefficients are read from SciPy. A fixed step keeps the flow a smooth,
-branch-free function of state and step, which is what Newton's method and exact derivatives need.
+The tableau is Dormand and Prince's (`dormand_prince`). A fixed step keeps the flow a smooth, branch-free
+function of state and step, which is what Newton's method and exact derivatives need.
 """
 
 from collections.abc import Callable, Sequence
 from typing import Any
 
 import casadi as ca
-from scipy.integrate import DOP853
 
-STAGES = 12
-_A, _B, _C = DOP853.A[:STAGES, :STAGES], DOP853.B[:STAGES], DOP853.C[:STAGES]
+from stridemap.solver.kernels.dormand_prince import STAGES, tableau
 
-ORDER = 8
-
-NODES: tuple[float, ...] = tuple(_C.tolist())
-"""Where the stages lie, in terms of the step."""
+_A, _B = tableau()
 
 
 def rk_step(rate: Callable[[Any, ca.SX], ca.SX], times: Sequence[Any], y: ca.SX, h: ca.SX) -> ca.SX:
@@ -28,7 +22,7 @@ def rk_step(rate: Callable[[Any, ca.SX], ca.SX], times: Sequence[Any], y: ca.SX,
     rate : callable
         Maps time and y to dy/dt, of y's shape.
     times : sequence, length STAGES
-        Times of the stages, at ``t + NODES[i] h``, in whatever form `rate` takes them.
+        Times of the stages, at ``t + NODES[i] h`` (`dormand_prince`), in whatever form `rate` takes them.
     h : casadi.SX, scalar
         Step size.
     y : casadi.SX

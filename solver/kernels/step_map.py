@@ -18,8 +18,8 @@ import casadi as ca
 import numpy as np
 
 from stridemap.solver.kernels import runge_kutta
+from stridemap.solver.kernels.dormand_prince import NODES, STAGES
 from stridemap.solver.kernels.phase import clock_for
-from stridemap.solver.kernels.runge_kutta import NODES, STAGES
 from stridemap.solver.model.model import Model
 from stridemap.solver.model.scales import Scales, rounded
 

@@ -14,13 +14,13 @@ import sys
 import tempfile
 import threading
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any, NoReturn
 
 from stridemap import errors
 from stridemap.errors import InputError, StridemapError, WorkerError, short
-from stridemap.services import service
+from stridemap.services import provide, service, shown
 
 VARIABLE = "STRIDEMAP_DERIVE_TIMEOUT"
 """The environment variable that holds the limit; the option ``--derive-timeout`` sets it for one command."""
@@ -98,7 +98,8 @@ def derive_file(path: Path, out: Path | None = None, keep: bool = True) -> Path:
         with _started(
             [sys.executable, "-P", "-c", _CHILD, json.dumps(sys.path), json.dumps(asked)]
         ) as process:
-            fault = _Watch(process, path, report, seconds).wait()
+            with shown(f"reading the model file {path}", "functions", announced=True) as update:
+                fault = _Watch(process, path, report, seconds, update).wait()
         found = _read(report)
     if fault is not None:
         raise InputError(fault)
@@ -113,8 +114,17 @@ def derive_file(path: Path, out: Path | None = None, keep: bool = True) -> Path:
 class _Watch:
     """Waits for the process, passes on what it prints, and ends it at its limits."""
 
-    def __init__(self, process: "subprocess.Popen[bytes]", path: Path, report: Path, seconds: float) -> None:
+    def __init__(
+        self,
+        process: "subprocess.Popen[bytes]",
+        path: Path,
+        report: Path,
+        seconds: float,
+        update: Callable[..., None],
+    ) -> None:
         self.process, self.path, self.report, self.seconds = process, path, report, seconds
+        self.update = update
+        self.last: dict[str, Any] = {}
         self.said, self.heard = 0, time.monotonic()
         self.listener = threading.Thread(target=self._listen, daemon=True)
 
@@ -145,10 +155,19 @@ class _Watch:
                     f"{self.path}: {self._doing()} has taken {now - begun:.0f} s; it is ended after "
                     f"{self.seconds:g} s (--derive-timeout)\n"
                 )
+            self._show()
             with contextlib.suppress(subprocess.TimeoutExpired):
                 self.process.wait(0.02 if now - begun < 2 else 0.2)
         self.listener.join(1.0)  # a process that it started may hold its output open
         return None
+
+    def _show(self) -> None:
+        """Show what the process shows of its work."""
+        work = _read(self.report).get("work")
+        if isinstance(work, dict) and work != self.last:
+            self.last = work
+            with contextlib.suppress(TypeError, ValueError):  # a model file may write anything
+                self.update(**work)
 
     def _doing(self) -> str:
         return "deriving its equations" if _read(self.report).get("stage") == "deriving" else "running it"
@@ -231,22 +250,23 @@ def _ended(path: Path, status: int, found: dict[str, Any]) -> str:
 
 def _child() -> NoReturn:
     """Run and derive the model file that the command line names, and report what became of it."""
-    shown, out, keep, report = json.loads(sys.argv[2])
+    path, out, keep, report = json.loads(sys.argv[2])
     sys.argv[1:] = []
     _end_with_parent()
-    note = _Note(Path(report))
+    _notes.append(note := _Note(Path(report)))
+    provide(show_work="stridemap.solver.model.derivation:_handed_on")
     try:
         derive = service("derive_file")
         note.write(stage="running")
         folder = derive(
-            Path(shown), None if out is None else Path(out), keep, lambda: note.write(stage="deriving")
+            Path(path), None if out is None else Path(out), keep, lambda: note.write(stage="deriving")
         )
         found = {"folder": str(folder)}
     except StridemapError as error:
         found = {"kind": type(error).__name__, "error": str(error)}
     except BaseException as error:
         said = " ".join(str(error).split())[:300]
-        found = {"kind": "InputError", "error": f"{shown} cannot be derived ({type(error).__name__}: {said})"}
+        found = {"kind": "InputError", "error": f"{path} cannot be derived ({type(error).__name__}: {said})"}
     with contextlib.suppress(Exception):
         sys.stdout.flush()
         sys.stderr.flush()
@@ -259,11 +279,28 @@ class _Note:
 
     def __init__(self, path: Path) -> None:
         self.path = path
+        self.entries: dict[str, Any] = {}
 
-    def write(self, **entries: str) -> None:
+    def write(self, **entries: Any) -> None:
+        self.entries |= entries
         half = self.path.with_suffix(".half")
-        half.write_text(json.dumps(entries), encoding="utf-8")
+        half.write_text(json.dumps(self.entries), encoding="utf-8")
         half.replace(self.path)
+
+
+_notes: list[_Note] = []
+"""That of this process, where it is one that was started to run a model file."""
+
+
+@contextlib.contextmanager
+def _handed_on(title: str, _unit: str = "") -> Iterator[Callable[..., None]]:
+    """Show a piece of work of this process where the one that waits for it shows its own."""
+
+    def update(done: int | None = None, total: int | None = None, detail: str = "") -> None:
+        _notes[-1].write(work={"title": title, "done": done, "total": total, "detail": detail})
+
+    update()
+    yield update
 
 
 def _end_with_parent() -> None:

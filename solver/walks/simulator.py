@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stridemap.errors import InputError, short
+from stridemap.services import shown
 from stridemap.solver.model.model import Model
 from stridemap.solver.walks.equations import Equations
 from stridemap.solver.walks.outcomes import Outcome
@@ -171,10 +172,12 @@ def walk(
         t, y = 0.0, section_start(walker, np.asarray(state))
     walked: list[Step] = []
     outcome = Outcome.WALKED
-    for phase, z in phases(walker, t, y, steps, rtol, atol):
-        outcome = phase.outcome
-        if z is not None:
-            walked.append(_step(walker, phase, z))
+    with shown("walking", "steps") as update:
+        for phase, z in phases(walker, t, y, steps, rtol, atol):
+            outcome = phase.outcome
+            if z is not None:
+                walked.append(_step(walker, phase, z))
+                update(len(walked), steps)
     names = [e.name for e in (*model.spec.entries("q"), *model.spec.entries("v"))]
     begin = {TIME: t, **dict(zip(names, y.tolist(), strict=True))}
     point = dict(zip(model.spec.names, walker.p, strict=True))

@@ -18,11 +18,20 @@ from stridemap.cli.animate import animate
 from stridemap.cli.boundary import boundary
 from stridemap.cli.branch import branch
 from stridemap.cli.claims import claims
-from stridemap.cli.derive import derive
+from stridemap.cli.derive import WithModel, derive
 from stridemap.cli.figures import figures
 from stridemap.cli.find import find
-from stridemap.cli.options import FOUND, INTERRUPTED, PARAMETERS, UNUSABLE, WithParameters, WithRanges
+from stridemap.cli.options import (
+    FOUND,
+    INTERRUPTED,
+    PARAMETERS,
+    UNUSABLE,
+    WithParameters,
+    WithRanges,
+    with_quiet,
+)
 from stridemap.cli.orbit import orbit
+from stridemap.cli.progress import be_quiet
 from stridemap.cli.report import report
 from stridemap.cli.simulate import simulate
 from stridemap.cli.sweep import sweep
@@ -41,18 +50,20 @@ app = typer.Typer(
 )
 
 _WITH_PARAMETERS: tuple[Callable[..., int], ...] = (orbit, find, branch, simulate, animate)
-_PLAIN: tuple[Callable[..., int], ...] = (sweep, report, claims, figures, derive, version)
+_PLAIN: tuple[Callable[..., int], ...] = (sweep, report, claims, figures, version)
 for command in _WITH_PARAMETERS:
-    app.command(cls=WithParameters, context_settings=PARAMETERS)(command)
-app.command(cls=WithRanges, context_settings=PARAMETERS)(boundary)
+    app.command(cls=WithParameters, context_settings=PARAMETERS)(with_quiet(command))
+app.command(cls=WithModel, context_settings=PARAMETERS)(with_quiet(derive))
+app.command(cls=WithRanges, context_settings=PARAMETERS)(with_quiet(boundary))
 for command in _PLAIN:
-    app.command()(command)
+    app.command()(command if command is version else with_quiet(command))
 
 
 def main() -> NoReturn:
     """Run the command line; every error that the user can mend is one sentence and exit status 2."""
     _fill_closed_streams()
-    provide(show_deriving="stridemap.cli.progress:show_deriving")
+    provide(show_work="stridemap.cli.progress:show_work")
+    be_quiet(False)
     warnings.showwarning = lambda message, *_: print(f"warning: {message}", file=sys.stderr)
     if sys.stdout is None:
         _fail("standard output is closed, so that nothing can be printed; send it to a file or to /dev/null")

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from stridemap.cli.branch import say, write_figure
+from stridemap.cli.branch import write_figure
 from stridemap.cli.options import (
     FOUND,
     NOTHING,
@@ -50,6 +50,7 @@ def boundary(
 ) -> int:
     """Follow all bifurcations and ends of gaits in the plane of two parameters."""
     from stridemap.cli.output import print_table
+    from stridemap.cli.progress import show_lines
     from stridemap.solver.api.boundaries import boundaries
     from stridemap.solver.branches.tables import table_writer
     from stridemap.solver.options import ContinuationOptions, SearchOptions
@@ -59,19 +60,20 @@ def boundary(
         table_writer(out)
     if plot is not None:
         check_picture(plot)
-    found = boundaries(
-        model,
-        vary,
-        number_pairs(range_, "--range"),
-        parameters(context.args, set_),
-        period_n=period_n,
-        lines=lines,
-        seeds=seeds,
-        friction_limit=friction_limit,
-        search=SearchOptions.from_mapping({"starts": starts, **option_values("--search", search)}),
-        options=ContinuationOptions.from_mapping(option_values("--continuation", continuation)),
-        progress=None if json_ else say,
-    )
+    with show_lines("boundaries") as say:
+        found = boundaries(
+            model,
+            vary,
+            number_pairs(range_, "--range"),
+            parameters(context.args, set_),
+            period_n=period_n,
+            lines=lines,
+            seeds=seeds,
+            friction_limit=friction_limit,
+            search=SearchOptions.from_mapping({"starts": starts, **option_values("--search", search)}),
+            options=ContinuationOptions.from_mapping(option_values("--continuation", continuation)),
+            progress=say,
+        )
     if out is not None:
         found.save(out)
     if plot is not None:

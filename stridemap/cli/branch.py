@@ -48,6 +48,7 @@ def branch(
 ) -> int:
     """Follow all branches of limit cycles over one parameter and locate their special points."""
     from stridemap.cli.output import print_table
+    from stridemap.cli.progress import show_lines
     from stridemap.solver.api.branches import branches
     from stridemap.solver.branches.tables import table_writer
     from stridemap.solver.model.loading import load
@@ -59,19 +60,20 @@ def branch(
     if plot is not None:
         check_picture(plot)
         check_column(load(model), show)
-    found = branches(
-        model,
-        vary,
-        range_,
-        parameters(context.args, set_),
-        period_n=period_n,
-        cascade=cascade,
-        seeds=seeds,
-        friction_limit=friction_limit,
-        search=SearchOptions.from_mapping({"starts": starts, **option_values("--search", search)}),
-        options=ContinuationOptions.from_mapping(option_values("--continuation", continuation)),
-        progress=None if json_ else say,
-    )
+    with show_lines(f"branches over {vary}") as say:
+        found = branches(
+            model,
+            vary,
+            range_,
+            parameters(context.args, set_),
+            period_n=period_n,
+            cascade=cascade,
+            seeds=seeds,
+            friction_limit=friction_limit,
+            search=SearchOptions.from_mapping({"starts": starts, **option_values("--search", search)}),
+            options=ContinuationOptions.from_mapping(option_values("--continuation", continuation)),
+            progress=say,
+        )
     if out is not None:
         found.save(out)
     if plot is not None:
@@ -109,8 +111,3 @@ def write_figure(figure: Any, path: Path) -> None:
         raise StorageError(
             f"cannot write {path} ({error.strerror or error}); give a path that can be written"
         ) from None
-
-
-def say(line: str) -> None:
-    """Report on standard error what is being done."""
-    print(line, file=sys.stderr, flush=True)

@@ -32,7 +32,6 @@ def figures(
     A sweep that a figure needs is run if it is not finished. Figures: model, map, profiles, profiles-compass,
     multipliers, d-max, cot, d-profiles.
     """
-    from stridemap.cli.progress import boundary_lines
     from stridemap.paper import figures as draw
     from stridemap.paper.sweeps import default_folder
 
@@ -48,7 +47,6 @@ def figures(
                 thin=thin,
                 workers=workers,
                 progress=progress,
-                say=boundary_lines(),
             )
     except KeyboardInterrupt:
         say_interrupted(folder)

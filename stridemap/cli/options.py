@@ -1,15 +1,19 @@
 """What several commands have in common: model, parameters, whole numbers, exit statuses, interrupts."""
 
 import contextlib
+import functools
+import inspect
 import itertools
 import os
 import signal
+from collections.abc import Callable
 from pathlib import Path
 from typing import Annotated, Any, NoReturn
 
 import typer
 import typer.core
 
+from stridemap.cli.progress import be_quiet
 from stridemap.errors import InputError
 
 FOUND, NOTHING, UNUSABLE, INTERRUPTED = 0, 1, 2, 130
@@ -136,6 +140,32 @@ TableOption = Annotated[
     Path | None, typer.Option("--out", metavar="FILE.parquet", help="Write all points as a table.")
 ]
 JsonOption = Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")]
+
+
+def _set_quiet(quiet: bool) -> bool:
+    """Show no progress in this process, where that is asked for."""
+    if quiet:
+        be_quiet()
+    return quiet
+
+
+QuietOption = Annotated[
+    bool, typer.Option("--quiet", callback=_set_quiet, help="Do not show how far the command is.")
+]
+
+
+def with_quiet(command: Callable[..., int]) -> Callable[..., int]:
+    """A command that takes ``--quiet`` too: all commands do, and none has to know."""
+
+    @functools.wraps(command)
+    def quieter(*args: Any, quiet: bool = False, **options: Any) -> int:
+        return command(*args, **options)
+
+    own = inspect.signature(command)
+    more = inspect.Parameter("quiet", inspect.Parameter.KEYWORD_ONLY, default=False, annotation=QuietOption)
+    quieter.__signature__ = own.replace(parameters=[*own.parameters.values(), more])  # type: ignore[attr-defined]
+    quieter.__annotations__ = {**command.__annotations__, "quiet": QuietOption}
+    return quieter
 
 
 def parameters(extra: list[str], assignments: list[str] | None) -> dict[str, Any]:

@@ -42,8 +42,7 @@ def sweep_progress() -> "Iterator[Callable[[str, Progress], None]]":
             if name not in current:
                 stack.close()
                 current.clear()
-                print(f"sweep {name}", file=sys.stderr)
-                current[name] = stack.enter_context(show())
+                current[name] = stack.enter_context(show(f"sweep {name}, "))
             current[name](seen)
 
         yield update

@@ -1,140 +1,268 @@
-"""How a sweep or a derivation shows that it moves: a bar on a terminal, plain lines elsewhere."""
+"""How a command shows that it moves: bars on a terminal, plain lines elsewhere, both on standard error.
+
+What takes less than `QUIET` seconds is not mentioned. Whatever runs asks for it by name (`services.shown`),
+so that the solver knows nothing of terminals.
+"""
 
 import sys
+import threading
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from typing import TYPE_CHECKING
-
-from rich.console import Console
-from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
+from typing import TYPE_CHECKING, Any, Protocol
 
 if TYPE_CHECKING:
     from stridemap.sweeps.run import Progress as SweepProgress
 
-LINE_EVERY = 10.0
+QUIET = 1.0
+"""Seconds that a piece of work may take without a word."""
+
+LINE_EVERY = 5.0
 """Seconds between plain lines."""
 
-
-@contextmanager
-def show() -> "Iterator[Callable[[SweepProgress], None]]":
-    """Show progress on standard error for as long as the context lasts; yields what to call."""
-    console = Console(stderr=True)
-    if not console.is_terminal:
-        yield _lines()
-        return
-    columns = (
-        TextColumn("round {task.fields[round]}"),
-        BarColumn(),
-        MofNCompleteColumn(),
-        TextColumn("tiles, {task.fields[rate]:.1f} tiles/s, {task.fields[orbits]:,} limit cycles, left"),
-        TimeRemainingColumn(),
-    )
-    with Progress(*columns, console=console, transient=True) as bar:
-        task = bar.add_task("", total=None, round=1, orbits=0, rate=0.0)
-        current, begun, before = 0, 0.0, 0
-
-        def update(seen: "SweepProgress") -> None:
-            nonlocal current, begun, before
-            if seen.round != current:
-                current, begun, before = seen.round, time.monotonic(), seen.done
-                bar.reset(task, total=seen.total)
-            rate = (seen.done - before) / max(time.monotonic() - begun, 1e-3)
-            bar.update(
-                task, completed=seen.done, total=seen.total, round=seen.round, orbits=seen.orbits, rate=rate
-            )
-
-        yield update
+_silent = False
 
 
-def _lines() -> "Callable[[SweepProgress], None]":
-    """Plain lines, one at the end of each round and every `LINE_EVERY` seconds."""
-    begun = last = time.monotonic()
-    first: dict[int, tuple[float, int]] = {}
-
-    def update(seen: "SweepProgress") -> None:
-        nonlocal last
-        now = time.monotonic()
-        since, before = first.setdefault(seen.round, (now, seen.done))
-        if seen.done < seen.total and now - last < LINE_EVERY:
-            return
-        last = now
-        rate = (seen.done - before) / max(now - since, 1e-3)
-        left = (
-            f", {(seen.total - seen.done) / rate:.0f} s left" if rate > 0 and seen.done < seen.total else ""
-        )
-        print(
-            f"round {seen.round}: {seen.done} of {seen.total} tiles ({rate:.1f} per second{left}), "
-            f"{seen.orbits:,} limit cycles, {now - begun:.0f} s",
-            file=sys.stderr,
-            flush=True,
-        )
-
-    return update
+def be_quiet(quiet: bool = True) -> None:
+    """Show nothing in this process, or show what there is again."""
+    global _silent
+    _silent = quiet
 
 
-def boundary_lines() -> Callable[[str], None]:
-    """What prints how far boundaries are, on standard error: a line every `LINE_EVERY` seconds."""
-    begun = time.monotonic()
-    last = -LINE_EVERY
+class _Shown(Protocol):
+    """What shows a piece of work."""
 
-    def say(what: str) -> None:
-        nonlocal last
-        now = time.monotonic()
-        if now - last >= LINE_EVERY:
-            last = now
-            print(f"boundaries: {what}, {now - begun:.0f} s", file=sys.stderr, flush=True)
+    def update(
+        self, done: int | None = None, total: int | None = None, detail: str = "", title: str | None = None
+    ) -> None:
+        """Show how many of how many pieces are done, what is being done, and under which title."""
 
-    return say
-
-
-QUIET = 1.0
-"""Seconds that a derivation may take without a word."""
-
-DERIVING_LINE_EVERY = 2.0
-"""Seconds between plain lines of a derivation."""
+    def end(self, well: bool) -> None:
+        """Stop showing it."""
 
 
 @contextmanager
-def show_deriving(model: str) -> "Iterator[Callable[[int, int, str], None]]":
-    """Show on standard error how far the derivation of a model is, once it has taken a second.
+def show_work(title: str, unit: str = "", ends: bool = False) -> "Iterator[Callable[..., None]]":
+    """Show a piece of work for as long as the context lasts; yields `_Shown.update`.
 
     Parameters
     ----------
-    model : str
-        Its name.
+    title : str
+        What it is, such as "compiling the kernels of compass".
+    unit : str
+        What its pieces are called, in the plural.
+    ends : bool
+        Whether plain lines also say when the last of some pieces is done, however little it took.
     """
-    console = Console(stderr=True)
-    begun = last = time.monotonic()
-    said = False
-
-    def lines(done: int, total: int, name: str) -> None:
-        nonlocal last, said
-        now = time.monotonic()
-        if now - begun < QUIET or (said and now - last < DERIVING_LINE_EVERY and done < total):
-            return
-        last, said = now, True
-        what = f"{name} done" if done < total else "writing the kernels"
-        print(
-            f"deriving {model}: {done} of {total} functions, {what}, {now - begun:.0f} s",
-            file=sys.stderr,
-            flush=True,
-        )
-
-    if not console.is_terminal:
-        yield lines
+    if _silent or sys.stderr is None:
+        yield lambda *_args, **_words: None
         return
-    columns = (
-        TextColumn(f"deriving {model}"),
-        BarColumn(),
-        MofNCompleteColumn(),
-        TextColumn("{task.fields[what]}"),
-    )
-    with Progress(*columns, console=console, transient=True) as bar:
-        task = bar.add_task("", total=None, what="")
+    shown: _Shown = _Bar(title, unit) if sys.stderr.isatty() else _Lines(title, unit, ends)
+    well = False
+    try:
+        yield shown.update
+        well = True
+    finally:
+        shown.end(well)
 
-        def update(done: int, total: int, name: str) -> None:
-            what = f"functions, {name} done" if done < total else "functions, writing the kernels"
-            bar.update(task, completed=done, total=total, what=what)
 
-        yield update
+@contextmanager
+def show(title: str = "") -> "Iterator[Callable[[SweepProgress], None]]":
+    """Show a sweep; yields what to call with its `Progress`.
+
+    Parameters
+    ----------
+    title : str
+        Stands before the number of the round.
+    """
+    first: dict[int, tuple[float, int]] = {}
+    with show_work(f"{title}preparing", "tiles", ends=True) as update:
+
+        def seen(at: "SweepProgress") -> None:
+            now = time.monotonic()
+            since, before = first.setdefault(at.round, (now, at.done))
+            rate = (at.done - before) / max(now - since, 1e-3)
+            speed = f" ({rate:.1f} per second{_left(at, rate)})" if rate > 0 else ""
+            update(at.done, at.total, f"{speed}, {at.orbits:,} limit cycles", f"{title}round {at.round}")
+
+        yield seen
+
+
+def _left(at: "SweepProgress", rate: float) -> str:
+    return f", {(at.total - at.done) / rate:.0f} s left" if at.done < at.total else ""
+
+
+class _Work:
+    """A piece of work, and a clock that calls `_tick` while it lasts."""
+
+    def __init__(self, title: str, unit: str) -> None:
+        self.title, self.unit, self.detail = title, unit, ""
+        self.done: int | None = None
+        self.total: int | None = None
+        self.begun = time.monotonic()
+        self.lock = threading.RLock()
+        self._over = threading.Event()
+        self._clock = threading.Thread(target=self._run, daemon=True)
+        self._clock.start()
+
+    def _run(self) -> None:
+        wait = max(QUIET - (time.monotonic() - self.begun), 0.01)
+        while not self._over.wait(wait):
+            with self.lock:
+                if not self._over.is_set():
+                    self._tick()
+            wait = min(LINE_EVERY, 0.5)
+
+    def _tick(self) -> None:
+        raise NotImplementedError
+
+    def update(
+        self, done: int | None = None, total: int | None = None, detail: str = "", title: str | None = None
+    ) -> None:
+        with self.lock:
+            self.done, self.total, self.detail = done, total, detail
+            self.title = title or self.title
+            self._changed()
+
+    def _changed(self) -> None:
+        raise NotImplementedError
+
+    def end(self, well: bool) -> None:
+        self._over.set()
+        with self.lock:
+            self._ended(well)
+
+    def _ended(self, well: bool) -> None:
+        raise NotImplementedError
+
+    @property
+    def seconds(self) -> float:
+        return time.monotonic() - self.begun
+
+    def text(self, detail: str) -> str:
+        """How far it is, in words; a detail that begins with a blank or a comma follows the count at once."""
+        count = "" if self.done is None else f"{self.done:,} of {self.total:,} {self.unit}".rstrip()
+        parts = [count + detail] if detail.startswith((" ", ",")) else [count, detail]
+        return ", ".join([*filter(None, parts), f"{self.seconds:.0f} s"])
+
+
+_speakers: "list[_Lines]" = []
+"""Work that goes on and speaks in plain lines, the innermost last."""
+
+
+class _Lines(_Work):
+    """Plain lines: after `QUIET` seconds, every `LINE_EVERY` seconds, and at the end of what was mentioned.
+
+    Of work within work only the innermost speaks.
+    """
+
+    def __init__(self, title: str, unit: str, ends: bool) -> None:
+        self.said: float | None = None
+        self.ends = ends
+        _speakers.append(self)
+        super().__init__(title, unit)
+
+    def _tick(self) -> None:
+        now = self.seconds
+        due = now >= QUIET if self.said is None else now - self.said >= LINE_EVERY
+        if due and _speakers[-1] is self:
+            self._say(self.detail)
+
+    def _changed(self) -> None:
+        if self.ends and self.done == self.total:
+            self._say(self.detail)
+        else:
+            self._tick()
+
+    def _ended(self, well: bool) -> None:
+        _speakers.remove(self)
+        if well and self.said is not None and not self.ends:
+            self.done = None
+            self._say("done")
+
+    def _say(self, detail: str) -> None:
+        self.said = self.seconds
+        try:
+            print(f"{self.title}: {self.text(detail)}", file=sys.stderr, flush=True)
+        except (OSError, ValueError):  # nobody listens any more; the work goes on
+            self.said = float("inf")
+
+
+class _Bar(_Work):
+    """A row of a display on the terminal, which all work that goes on at a time shares."""
+
+    def __init__(self, title: str, unit: str) -> None:
+        self.row: Any = None
+        super().__init__(title, unit)
+
+    def _tick(self) -> None:
+        if self.row is None and self.seconds >= QUIET:
+            self.row = _display.add(self.title)
+        self._changed()
+
+    def _changed(self) -> None:
+        if self.row is not None:
+            _display.update(
+                self.row,
+                description=self.title,
+                completed=self.done or 0,
+                total=self.total,
+                text=self.text(self.detail),
+            )
+
+    def _ended(self, well: bool) -> None:
+        if self.row is not None:
+            _display.remove(self.row)
+
+
+class _Display:
+    """The rows that are on the terminal."""
+
+    def __init__(self) -> None:
+        self.lock = threading.RLock()
+        self.progress: Any = None
+        self.rows = 0
+
+    def add(self, title: str) -> Any:
+        """A new row; the display begins with the first one."""
+        from rich.console import Console
+        from rich.progress import BarColumn, Progress, SpinnerColumn, TextColumn
+
+        with self.lock:
+            if self.progress is None:
+                plain = {"markup": False}
+                columns = (
+                    SpinnerColumn(),
+                    TextColumn("{task.description}", **plain),  # type: ignore[arg-type]
+                    BarColumn(bar_width=24),
+                    TextColumn("{task.fields[text]}", **plain),  # type: ignore[arg-type]
+                )
+                console = Console(stderr=True)
+                self.progress = Progress(*columns, console=console, transient=True, redirect_stdout=False)
+                self.progress.start()
+            self.rows += 1
+            return self.progress.add_task(title, total=None, text="")
+
+    def update(self, row: Any, **values: Any) -> None:
+        """Change a row."""
+        with self.lock:
+            self.progress.update(row, **values)
+
+    def remove(self, row: Any) -> None:
+        """Remove a row; the display ends with the last one."""
+        with self.lock:
+            self.progress.remove_task(row)
+            self.rows -= 1
+            if not self.rows:
+                self.progress.stop()
+                self.progress = None
+
+
+_display = _Display()
+
+
+@contextmanager
+def show_lines(title: str) -> "Iterator[Callable[[str], None]]":
+    """Show what says in a line now and then what is being done; yields what takes such a line."""
+    with show_work(title) as update:
+        yield lambda line: update(detail=line)

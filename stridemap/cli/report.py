@@ -14,6 +14,7 @@ from stridemap.cli.paper_options import (
     sweep_progress,
 )
 from stridemap.errors import InputError
+from stridemap.services import shown
 
 
 def report(
@@ -44,7 +45,6 @@ def report(
     Without SWEEP_DIR it is the map of the paper's sweeps, with the verdicts of `stridemap claims`; what is
     not finished is swept first. --sweeps, --workers, --set and --thin are for these sweeps.
     """
-    from stridemap.cli.progress import boundary_lines
     from stridemap.paper import report as report_paper
     from stridemap.paper.sweeps import default_folder
     from stridemap.views import write_report
@@ -57,7 +57,8 @@ def report(
                 f"{', '.join(unusable)} cannot be given with the sweep in {folder}, but only for the paper's "
                 "sweeps; leave it out, or leave the folder out"
             )
-        summary = write_report(folder, out, claims, model, curves)
+        with shown("writing the report"):
+            summary = write_report(folder, out, claims, model, curves)
     elif curves is not None:
         raise InputError(
             "--curves is for the sweep in SWEEP_DIR; give that folder, or leave --curves out: the paper's "
@@ -78,7 +79,6 @@ def report(
                     thin=thin,
                     workers=workers,
                     progress=progress,
-                    say=boundary_lines(),
                 )
         except KeyboardInterrupt:
             say_interrupted(where)

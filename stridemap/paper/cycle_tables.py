@@ -13,6 +13,7 @@ from stridemap.paper.points import PLANE, TYPICAL
 from stridemap.paper.profile_features import COLUMNS as PROFILE_COLUMNS
 from stridemap.paper.profile_features import COMPARED, compare_with, sampled, with_profiles
 from stridemap.paper.sweeps import PaperSweeps, require_gaits
+from stridemap.services import shown
 from stridemap.solver.branches.main_branch import on_main_branch
 from stridemap.solver.cycles.orbits import Orbits
 from stridemap.solver.cycles.solver import Solver
@@ -110,15 +111,21 @@ def cycle_tables(sweeps: PaperSweeps) -> CycleTables:
     walker, compass = load("wobbling"), load("compass")
     solver, orbits = Solver.for_model(walker), Orbits.from_columns(walker, gaits["lines"])
     main = on_main_branch(orbits, "k")
-    lines = _lines(walker, gaits["lines"], main)
     line_k = np.array(sweeps.configs["lines"].grid["k"])
-    typical = _typical(walker, gaits["typical"], compass, gaits["compass"])
+    with shown("following what the statements are about") as update:
+        update(detail="courses along a step")
+        lines = _lines(walker, gaits["lines"], main)
+        typical = _typical(walker, gaits["typical"], compass, gaits["compass"])
+        update(detail="minima along branches")
+        minima = minima_table(solver, orbits, main, line_k)
+        update(detail="where gaits begin and end")
+        edges = edge_table(solver, orbits, line_k)
     return CycleTables(
         typical=typical,
         compass=gaits["compass"],
         lines=lines,
-        minima=minima_table(solver, orbits, main, line_k),
-        edges=edge_table(solver, orbits, line_k),
+        minima=minima,
+        edges=edges,
         map=gaits["map"],
         line_k=line_k,
         map_k=np.array(sweeps.configs["map"].grid["k"]),
@@ -136,16 +143,16 @@ def _profiles(
     walker: Model, typical: pd.DataFrame, compass: Model, cycles: pd.DataFrame
 ) -> dict[str, dict[str, NDArray[np.float64]]]:
     """The profiles that are drawn."""
-    shown = {
+    chosen = {
         group: (walker, rows.sort_values("spectral_radius").iloc[[0]])
         for group, rows in typical[typical["stable"].fillna(False).astype(bool)].groupby("group")
         if set(rows["k"]) & {TYPICAL.get(str(group))}
     }
     same = cycles[cycles["omega"] == PLANE["omega"]].sort_values("spectral_radius")
     if len(same):
-        shown["compass"] = (compass, same.iloc[[0]])
+        chosen["compass"] = (compass, same.iloc[[0]])
     out = {}
-    for name, (model, cycle) in shown.items():
+    for name, (model, cycle) in chosen.items():
         motion = sampled(model, cycle)
         out[str(name)] = {
             **{

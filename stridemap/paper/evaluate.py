@@ -10,6 +10,7 @@ from stridemap.paper.claim import Claim, Statement
 from stridemap.paper.cycle_tables import CycleTables, cycle_tables
 from stridemap.paper.statements import efficiency, gaits, stability
 from stridemap.paper.sweeps import paper_sweeps
+from stridemap.services import shown
 from stridemap.sweeps.run import Progress
 
 STATEMENTS: dict[str, Statement] = {
@@ -29,7 +30,12 @@ def evaluate(data: CycleTables) -> list[Claim]:
     data : CycleTables
     """
     ordered = sorted(STATEMENTS.values(), key=lambda one: int(one.id[1:]))
-    return [one.drawn(data) for one in ordered]
+    decided = []
+    with shown("deciding the statements", "statements") as update:
+        for number, one in enumerate(ordered):
+            update(number, len(ordered), one.id)
+            decided.append(one.drawn(data))
+    return decided
 
 
 def claims(

@@ -9,6 +9,7 @@ from stridemap.paper.cycle_tables import cycle_tables
 from stridemap.paper.evaluate import evaluate
 from stridemap.paper.map_boundaries import map_boundaries
 from stridemap.paper.sweeps import paper_sweeps
+from stridemap.services import shown
 from stridemap.sweeps.run import Progress
 from stridemap.views.report.references import references_of
 from stridemap.views.report.write import ReportSummary, check_out, write_report
@@ -52,6 +53,7 @@ def report(
     verdicts = claims or [claim.to_dict() for claim in evaluate(cycle_tables(paper))]
     curves = map_boundaries(paper, say)
     references = references_of(paper.gaits("compass"), "compass", ["omega"])
-    return write_report(
-        paper.run("map"), out, verdicts, curves=None if curves.empty else curves, references=references
-    )
+    with shown("writing the report"):
+        return write_report(
+            paper.run("map"), out, verdicts, curves=None if curves.empty else curves, references=references
+        )

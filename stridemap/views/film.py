@@ -9,6 +9,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from PIL import Image
 
+from stridemap.services import shown
 from stridemap.views import palette, style, walker
 from stridemap.views.scene import Scene
 
@@ -44,12 +45,12 @@ def film(
         As the scenes were made with; the picture says so if it is not 1.
     """
     frames = len(walkers[0][0].middle) - 1
-    with style.styled():
-        images = [
-            _frame([of[step % len(of)] for of in walkers], titles, step, i, size, magnify)
-            for step in range(steps)
-            for i in range(frames)
-        ]
+    places = [(step, i) for step in range(steps) for i in range(frames)]
+    images = []
+    with style.styled(), shown("drawing the film", "frames") as update:
+        for number, (step, i) in enumerate(places):
+            update(number, len(places))
+            images.append(_frame([of[step % len(of)] for of in walkers], titles, step, i, size, magnify))
     return _gif(images, hundredths)
 
 

@@ -112,7 +112,7 @@ def test_the_cache_cannot_be_written(refused, no_kernels):
 
 def test_a_damaged_cache_is_made_anew(no_kernels):
     """Half a library would end the process without a word: hence another process."""
-    command = [*STRIDEMAP, "orbit", "--model", "rimless_wheel", "--starts", "16", "--json"]
+    command = [*STRIDEMAP, "orbit", "--model", "rimless_wheel", "--starts", "16", "--json", "--quiet"]
     whole = ended(start(command))
     assert (whole[0], whole[2]) == (0, "")
     for size in (0, 1000, -1000):

@@ -112,23 +112,6 @@ def test_swinging_torso(example):
     assert "cost of transport 0.294, compass 0.308" in out
 
 
-def test_how_much_damping(example):
-    names, out = example(7)
-    best, compass = names["best"], names["compass"]
-    # The sentences: where the gain is gone with the paper's springs, in per cent of critical damping ...
-    shares = re.findall(r"group (\w): (\w+) is the compass's at ([\d.]+) %", out)
-    assert [(group, name, round(float(share), 1)) for group, name, share in shares] == [
-        ("B", "cot", 1.5), ("B", "d_max", 2.0), ("C", "cot", 1.6), ("C", "d_max", 1.8),
-    ]  # fmt: skip
-    # ... with the best spring for each damper, and in group A nowhere, with or without a damper.
-    lost = {g: np.interp(compass.cot, rows.cot, rows.share) for g, rows in best.groupby("group") if g != "A"}
-    assert lost == pytest.approx({"B": 2.6, "C": 1.9}, abs=0.05)
-    assert best[best.group == "A"].cot.min() > compass.cot
-    # Every group gets more stable.
-    ends = best.sort_values("c").groupby("group").spectral_radius.agg(["first", "last"])
-    assert (ends["last"] < ends["first"] - 0.05).all()
-
-
 def push(names, spring):
     """By what factor 40 steps change a small distance from the cycle; the spring in N/m."""
     point = names["robot"].parameters("wobbling", **(names["si"] | {"k": spring}))
@@ -152,3 +135,33 @@ def test_each_example_is_a_page(script):
 def test_every_example_has_a_test():
     tested = re.findall(r"example\((\d)\)", Path(__file__).read_text("utf-8"))
     assert tested == [script.stem[0] for script in SCRIPTS]
+
+
+def test_walk_with_the_c(example):
+    names, out = example(7)
+    assert len(names["simulated"]) == 20
+    assert names["off_double"].max() < 1e-9
+    assert 1e-9 < names["off_float"].max() < 1e-4
+    # The push is felt: the walk does not merely stand on the cycle.
+    assert np.abs(names["simulated"][0] - names["fixed_point"]).max() > 1e-3
+    room = names["room"]  # code of the step and of the equations, and stack
+    assert all(500 < size < 20_000 for sizes in room.values() for size in sizes)
+    assert room["float"][2] < 0.8 * room["double"][2]
+    assert len(re.findall(r"[\d,]+ bytes of code in the step function, [\d,]+ in the equations", out)) == 2
+
+
+def test_how_much_damping(example):
+    names, out = example(8)
+    best, compass = names["best"], names["compass"]
+    # The sentences: where the gain is gone with the paper's springs, in per cent of critical damping ...
+    shares = re.findall(r"group (\w): (\w+) is the compass's at ([\d.]+) %", out)
+    assert [(group, name, round(float(share), 1)) for group, name, share in shares] == [
+        ("B", "cot", 1.5), ("B", "d_max", 2.0), ("C", "cot", 1.6), ("C", "d_max", 1.8),
+    ]  # fmt: skip
+    # ... with the best spring for each damper, and in group A nowhere, with or without a damper.
+    lost = {g: np.interp(compass.cot, rows.cot, rows.share) for g, rows in best.groupby("group") if g != "A"}
+    assert lost == pytest.approx({"B": 2.6, "C": 1.9}, abs=0.05)
+    assert best[best.group == "A"].cot.min() > compass.cot
+    # Every group gets more stable.
+    ends = best.sort_values("c").groupby("group").spectral_radius.agg(["first", "last"])
+    assert (ends["last"] < ends["first"] - 0.05).all()

@@ -127,11 +127,25 @@ def test_shell_blocks_beside_the_generated_code(page, tmp_path):
 def test_prototypes_beside_the_generated_code(page):
     """The prototypes that a generated README shows are those of the header."""
     header = " ".join((page.parent / f"{page.parent.name}.h").read_text().split())
-    (block,) = blocks(page, "c")
+    _, block = blocks(page, "c")
     shown = [" ".join(prototype.split()) for prototype in block[2].split(";") if prototype.strip()]
     functions = json.loads((page.parent / "manifest.json").read_text())["functions"]
     assert len(shown) == len(functions)
     assert all(f"{prototype};" in header for prototype in shown)
+
+
+@pytest.mark.parametrize("page", GENERATED, ids=name_of)
+def test_the_step_beside_the_generated_code(page, tmp_path):
+    """The lines that a generated README shows take a step."""
+    name = page.parent.name
+    block, _ = blocks(page, "c")
+    lines = f'#include "{name}_step.h"\nint main(void)\n{{\n{block[2]}return (int) status;\n}}\n'
+    (tmp_path / "main.c").write_text(lines)
+    sources = [tmp_path / "main.c", page.parent / f"{name}_step.c", page.parent / f"{name}.c"]
+    flags = ["-std=c99", "-Wall", "-Wextra", "-Werror", f"-I{page.parent}"]
+    subprocess.run([need("cc"), *flags, *sources, "-lm", "-o", tmp_path / "main"], check=True)
+    status = subprocess.run([tmp_path / "main"], check=False).returncode
+    assert status < 6, "the state that is shown is one that a walker can be in"
 
 
 @every_page

@@ -255,4 +255,37 @@ TEXT = (
     ),
 )
 
-MUTATIONS = (*MECHANICS, *IMPACT, *MOTORS, *TEXT)
+STEP = "tests/derive/printers/test_c_step.py::test_what_is_generated_is_what_the_printer_writes[wobbling]"
+
+CONTROLLER = (
+    Mutation(
+        "derive/printers/c_step_source.py",
+        "if (rising && side < REAL(0.0))",
+        "if (rising)",
+        "the step in C takes the scuff at mid-stance for a touchdown",
+        (STEP,),
+    ),
+    Mutation(
+        "derive/printers/c_step_source.py",
+        "static const stridemap_real WEIGHT[STAGES] = {\n    REAL(35.0)/384",
+        "static const stridemap_real WEIGHT[STAGES] = {\n    REAL(36.0)/384",
+        "the integrator in C has a wrong weight",
+        (STEP,),
+    ),
+    Mutation(
+        "stridemap/controller.py",
+        "(rate[:, :-2:2] - rate[:, 2::2]) / 8",
+        "(rate[:, :-2:2] - rate[:, 2::2]) / 4",
+        "the header of a cycle states a wrong error of interpolation",
+        ("tests/stridemap/test_controller.py::test_the_header_holds_the_cycle_and_the_c_walks_on_it",),
+    ),
+    Mutation(
+        "stridemap/cli/derive.py",
+        "return best if best.stable else None",
+        "return best",
+        "an unstable cycle is written where a stable one was asked for",
+        ("tests/stridemap/test_controller.py::test_derive_writes_a_cycle",),
+    ),
+)
+
+MUTATIONS = (*MECHANICS, *IMPACT, *MOTORS, *TEXT, *CONTROLLER)

@@ -1,14 +1,15 @@
 """A derivation says how far it is, and what the cache has is not derived again."""
 
-from itertools import count
+from contextlib import contextmanager
+from pathlib import Path
 
 import pytest
 
 import stridemap
-from stridemap import codegen
-from stridemap.cli import progress
+from stridemap import codegen, services
 from stridemap.derive.functions import Functions
 from stridemap.derive.models import WALKERS
+from stridemap.solver.model import derivation
 
 WHEEL = WALKERS["rimless_wheel"].with_(name="own_wheel")
 pytestmark = pytest.mark.quick
@@ -36,13 +37,26 @@ def test_functions_are_counted_before_they_are_derived():
     assert len(list(functions.programs())) == functions.count
 
 
-def test_a_derivation_is_shown_after_a_second_and_not_before(monkeypatch, capsys):
-    seconds = (0.4 * i for i in count())
-    monkeypatch.setattr(progress.time, "monotonic", lambda: next(seconds))
-    with progress.show_deriving("mine") as show:
-        for i in range(1, 11):
-            show(i, 10, f"function_{i}")
-    lines = capsys.readouterr().err.splitlines()
-    assert lines[0] == "deriving mine: 3 of 10 functions, function_3 done, 1 s"
-    assert lines[-1] == "deriving mine: 10 of 10 functions, writing the kernels, 4 s"
-    assert len(lines) == 3
+def test_a_derivation_in_a_process_of_its_own_is_shown_where_it_is_waited_for(tmp_path, monkeypatch):
+    """And what is known is copied: the second time nothing is derived."""
+    seen = []
+
+    @contextmanager
+    def show_work(title, unit=""):
+        yield lambda done=None, total=None, detail="", title=title: seen.append((title, done, total, detail))
+
+    monkeypatch.setattr(services, "offered", lambda name: name == "show_work")
+    monkeypatch.setattr(services, "service", lambda name: show_work)
+    monkeypatch.setenv("STRIDEMAP_CACHE", str(tmp_path / "cache"))
+    source = Path(__file__).parents[2] / "derive" / "models" / "rimless_wheel.py"
+    text = source.read_text("utf-8").replace('name="rimless_wheel"', 'name="own_wheel"')
+    (tmp_path / "mine.py").write_text(text)
+    folder = derivation.derive_file(tmp_path / "mine.py")
+    titles = {title for title, *_ in seen}
+    assert "deriving own_wheel" in titles
+    counts = [(done, total) for title, done, total, _ in seen if title == "deriving own_wheel" and done]
+    assert counts == sorted(counts) and counts[-1][0] == counts[-1][1]
+    seen.clear()
+    derivation.derive_file(tmp_path / "mine.py", tmp_path / "out", keep=False)
+    assert "deriving own_wheel" not in {title for title, *_ in seen}
+    assert (tmp_path / "out" / "manifest.json").read_bytes() == (folder / "manifest.json").read_bytes()

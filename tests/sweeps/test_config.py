@@ -21,6 +21,7 @@ pytestmark = pytest.mark.quick
 
 PAPER = Path(stridemap.sweeps.__file__).parent / "paper.toml"
 PRESET = {"beta": 0.15, "Kp": 10.0, "Kd": 0.6, "S": 0.18, "gamma": 0.18}
+UNDAMPED = {**PRESET, "c": 0.0}
 DEFAULTS = {parameter.name: parameter.default for parameter in load("wobbling").parameters}
 
 
@@ -40,7 +41,7 @@ def config(**tables):
 def test_default_file_is_the_papers_map():
     paper = load_config(PAPER)
     assert paper.model == "wobbling"
-    assert paper.params == PRESET
+    assert paper.params == UNDAMPED
     assert list(paper.grid) == ["k", "alpha", "omega"]
     assert paper.grid["omega"] == (2.0, 2.5, 3.0, 3.5)
     assert paper.grid["k"] == tuple(i / 2 for i in range(1, 121))
@@ -67,9 +68,9 @@ def test_range_agrees_with_numpy_and_keeps_its_ends(start, stop, num, spacing):
 
 def test_fixed_parameters_override_the_preset_and_grid_ones_leave_it():
     resolved = config(params={"beta": 0.2, "omega": 2}, grid={"k": [1]})
-    assert resolved.params == {**PRESET, "alpha": DEFAULTS["alpha"], "beta": 0.2, "omega": 2.0}
+    assert resolved.params == {**UNDAMPED, "alpha": DEFAULTS["alpha"], "beta": 0.2, "omega": 2.0}
     assert resolved.grid == {"k": (1.0,)}
-    assert list(resolved.params) == ["alpha", "omega", "beta", "Kp", "Kd", "S", "gamma"]
+    assert list(resolved.params) == ["alpha", "omega", "beta", "Kp", "Kd", "S", "gamma", "c"]
 
 
 def test_other_model():

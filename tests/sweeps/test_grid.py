@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from stridemap.solver.model.loading import load
 from stridemap.sweeps.config import parse_config
-from stridemap.sweeps.grid import Grid, tiles
+from stridemap.sweeps.grid import Grid, tile_size, tiles
 
 pytestmark = pytest.mark.quick
 
@@ -82,6 +82,25 @@ def test_tiles_are_no_smaller_than_needed():
         tiles(grid, 0)
 
 
+@pytest.mark.parametrize(
+    ("shape", "cut"),
+    [
+        ((60,), 4),
+        ((24,), 4),
+        ((8,), 2),
+        ((3,), 1),
+        ((16, 3), 3),  # whole lines
+        ((3, 16), 3),
+        ((6, 5, 2), 5),
+        ((120, 18, 4), 8),  # the paper's map
+        ((1000, 100), 64),
+    ],
+)
+def test_small_grids_have_tiles_for_several_workers(shape, cut):
+    grid = make_grid([range(n) for n in shape])
+    assert len(tiles(grid, tile_size(grid))) == cut
+
+
 def test_subgrid_has_every_stride_and_both_ends():
     grid = make_grid([range(6), range(4)])
     assert grid.subgrid({"p0": 2, "p1": 3}).tolist() == [0, 3, 8, 11, 16, 19, 20, 23]
@@ -104,7 +123,7 @@ def test_points_are_in_the_models_order():
     assert grid.names == ("k", "omega", "S")
     model = load("wobbling")
     points = grid.points(model, resolved.params)
-    assert points.shape == (8, 8)
+    assert points.shape == (8, 9)
     for cell, (k, omega, amplitude) in enumerate(itertools.product([1, 5], [2, 3], [0.1, 0.2])):
         expected = model.point({"k": k, "omega": omega, "S": amplitude, "beta": 0.2})
         np.testing.assert_array_equal(points[cell], expected)

@@ -67,6 +67,7 @@ def test_a_failure_while_writing_keeps_the_old_file(tmp_path, monkeypatch, step)
 
 WRITER = """
 import itertools, sys
+import pandas  # Arrow loads it with the first table, and that is to be over when the clock starts
 from stridemap.sweeps.config import parse_config
 from stridemap.sweeps.store import Store
 config = parse_config({"model": "wobbling", "grid": {"k": [1.0, 2.0, 3.0], "omega": [2.0, 3.0]}})

@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from stridemap.solver.model.loading import load
-from stridemap.sweeps.parts import part_table, result_of
+from stridemap.sweeps.parts import columns_of, part_table, result_of
+from stridemap.sweeps.tables import table_of
 from tests.oracles.kernels import needs_compiler
 from tests.sweeps.test_tiles import Line
 
@@ -24,17 +25,19 @@ def same(one, other):
 def test_a_part_is_the_whole_result(cells):
     line = Line((22.0, 22.5, 23.0), {})
     result = line.result([(0, line.cycles(22.0).u[0])], cells=cells)
+    model = load("wobbling")
     result = dataclasses.replace(
         result,
+        orbits=columns_of(table_of(model, result.orbits)),
         outgoing=dataclasses.replace(result.outgoing, origin=result.outgoing.cell + 7),
         failures={1: "ValueError: boom", 0: "é, ∞"},
         joins=np.array([[5, 7], [1, 2**40]]),
         discarded={(0, "not_a_step"): 3, (1, "later_touchdown"): 1},
     )
-    model = load("wobbling")
-    assert len(result.orbits) > 0 and len(result.seen) > 0 and len(result.outgoing) > 0
+    assert len(result.orbits["cell"]) > 0 and len(result.seen) > 0 and len(result.outgoing) > 0
     assert same(result_of(model, result.round, result.tile, part_table(model, result)), result)
     nothing = line.result([(0, np.full(6, 1e3))])
-    nothing = dataclasses.replace(nothing, failures={}, discarded={})
-    assert len(nothing.orbits) == len(nothing.joins) == 0
+    none = columns_of(table_of(model, nothing.orbits))
+    nothing = dataclasses.replace(nothing, orbits=none, failures={}, discarded={})
+    assert len(none["cell"]) == len(nothing.joins) == 0
     assert same(result_of(model, nothing.round, nothing.tile, part_table(model, nothing)), nothing)

@@ -2,6 +2,8 @@
 
 import numpy as np
 import pytest
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
 
 from stridemap.sweeps.families import families
 from stridemap.sweeps.grid import Grid
@@ -48,3 +50,16 @@ def test_families_are_connected_and_numbered_as_they_appear():
     assert families(np.array([1, 2, 3, 4]), np.array([[1, 3], [2, 4]])).tolist() == [0, 1, 0, 1]
     assert families(branch[:0], joins).tolist() == []
     assert families(branch, joins[:0]).tolist() == [0, 1, 2, 1, 3, 4]
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_families_are_the_connected_components_that_scipy_finds(seed):
+    rng = np.random.default_rng(seed)
+    n = int(rng.integers(1, 60))
+    joins = rng.integers(0, n, (int(rng.integers(0, 60)), 2))
+    edges = coo_array((np.ones(len(joins), dtype=bool), (joins[:, 0], joins[:, 1])), shape=(n, n))
+    _, wanted = connected_components(edges, directed=False)
+    found = families(np.arange(n), joins)
+    assert (found[:, None] == found).tolist() == (wanted[:, None] == wanted).tolist()
+    chain = rng.permutation(n)
+    assert set(families(np.arange(n), np.column_stack([chain[:-1], chain[1:]]))) == {0}

@@ -83,17 +83,17 @@ def content(folder):
 
 @pytest.mark.quick
 def test_columns_bear_the_agreed_names():
-    parameters = ["k", "alpha", "omega", "beta", "Kp", "Kd", "S", "gamma"]
+    parameters = ["k", "alpha", "omega", "beta", "Kp", "Kd", "S", "gamma", "c"]
     names = orbit_schema(MODEL).names
-    assert names[:11] == ["cell", *parameters, "branch", "status"]
-    assert names[11:17] == ["theta1", "dtheta1", "dtheta2", "x", "dx", "period"]
-    assert names[17:27] == [f"multiplier_{i}_{part}" for i in range(5) for part in ("re", "im")]
+    assert names[:12] == ["cell", *parameters, "branch", "status"]
+    assert names[12:18] == ["theta1", "dtheta1", "dtheta2", "x", "dx", "period"]
+    assert names[18:28] == [f"multiplier_{i}_{part}" for i in range(5) for part in ("re", "im")]
     measures = "spectral_radius multiplier_error stable undecided group step_length speed d_max"
     measures += " cop_max work work_positive work_net peak_torque peak_power cot cot_per_speed"
     measures += " min_vertical_force friction clearance peaks x_zero_crossings wobble_amplitude"
     measures += " touchdown_speed impact_friction lift_off_speed trailing_lifts_off residual"
     measures += " state_error integration_error"
-    assert names[27:] == measures.split() == list(MEASURED)
+    assert names[28:] == measures.split() == list(MEASURED)
     assert cell_schema(MODEL).names == ["cell", *parameters, "orbits", "stable_orbits", "status", "reason"]
     compass = orbit_schema(load("compass")).names
     assert not {"x", "dx", "k", "alpha"} & set(compass)
@@ -253,6 +253,15 @@ def test_finish_keeps_what_is_not_ours_and_clears_what_is(tmp_path):
     names = sorted(path.name for path in tmp_path.rglob("*"))
     assert names == ["cells.parquet", "notes.txt", "orbits.parquet", "parts", "readme.txt"]
     assert Store.resume(tmp_path, CONFIG, PROVENANCE).finished
+
+
+@pytest.mark.quick
+def test_a_finished_sweep_is_not_begun_again(tmp_path):
+    before = content(finished(tmp_path))
+    assert Store.create(tmp_path, CONFIG, PROVENANCE).finished
+    assert content(tmp_path) == before
+    (tmp_path / "cells.parquet").unlink()
+    assert not Store.create(tmp_path, CONFIG, PROVENANCE).finished
 
 
 @pytest.mark.quick

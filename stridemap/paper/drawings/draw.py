@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from stridemap.errors import InputError
+from stridemap.services import shown
 from stridemap.sweeps.run import Progress
 from stridemap.views.optional import require_pictures
 
@@ -74,12 +75,13 @@ def figures(
     material = Material(
         paper_sweeps(sweeps, params, thin, workers=workers, executor=executor, progress=progress), say
     )
-    paths = []
-    for name, home in FIGURES.items():
-        if only and name not in only:
-            continue
-        module, function = home.split(".")
-        draw = getattr(import_module(f"stridemap.paper.drawings.{module}"), function)
-        with style.styled():
-            paths += style.write(draw(material), Path(out), name)
+    paths: list[Path] = []
+    names = [name for name in FIGURES if not only or name in only]
+    with shown("drawing the figures", "figures") as update:
+        for number, name in enumerate(names):
+            update(number, len(names), name)
+            module, function = FIGURES[name].split(".")
+            draw = getattr(import_module(f"stridemap.paper.drawings.{module}"), function)
+            with style.styled():
+                paths += style.write(draw(material), Path(out), name)
     return paths

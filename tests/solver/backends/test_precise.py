@@ -17,7 +17,7 @@ from stridemap.solver.backends import lanes
 from stridemap.solver.backends.compiler import Compiler
 from stridemap.solver.backends.interpreter import Interpreter
 from stridemap.solver.backends.lanes import Lanes
-from stridemap.solver.kernels.runge_kutta import STAGES
+from stridemap.solver.kernels.dormand_prince import STAGES
 from stridemap.solver.kernels.step_map import StepMap
 from stridemap.solver.kernels.tableau import rests
 from stridemap.solver.model.loading import available, load

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from scipy.optimize import linear_sum_assignment
 
 from stridemap.solver.backends.interpreter import Interpreter
 from stridemap.solver.backends.lanes import Lanes
@@ -170,6 +171,19 @@ def test_eigenvalues_are_matched_whatever_their_order():
     one = np.array([[0.5 + 0.5j, 0.5 - 0.5j, 0.70710678]])
     other = np.array([[0.70710679, 0.5 - 0.5j, 0.5 + 0.5j]])
     assert differences(one, other)[0] == pytest.approx(1e-8)
+
+
+@pytest.mark.quick
+@pytest.mark.parametrize("size_of_change", [1e-9, 1e-3, 0.3])
+def test_sets_of_eigenvalues_are_matched_at_the_least_cost(size_of_change):
+    """Whether or not the order by modulus is found to be that match beforehand."""
+    rng = np.random.default_rng(4)
+    one = rng.choice([-0.5, 0.25, 0.5], (300, 4)) + 1j * rng.choice([0.0, 0.5, -0.5], (300, 4))
+    other = one + size_of_change * (rng.normal(size=one.shape) + 1j * rng.normal(size=one.shape))
+    for a, b, found in zip(one, other, differences(one, other), strict=True):
+        distance = np.abs(a[:, None] - b)
+        matched = distance[linear_sum_assignment(distance)].max()
+        assert found == min(matched, np.abs(a - b).max())
 
 
 @pytest.mark.quick

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from stridemap.solver.kernels.runge_kutta import ORDER
+from stridemap.solver.kernels.dormand_prince import ORDER
 from stridemap.solver.kernels.step_map import StepMap
 from stridemap.solver.model.loading import load
 from stridemap.solver.walks.simulator import swing, walk

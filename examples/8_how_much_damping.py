@@ -1,5 +1,5 @@
 """
-7. How much damping does the benefit survive?
+8. How much damping does the benefit survive?
 =============================================
 
 The paper's spring has no friction, and a real one does. How much of what a wobbling mass

@@ -1,0 +1,121 @@
+"""Why there can be no limit cycle at a point of parameter space, where the equations themselves say so.
+
+At the end of a parameter's range a walker may lose what makes it one: a spring without stiffness holds
+nothing, a mass of zero has no inertia.
+"""
+
+from collections.abc import Callable
+from functools import partial
+
+import numpy as np
+from numpy.typing import NDArray
+
+from stridemap.solver.model.model import Model
+
+Array = NDArray[np.float64]
+
+STATES = 6
+"""States at which the equations are looked at, besides one at rest."""
+
+SAME = 1e-9
+"""Relative difference below which two values are one: rounding leaves far less, and a force far more."""
+
+SINGULAR = 1e-13
+"""Smallest over largest eigenvalue of a mass matrix, scaled to a diagonal of ones, that is taken for
+singular."""
+
+
+def why_no_cycle(model: Model, point: Array) -> str | None:
+    """A sentence that says why the equations have no limit cycle at a point; None where they do not say so.
+
+    Parameters
+    ----------
+    model : Model
+    point : ndarray, shape (n_params,)
+    """
+    if _without_inertia(model, point):
+        culprits = _because_of(model, point, lambda p: not _without_inertia(model, p))
+        return (
+            f"{culprits} the mass matrix is singular: part of the walker has no inertia, and the equations "
+            "do not say how it moves"
+        )
+    for name in _positions(model):
+        if not _is_held(model, name, point):
+            culprits = _because_of(model, point, partial(_is_held, model, name))
+            mass = " (a free mass has no gait)" if name == model.spec.wobbling else ""
+            return (
+                f"{culprits} nothing holds {name}: a motion that is shifted along {name} is a motion too, so "
+                f"that there is no limit cycle, which stands by itself{mass}"
+            )
+    return None
+
+
+def _positions(model: Model) -> list[str]:
+    """Coordinates that are free on the section, but for a clock's phase."""
+    return [name for name in model.coordinates if name in model.section and name != model.spec.phase]
+
+
+def _because_of(model: Model, point: Array, cured: Callable[[Array], bool]) -> str:
+    """The parameters that are at an end of their range, and whose preset would cure it: "with k = 0"."""
+    named = []
+    for i, parameter in enumerate(model.parameters):
+        at_end = point[i] in (parameter.lower, parameter.upper)
+        other = point.copy()
+        other[i] = parameter.default if parameter.default != point[i] else _inside(point[i], parameter.upper)
+        if at_end and cured(other):
+            named.append(f"{parameter.name} = {point[i]:g}")
+    return f"with {' and '.join(named)}" if named else "here"
+
+
+def _inside(value: float, upper: float | None) -> float:
+    """A value beside an end of a range."""
+    return value - 0.1 * (abs(value) or 1.0) if value == upper else value + 0.1 * (abs(value) or 1.0)
+
+
+def _states(model: Model) -> tuple[Array, Array, Array]:
+    """Times, coordinates and rates of some states in and around the search box."""
+    rng = np.random.default_rng(0)
+    middle, half = np.array([model.spec.search_box[name] for name in model.section]).reshape(-1, 2).T
+    reach = np.where(half > 0, half, 0.1)
+    z = middle + reach * rng.uniform(-1, 1, (STATES, len(middle)))
+    at = model.evaluate("section_state", z=z, p=np.tile(model.point({}), (STATES, 1)))
+    q = at["q"] + 0.01 * rng.uniform(-1, 1, at["q"].shape)
+    v = at["v"] + 0.01 * rng.uniform(-1, 1, at["v"].shape)
+    return rng.uniform(0, 1, STATES), q, v
+
+
+def _is_held(model: Model, name: str, point: Array) -> bool:
+    """Whether motion, impact or touchdown changes when one coordinate is shifted."""
+    t, q, v = _states(model)
+    p = np.tile(point, (STATES, 1))
+    shift = np.zeros(q.shape[1])
+    shift[model.coordinates.index(name)] = model.spec.search_box[name][1] or 0.1
+    before, after = (
+        {
+            "state_derivative": model.evaluate("state_derivative", t=t, q=at, v=v, p=p)["dv"],
+            "touchdown": model.evaluate("touchdown_condition", q=at, v=v, p=p)["h"],
+            "positions": (impact := model.evaluate("impact_map", q=at, v=v, p=p))["q_plus"] - moved,
+            "rates": impact["v_plus"],
+        }
+        for at, moved in ((q, 0.0), (q + shift, shift))
+    )
+    with np.errstate(invalid="ignore"):
+        return not all(
+            bool((np.abs(one - after[key]) <= SAME * np.abs(one).max(axis=0)).all())
+            for key, one in before.items()
+        )
+
+
+def _without_inertia(model: Model, point: Array) -> bool:
+    """Whether some motion of the walker has no kinetic energy."""
+    if "mass_matrix" not in model.spec.functions:
+        return False
+    _, q, _ = _states(model)
+    matrices = model.evaluate("mass_matrix", q=q, p=np.tile(point, (STATES, 1)))["M"]
+    if not np.isfinite(matrices).all():
+        return False
+    root = np.sqrt(np.abs(np.diagonal(matrices, axis1=1, axis2=2)))
+    if not (root > 0).all():
+        return True
+    values = np.linalg.eigvalsh(matrices / root[:, :, None] / root[:, None, :])
+    return bool((values[:, 0] <= SINGULAR * values[:, -1]).all())
