@@ -25,15 +25,17 @@ ROOMS = {
     "codegen": ("calls derive, writes generated, compiles kernels", "sympy"),
     "controller": ("C for a controller, with a limit cycle", "sympy"),
     "units": ("to SI units and back", "casadi"),
+    "tables": ("tables read, selected from, written for others", "tables"),
     "sweeps": ("grids of parameters, tile by tile, into tables that can be trusted", "tables"),
     "views": ("plots, animations, and a sweep as a page to explore", "pictures"),
     "paper": ("one paper: its sweeps, its statements decided, its figures drawn", "pictures"),
     "cli": ("the command line: a file per command", "typer"),
-    "errors": ("what can go wrong", "leaf"),
+    "errors": ("what fails", "leaf"),
     "services": ("asking upwards", "leaf"),
     "spec": ("what a model is", "leaf"),
-    "quantities": ("what is measured", "leaf"),
+    "quantities": ("measures", "leaf"),
     "words": ("taken names", "leaf"),
+    "columns": ("of all tables", "leaf"),
 }
 SUBROOMS = {
     "api": ("what users call", "casadi"),
@@ -232,7 +234,7 @@ def svg_leaves(leaves: list[Box], top: float) -> list[str]:
 def svg_legend(drawn: Drawing) -> list[str]:
     """What the colours and arrows mean, in the free place beside the largest room."""
     room = max(drawn.boxes.values(), key=lambda box: box.height)
-    x, y = MARGIN + room.right + GUTTER + 24, MARGIN + room.y + room.height / 2 - 100
+    x, y = MARGIN + room.right + 14, MARGIN + room.y + room.height / 2 - 100
     out = []
     for colour, meaning in LEGEND:
         out += [rect(colour, x, y, 4, 16, 2), text("text", x + 14, y + 12, meaning)]

@@ -19,6 +19,7 @@ from stridemap.services import provide
 # `import stridemap` loads next to nothing.
 if TYPE_CHECKING:
     from stridemap.codegen import derive_model
+    from stridemap.columns import Column
     from stridemap.controller import write_c
     from stridemap.errors import CompilerError, InputError, StorageError, StridemapError, WorkerError
     from stridemap.paper.claim import Claim, Verdict
@@ -54,6 +55,8 @@ if TYPE_CHECKING:
     from stridemap.sweeps.config import SweepConfig, load_config, parse_config
     from stridemap.sweeps.run import Progress, Summary, sweep
     from stridemap.sweeps.store import read_cells, read_orbits, read_provenance
+    from stridemap.tables.reading import read_table
+    from stridemap.tables.table import Table
     from stridemap.units import Units, critical_damping
     from stridemap.views.animation import animate
 
@@ -78,8 +81,15 @@ provide(
     boundary_map="stridemap.views.boundary_map:boundary_map",
     branch_diagram="stridemap.views.branch_diagram:branch_diagram",
     derive_file="stridemap.codegen:derive_file",
+    export="stridemap.tables.export:export",
+    in_si="stridemap.tables.conversion:in_si",
+    picture="stridemap.views.notebook:picture",
     plot="stridemap.views.plots:plot",
+    plot_table="stridemap.views.scatter:plot_table",
     simulate="stridemap.solver.api.points:simulate",
+    table_of="stridemap.tables.table:table_of",
+    table_si="stridemap.tables.conversion:table_si",
+    to_xarray="stridemap.tables.gridded:to_xarray",
 )
 
 

@@ -11,10 +11,8 @@ product or a quotient with a unit that is formed from these three.
 31.392
 """
 
-import ast
 import difflib
 import math
-import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
@@ -22,11 +20,14 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stridemap import quantities
+from stridemap.columns import SCALED, unit_value
 from stridemap.errors import InputError
 from stridemap.quantities import KINDS as KINDS
+from stridemap.services import service
 
 if TYPE_CHECKING:
     from stridemap.solver.cycles.orbit import Orbit
+    from stridemap.spec import ModelSpec
 
 STANDARD_GRAVITY = 9.80665
 """In m/s^2, exactly, by definition: 3rd General Conference on Weights and Measures, 1901."""
@@ -118,6 +119,34 @@ class Units:
             raise InputError(f"beta = {share:g} is not allowed: the mass of a foot is at least 0")
         return cls(leg_length, _size("mass", total_mass, "total_mass") / (1 + 2 * share), gravity)
 
+    @classmethod
+    def from_mapping(cls, data: Mapping[str, Any], where: str = "units") -> "Units":
+        """Units from the entries of a table ``[units]`` or of the option ``--units``.
+
+        Parameters
+        ----------
+        data : mapping
+            ``leg_length`` and ``mass``, and optionally ``gravity``.
+        where : str
+            Where they stand, for messages.
+
+        Raises
+        ------
+        InputError
+            For an unknown entry, a missing one, or one outside its range.
+        """
+        for name in data:
+            if name not in _RANGES:
+                close = difflib.get_close_matches(str(name), _RANGES, n=1)
+                more = f" (did you mean {close[0]}?)" if close else ""
+                raise InputError(f"{where}: {name} is unknown{more}; the entries are {', '.join(_RANGES)}")
+        if missing := [name for name in ("leg_length", "mass") if name not in data]:
+            raise InputError(f"{where}: {missing[0]} is missing; give leg_length in m and mass in kg")
+        try:
+            return cls(**data)
+        except InputError as error:
+            raise InputError(f"{where}: {error}") from None
+
     def unit(self, quantity: str) -> float:
         """What 1 of a quantity is in SI units.
 
@@ -141,10 +170,7 @@ class Units:
         values = {"M": self.mass, "L": self.leg_length, "g": self.gravity, "rad": 1.0}
         try:
             text = KINDS[quantity][0] if quantity in KINDS else quantity
-            # Between two factors a blank means a product.
-            tree = ast.parse(re.sub(r"(?<=[\w)])\s+(?=[\w(])", "*", text.strip()).replace("^", "**"))
-            (statement,) = tree.body
-            return _value(statement.value, values)  # type: ignore[attr-defined]
+            return unit_value(text, values)
         except (
             ArithmeticError,
             AttributeError,
@@ -167,12 +193,13 @@ class Units:
         Parameters
         ----------
         value : float or array_like
+            A column of pandas or a variable of xarray stays one; what is missing there stays missing.
         quantity : str
             As for `unit`.
 
         Returns
         -------
-        float or ndarray
+        float, ndarray, pandas.Series or xarray.DataArray
 
         Raises
         ------
@@ -239,6 +266,38 @@ class Units:
         units = {p.name: p.unit for p in _load(model).parameters}
         return {name: float(value) * self.unit(units[name]) for name, value in params.items()}
 
+    def table_si(self, table: Any, model: Any = None) -> Any:
+        """A whole table in SI units: every column by the unit that it has in the model.
+
+        Parameters
+        ----------
+        table : pandas.DataFrame, xarray.Dataset, Orbits, Branches, Boundaries or Table
+        model : str, path or Model, optional
+            The table's model, where the table does not say what its columns hold, as what
+            `stridemap.read_orbits` returns.
+
+        Returns
+        -------
+        pandas.DataFrame, xarray.Dataset or Table
+            Of the kind that was given; a frame for limit cycles, branches and boundaries. What it says of its
+            units is changed too.
+
+        Raises
+        ------
+        InputError
+            When the table is in SI units already, when it is not known what its columns hold, or when its
+            model is written in units that have nothing to do with a robot's size.
+
+        Examples
+        --------
+        >>> import stridemap
+        >>> robot = Units(leg_length=0.8, mass=40.0, gravity=9.81)
+        >>> orbits = stridemap.find_orbits("wobbling", k=6, alpha=0.25, omega=3)
+        >>> robot.table_si(orbits)["k"].tolist()  # N/m
+        [2943.0, 2943.0]
+        """
+        return service("table_si")(table, self, model)
+
     def measures(self, orbit: "Orbit") -> dict[str, float]:
         """What was measured on a limit cycle, in SI units: m, s, m/s, J, N; pure numbers as they are.
 
@@ -252,11 +311,8 @@ class Units:
         """
         names = orbit.model.spec.units
         in_si = (names.mass, names.length, names.time) == ("kg", "m", "s")
-        if not in_si and names.time != "sqrt(L/g)":
-            raise InputError(
-                f"{orbit.model.name} is written in units of {names.mass}, {names.length} and {names.time}, "
-                "which have nothing to do with a robot's size; convert them by hand"
-            )
+        if not in_si:
+            check_scaled(orbit.model.spec)
         own = {name: one.kind for name, one in orbit.model.measured.items() if one.type == "float"}
         kinds = {**MEASURE_KINDS, **own}
         return {
@@ -330,24 +386,6 @@ def _load(model: Any) -> Any:
     return load(model)
 
 
-def _value(node: ast.expr, values: Mapping[str, float]) -> float:
-    """The value of a parsed unit; raises anything for what is not a unit."""
-    match node:
-        case ast.Name(id=name):
-            return values[name]
-        case ast.Constant(value=int(one)) if one == 1 and one is not True:
-            return 1.0
-        case ast.BinOp(left=left, op=ast.Pow(), right=ast.Constant(value=int(power))) if power <= 9:
-            return _value(left, values) ** power
-        case ast.BinOp(left=left, op=ast.Mult(), right=right):
-            return _value(left, values) * _value(right, values)
-        case ast.BinOp(left=left, op=ast.Div(), right=right):
-            return _value(left, values) / _value(right, values)
-        case ast.Call(func=ast.Name(id="sqrt"), args=[radicand], keywords=[]):
-            return math.sqrt(_value(radicand, values))
-    raise ValueError
-
-
 def _number(value: Any, name: str) -> float:
     """A finite number, or an `InputError` that names it."""
     if isinstance(value, bool | np.bool_) or not isinstance(value, int | float | np.integer | np.floating):
@@ -370,10 +408,34 @@ def _size(name: str, value: Any, called: str | None = None) -> float:
 
 
 def _finite(value: Any, quantity: str) -> Any:
-    """A finite number, or an array of them."""
+    """A finite number, or an array of them; in columns of pandas and xarray values may be missing."""
     if isinstance(value, list | tuple | np.ndarray):
         array = np.asarray(value)
         if array.dtype.kind not in "iuf" or not np.isfinite(array).all():
             raise InputError(f"{quantity}: not all of the values {value!r} are finite numbers")
         return array.astype(np.float64)
+    if not isinstance(value, str) and all(
+        hasattr(value, name) for name in ("dtype", "shape", "astype", "copy")
+    ):
+        kind = getattr(value.dtype, "kind", "O")
+        if kind not in "iuf" or np.isinf(np.asarray(value, dtype=np.float64)).any():
+            raise InputError(f"{quantity}: the values of {value.name} are not all finite numbers")
+        return value
     return _number(value, quantity)
+
+
+def check_scaled(spec: "ModelSpec") -> None:
+    """Refuse a model whose units are not formed from M, L and g.
+
+    Raises
+    ------
+    InputError
+    """
+    names = spec.units
+    if (names.mass, names.length, names.time) == ("kg", "m", "s"):
+        raise InputError(f"{spec.name} is written in kg, m and s already; there is nothing to convert")
+    if names.time != SCALED:
+        raise InputError(
+            f"{spec.name} is written in units of {names.mass}, {names.length} and {names.time}, "
+            "which have nothing to do with a robot's size; convert them by hand"
+        )

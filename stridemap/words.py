@@ -3,7 +3,9 @@
 A leaf, like `stridemap.spec`: tables take their columns from here, and a declaration is checked against it.
 """
 
+import difflib
 import re
+from collections.abc import Iterable
 
 from stridemap.quantities import QUANTITIES
 
@@ -66,17 +68,17 @@ def is_multiplier(name: str) -> bool:
 ATTRIBUTES = frozenset(
     "animate codes columns concatenate count empty found from_columns index jacobian known_stable measures "
     "model motion multipliers params period plot reason scaled search section_point simulate stability state "
-    "status summary take to_dict to_frame "
+    "status summary take to_dict to_frame to_xarray "
     "u".split()
 )
 """Attributes of a limit cycle and of an array of them, which a quantity of that name would hide."""
 
 OPTION_WORDS = frozenset(
     # options of the command line
-    "acceptance backend cascade check claims config continuation curves cycle derive_timeout folder fps "
-    "friction_limit from group header help json lines magnify model only out period_n plot quiet range "
-    "rate resume search search_box seeds set show size start starts state steps sweeps target thin "
-    "trajectory vary verbose workers "
+    "acceptance backend by cascade check claims color colour config continuation csv curves cycle "
+    "derive_timeout folder fps from friction_limit group header help json lines magnify model name only out "
+    "period_n plot quiet range rate resume search search_box seeds set shell show size start starts state "
+    "steps sweeps table target thin to trajectory units vary verbose where workers "
     # arguments of public functions
     "data executor options orbit orbits params path progress ranges samples source tile_cells "
     "titles".split()
@@ -93,3 +95,10 @@ def column(name: str) -> str | None:
     if name.startswith("tangent_"):
         return "the tangent of a branch"
     return CELL_COLUMNS.get(name)
+
+
+def hint(name: str, known: Iterable[str]) -> str:
+    """Return " (did you mean ...?)" if one of the `known` names is close to `name`, else nothing."""
+    folded = {candidate.casefold(): candidate for candidate in known}
+    close = difflib.get_close_matches(name.casefold(), folded, n=1)
+    return f" (did you mean {folded[close[0]]}?)" if close else ""

@@ -34,6 +34,7 @@ from stridemap.solver.options import (
     SearchOptions,
 )
 from stridemap.spec import Parameter
+from stridemap.sweeps.si import Given
 
 MAX_COUNT = 1_000_000_000
 """Largest count that any whole-number setting may take."""
@@ -155,6 +156,7 @@ class _File(BaseModel):
     search: dict[str, Any] = Field({}, description="a table, [search]")
     acceptance: dict[str, Any] = Field({}, description="a table, [acceptance]")
     continuation: dict[str, Any] = Field({}, description="a table, [continuation]")
+    units: dict[str, Any] = Field({}, description="a table of numbers, [units]")
     max_cells: int = Field(
         2_000_000, ge=1, le=MAX_COUNT, description=f"a whole number from 1 to {MAX_COUNT:,}"
     )
@@ -178,6 +180,9 @@ class SweepConfig(BaseModel):
         What a solution must satisfy to be accepted as a limit cycle.
     continuation : ContinuationOptions
         Step control with which branches are followed through the grid.
+    units : dict of str to float
+        Size of the robot whose SI units the file was written in; empty where it was in the model's units, as
+        all numbers here are.
     """
 
     model_config = _STRICT
@@ -189,6 +194,7 @@ class SweepConfig(BaseModel):
     search: Search
     acceptance: AcceptanceOptions = AcceptanceOptions()
     continuation: ContinuationOptions = IN_SWEEPS
+    units: dict[str, float] = {}
 
     @property
     def loaded(self) -> Model:
@@ -213,6 +219,8 @@ class SweepConfig(BaseModel):
         """Return the configuration as canonical JSON (see `canonical_json`)."""
         data = self.model_dump()
         data["search"]["subgrid"] = self.strides
+        if not self.units:
+            del data["units"]
         data["model"] = self.loaded.name  # where a model file lies does not belong to the configuration
         return canonical_json(data)
 
@@ -270,7 +278,8 @@ def parse_config(data: Mapping[str, Any], source: str = "configuration") -> Swee
     Parameters
     ----------
     data : mapping
-        What a TOML file holds: ``model``, and optionally ``params``, ``grid``, ``search``, ``max_cells``.
+        What a TOML file holds: ``model``, and optionally ``params``, ``grid``, ``search``, ``max_cells``,
+        and ``units``, with which all numbers with a unit are in SI units.
     source : str
         Where `data` comes from, for messages.
 
@@ -288,17 +297,24 @@ def parse_config(data: Mapping[str, Any], source: str = "configuration") -> Swee
         raise InputError(f"{source}: model = {_show(file.model)}: {error}") from None
     parameters = {parameter.name: parameter for parameter in model.parameters}
     _check_names(file, parameters, source)
+    si = Given.of(model, file.units, source)
     params = {
-        name: _checked(file.params.get(name, parameter.default), parameter, f"{source}: [params] {name}")
+        name: _fixed(file, parameter, si, source)
         for name, parameter in parameters.items()
         if name not in file.grid
     }
-    names = [name for name in parameters if name in file.grid]
-    axes = {name: _axis(file.grid[name], parameters[name], f"{source}: [grid] {name}") for name in names}
+    axes = {
+        name: _axis(file.grid[name], si.parameter(parameter), f"{source}: [grid] {name}")
+        for name, parameter in parameters.items()
+        if name in file.grid
+    }
     _check_size(axes, file.max_cells, source)
-    grid = {name: _axis_values(axis, f"{source}: [grid] {name}") for name, axis in axes.items()}
+    grid = {
+        name: tuple(si.own(v, parameters[name]) for v in _axis_values(axis, f"{source}: [grid] {name}"))
+        for name, axis in axes.items()
+    }
     shortest, longest = model.period_range
-    given = {"period_min": shortest, "period_max": longest, **file.search}
+    given = {"period_min": shortest, "period_max": longest, **si.search(file.search)}
     search = _validated(Search, given, source, "search")
     try:
         search.options.box_for(model)
@@ -319,9 +335,19 @@ def parse_config(data: Mapping[str, Any], source: str = "configuration") -> Swee
         continuation=_record(
             ContinuationOptions, file.continuation, f"{source}: [continuation]", asdict(IN_SWEEPS)
         ),
+        units={} if si.units is None else asdict(si.units),
     )
     config._loaded = model
     return config
+
+
+def _fixed(file: _File, parameter: Parameter, si: Given, source: str) -> float:
+    """The value of a parameter that does not vary: the file's, or else the preset's."""
+    name = parameter.name
+    if name not in file.params:
+        return parameter.default
+    value = _checked(file.params[name], si.parameter(parameter), f"{source}: [params] {name}")
+    return si.own(value, parameter)
 
 
 def _record(

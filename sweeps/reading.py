@@ -65,6 +65,7 @@ class _Configuration(BaseModel):
     search: dict[Word, Setting]
     acceptance: dict[Word, Setting] = {}
     continuation: dict[Word, Setting] = {}
+    units: dict[Word, float] = {}
 
 
 class _Provenance(BaseModel):

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from stridemap.columns import described
 from stridemap.services import service
 from stridemap.solver.boundaries.survey import Boundary
 from stridemap.solver.branches.tables import cycle_columns, pair, point_row, save_tables
@@ -160,13 +161,15 @@ class Boundaries(Sequence[Boundary]):
         import pandas as pd
 
         frames = [pd.DataFrame(self._columns(number, one)) for number, one in enumerate(self.found)]
-        return pd.concat(frames, ignore_index=True) if frames else pd.DataFrame()
+        frame = pd.concat(frames, ignore_index=True) if frames else pd.DataFrame()
+        return described(frame, self.model.spec, "points of boundaries")
 
     def points_frame(self) -> Any:
         """All points at which two things happen at once as a `pandas.DataFrame`, one row each."""
         import pandas as pd
 
-        return pd.DataFrame([point_row(one) for one in self.points])
+        frame = pd.DataFrame([point_row(one) for one in self.points])
+        return described(frame, self.model.spec, "double points")
 
     def _columns(self, number: int, one: Boundary) -> dict[str, Any]:
         m = len(one.points)

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from stridemap.columns import described
 from stridemap.services import service
 from stridemap.solver.branches.ends import End
 from stridemap.solver.branches.special import Special, SpecialType
@@ -208,7 +209,8 @@ class Branches(Sequence[Branch]):
         import pandas as pd
 
         frames = [pd.DataFrame(self._columns(number, branch)) for number, branch in enumerate(self.found)]
-        return pd.concat(frames, ignore_index=True) if frames else pd.DataFrame()
+        frame = pd.concat(frames, ignore_index=True) if frames else pd.DataFrame()
+        return described(frame, self.model.spec, "points of branches")
 
     def special_frame(self) -> Any:
         """All special points as a `pandas.DataFrame`, one row each."""
@@ -218,7 +220,7 @@ class Branches(Sequence[Branch]):
             point_row(one) | {"multiplier": None if one.multiplier is None else str(one.multiplier)}
             for one in self.special
         ]
-        return pd.DataFrame(rows)
+        return described(pd.DataFrame(rows), self.model.spec, "special points", {"value": self.vary})
 
     def _columns(self, number: int, branch: Branch) -> dict[str, Any]:
         x, m = branch.x, len(branch.points)

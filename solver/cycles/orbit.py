@@ -8,6 +8,7 @@ from typing import Any, NoReturn
 
 import numpy as np
 
+from stridemap.columns import Column, columns_of
 from stridemap.errors import InputError
 from stridemap.services import service
 from stridemap.solver.cycles.status import Status
@@ -113,12 +114,21 @@ class Orbit:
         return self.status.reason
 
     def _repr_html_(self) -> str:
-        """A table for notebooks."""
-        rows = (
-            f"<tr><th>{html.escape(name)}</th><td>{html.escape(str(value))}</td></tr>"
-            for name, value in {**self.params, **self.to_dict()}.items()
+        """Tables for notebooks, with units and meanings, and a picture where matplotlib is installed."""
+        columns = columns_of(self.model.spec)
+        known = {**self.params, **self.state, **self.to_dict()}
+        known |= {f"multiplier {i}": f"{one:.6g}" for i, one in enumerate(self.multipliers)}
+        rows = {
+            name: html_row(name, value, columns.get(name))
+            for name, value in known.items()
+            if not isinstance(value, dict | list)
+        }
+        first = "".join(rows[name] for name in (*self.params, *SHOWN) if name in rows)
+        caption = f"<caption>{html.escape(repr(self)[1:-1])}</caption>"
+        return (
+            f"<table>{caption}{HEAD}{first}</table>{service('picture')(self)}"
+            f"<details><summary>all values</summary><table>{HEAD}{''.join(rows.values())}</table></details>"
         )
-        return f"<table><caption>{html.escape(repr(self)[1:-1])}</caption>{''.join(rows)}</table>"
 
     def to_dict(self) -> dict[str, Any]:
         """Plain values for JSON, without model and parameters; what is not a number is None."""
@@ -181,6 +191,20 @@ class Orbit:
         """Write the walker's motion as a looping GIF: see `stridemap.animate`."""
         self._require_found()
         return service("animate")(self, path, **options)
+
+
+SHOWN = ("group", "period", "stable", "spectral_radius", "step_length", "speed", "cot", "min_vertical_force")
+"""Quantities of the tables in a notebook that are seen first; all others are there too."""
+
+HEAD = "<tr><th></th><th>value</th><th>unit</th><th>meaning</th></tr>"
+
+
+def html_row(name: str, value: Any, column: Column | None) -> str:
+    """A row of a table in a notebook: name, value, unit and meaning."""
+    shown = f"{value:.8g}" if isinstance(value, float) else "" if value is None else str(value)
+    unit, label = ("", "") if column is None else (column.unit, column.label)
+    cells = "".join(f"<td>{html.escape(text)}</td>" for text in (shown, unit if unit != "1" else "", label))
+    return f"<tr><th>{html.escape(name)}</th>{cells}</tr>"
 
 
 def missing(quantity: Quantity) -> Any:

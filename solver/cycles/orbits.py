@@ -9,8 +9,10 @@ from typing import Any, Self, overload
 import numpy as np
 from numpy.typing import NDArray
 
+from stridemap.columns import columns_of, described
 from stridemap.errors import InputError
-from stridemap.solver.cycles.orbit import Orbit, missing, plain
+from stridemap.services import service
+from stridemap.solver.cycles.orbit import SHOWN, Orbit, missing, plain
 from stridemap.solver.cycles.report import SearchReport
 from stridemap.solver.cycles.status import CODES, FOUND, STATUSES, Status
 from stridemap.solver.model.model import Model
@@ -284,7 +286,15 @@ class Orbits(Sequence[Orbit]):
         for name, quantity in self.model.measured.items():
             if quantity.optional and quantity.type in NULLABLE:
                 frame[name] = frame[name].astype(NULLABLE[quantity.type])
-        return frame
+        return described(frame, self.model.spec, "limit cycles")
+
+    def to_xarray(self) -> Any:
+        """The cycles as an `xarray.Dataset` over the dimension ``cycle``, each variable with its unit."""
+        return service("to_xarray")(service("table_of")(self))
+
+    def plot(self, x: str, y: str, **options: Any) -> Any:
+        """Draw one column over another with matplotlib: see `stridemap.views.plot_table`."""
+        return service("plot_table")(service("table_of")(self), x, y, **options)
 
     # -- shown -------------------------------------------------------------------------------------------
 
@@ -304,13 +314,22 @@ class Orbits(Sequence[Orbit]):
         return [*map(line, range(SHOWN_ENDS)), *between, *map(line, last)]
 
     def _repr_html_(self) -> str:
-        """A table for notebooks."""
-        shown = [n for n in _SHOWN if n != "group" or "spring_mode" in self.model.spec.functions]
+        """A table for notebooks, with units, and a picture where matplotlib is installed."""
+        shown = [n for n in SHOWN if n != "group" or "spring_mode" in self.model.spec.functions]
+        columns = columns_of(self.model.spec)
+        differs = [
+            name
+            for name, values in zip(self.model.spec.names, self.params.T, strict=True)
+            if len(values) and not (values == values[0]).all()
+        ]
+        shown = [*differs, *shown]
         head = "".join(f"<th>{html.escape(word)}</th>" for word in ("", *shown))
+        units = (columns[name].unit if columns[name].unit != "1" else "" for name in shown)
+        under = "".join(f"<td>{html.escape(unit)}</td>" for unit in ("", *units))
 
         def row(i: int) -> str:
             orbit = self[i]
-            cells = "".join(f"<td>{html.escape(_cell(getattr(orbit, name)))}</td>" for name in shown)
+            cells = "".join(f"<td>{html.escape(_cell(_entry(orbit, name)))}</td>" for name in shown)
             return f"<tr><th>{i}</th>{cells}</tr>"
 
         rows = [
@@ -319,14 +338,11 @@ class Orbits(Sequence[Orbit]):
         ]
         plural = "" if len(self) == 1 else "s"
         caption = f"{len(self):,} limit cycle{plural} of {html.escape(self.model.name)}"
-        return f"<table><caption>{caption}</caption><tr>{head}</tr>{''.join(rows)}</table>"
+        table = f"<table><caption>{caption}</caption><tr>{head}</tr><tr>{under}</tr>{''.join(rows)}</table>"
+        return f"{table}{service('picture')(self)}"
 
 
 _ARRAYS = ("params", "u", "codes", "jacobian", "multipliers")
-
-_SHOWN = ("group", "period", "stable", "spectral_radius", "step_length", "speed", "cot", "min_vertical_force")
-"""Columns of the table in a notebook; all others are attributes."""
-
 
 SHOWN_ENDS = 10
 """How many of the first and of the last cycles are shown where there are many."""
@@ -368,6 +384,10 @@ def column(quantity: Quantity, values: Any, n: int, at: Any = slice(None)) -> ND
 def as_mask(truths: NDArray[Any]) -> NDArray[Any]:
     """Truths as an array of bool where all are known; as they are, with None, where not."""
     return truths.astype(np.bool_) if all(one is not None for one in truths.tolist()) else truths
+
+
+def _entry(orbit: Orbit, name: str) -> Any:
+    return orbit.params[name] if name in orbit.params else getattr(orbit, name)
 
 
 def _cell(value: Any) -> str:

@@ -16,6 +16,7 @@ from stridemap.cli.options import (
     parameters,
     whole,
 )
+from stridemap.cli.si import GivenUnitsOption, Size
 
 
 def animate(
@@ -32,14 +33,18 @@ def animate(
     magnify: Annotated[
         float, typer.Option(help="Enlarge the displacement of the wobbling mass by this factor.")
     ] = 1.0,
+    units: GivenUnitsOption = None,
     derive_timeout: DeriveTimeoutOption = None,
 ) -> int:
     """Show a limit cycle walking, as a GIF that loops; by default the most stable one at the point."""
     from stridemap.solver.api.points import find_orbits
+    from stridemap.solver.model.loading import load
     from stridemap.views.animation import animate as animate_
     from stridemap.views.animation import choose
 
-    orbits = find_orbits(model, parameters(context.args, set_), period_n=period_n)
+    robot = Size.of(load(model), units)
+    params = robot.all_own(parameters(context.args, set_))
+    orbits = find_orbits(model, params, period_n=period_n)
     if not orbits:
         print("no limit cycle found", file=sys.stderr)
         return NOTHING

@@ -10,7 +10,7 @@ import os
 import sys
 import warnings
 from collections.abc import Callable
-from typing import Any, NoReturn
+from typing import Annotated, Any, NoReturn
 
 import typer
 
@@ -18,19 +18,24 @@ from stridemap.cli.animate import animate
 from stridemap.cli.boundary import boundary
 from stridemap.cli.branch import branch
 from stridemap.cli.claims import claims
+from stridemap.cli.completion import completion
 from stridemap.cli.derive import WithModel, derive
+from stridemap.cli.export import export
 from stridemap.cli.figures import figures
 from stridemap.cli.find import find
+from stridemap.cli.models import models
 from stridemap.cli.options import (
     FOUND,
     INTERRUPTED,
     PARAMETERS,
     UNUSABLE,
+    Commands,
     WithParameters,
     WithRanges,
     with_quiet,
 )
 from stridemap.cli.orbit import orbit
+from stridemap.cli.plot import plot
 from stridemap.cli.progress import be_quiet
 from stridemap.cli.report import report
 from stridemap.cli.simulate import simulate
@@ -43,20 +48,47 @@ from stridemap.services import provide
 _UsageError: Any = next(c for c in typer.BadParameter.__mro__ if c.__name__ == "ClickException")
 
 app = typer.Typer(
-    help="Limit cycles, Floquet multipliers and parameter sweeps of walking models.",
+    cls=Commands,
+    invoke_without_command=True,
     add_completion=False,
     pretty_exceptions_enable=False,
     rich_markup_mode=None,
 )
 
+
+@app.callback()
+def _stridemap(
+    context: typer.Context,
+    version_: Annotated[
+        bool, typer.Option("--version", is_eager=True, help="Print the version and exit.")
+    ] = False,
+) -> None:
+    """Limit cycles, Floquet multipliers and parameter sweeps of walking models."""
+    if version_:
+        version()
+        raise typer.Exit()
+    if context.invoked_subcommand is None:
+        print(context.get_help())
+
+
 _WITH_PARAMETERS: tuple[Callable[..., int], ...] = (orbit, find, branch, simulate, animate)
-_PLAIN: tuple[Callable[..., int], ...] = (sweep, report, claims, figures, version)
+_PLAIN: tuple[Callable[..., int], ...] = (
+    sweep,
+    plot,
+    export,
+    report,
+    claims,
+    figures,
+    models,
+    completion,
+    version,
+)
 for command in _WITH_PARAMETERS:
     app.command(cls=WithParameters, context_settings=PARAMETERS)(with_quiet(command))
 app.command(cls=WithModel, context_settings=PARAMETERS)(with_quiet(derive))
 app.command(cls=WithRanges, context_settings=PARAMETERS)(with_quiet(boundary))
 for command in _PLAIN:
-    app.command()(command if command is version else with_quiet(command))
+    app.command()(command if command in (completion, version) else with_quiet(command))
 
 
 def main() -> NoReturn:

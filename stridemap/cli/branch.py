@@ -11,6 +11,7 @@ from stridemap.cli.options import (
     FOUND,
     NOTHING,
     ContinuationOption,
+    CsvOption,
     FrictionOption,
     JsonOption,
     ModelOption,
@@ -18,6 +19,7 @@ from stridemap.cli.options import (
     SearchOption,
     SetOption,
     TableOption,
+    one_format,
     option_values,
     parameters,
     whole,
@@ -45,6 +47,7 @@ def branch(
     ] = None,
     show: Annotated[str, typer.Option(metavar="COLUMN", help="What the diagram shows.")] = "period",
     json_: JsonOption = False,
+    csv: CsvOption = False,
 ) -> int:
     """Follow all branches of limit cycles over one parameter and locate their special points."""
     from stridemap.cli.output import print_table
@@ -53,8 +56,10 @@ def branch(
     from stridemap.solver.branches.tables import table_writer
     from stridemap.solver.model.loading import load
     from stridemap.solver.options import ContinuationOptions, SearchOptions
+    from stridemap.tables.export import csv_text
     from stridemap.views.branch_diagram import check_column, check_picture
 
+    one_format(json_, csv)
     if out is not None:
         table_writer(out)
     if plot is not None:
@@ -80,6 +85,8 @@ def branch(
         write_figure(found.plot(show), plot)
     if json_:
         print(json.dumps(found.to_dict(), indent=1, allow_nan=False))
+    elif csv:
+        print(csv_text(found.to_frame()), end="")
     elif len(found):
         print(found)
         rows = [["type", vary, "period", "steps", "gait", "multiplier", "branch"]]

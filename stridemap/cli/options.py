@@ -25,6 +25,16 @@ FOUND, NOTHING, UNUSABLE, INTERRUPTED = 0, 1, 2, 130
 PARAMETERS = {"allow_extra_args": True, "ignore_unknown_options": True}
 
 
+class Commands(typer.core.TyperGroup):
+    """All commands; what each does stands in their list uncut, in several lines where it has to."""
+
+    def format_commands(self, ctx: Any, formatter: Any) -> None:
+        """Write the list of commands."""
+        rows = [(name, one.get_short_help_str(limit=1_000)) for name, one in self.commands.items()]
+        with formatter.section("Commands"):
+            formatter.write_dl(rows)
+
+
 class WithParameters(typer.core.TyperCommand):
     """A command whose help lists the parameters of the model that is named together with ``--help``."""
 
@@ -139,6 +149,22 @@ ContinuationOption = Annotated[
 TableOption = Annotated[
     Path | None, typer.Option("--out", metavar="FILE.parquet", help="Write all points as a table.")
 ]
+TableArgument = Annotated[
+    Path,
+    typer.Argument(
+        metavar="TABLE", help="Output folder of a sweep, or a table (.parquet, .csv) that stridemap wrote."
+    ),
+]
+TableModelOption = Annotated[
+    str | None,
+    typer.Option(
+        "--model", help="The table's model, where that is not a built-in one or a .csv does not say it."
+    ),
+]
+CsvOption = Annotated[
+    bool,
+    typer.Option("--csv", help="Print comma-separated values and nothing else: one row per limit cycle."),
+]
 JsonOption = Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")]
 
 
@@ -168,6 +194,17 @@ def with_quiet(command: Callable[..., int]) -> Callable[..., int]:
     return quieter
 
 
+def one_format(json_: bool, csv: bool) -> None:
+    """Refuse two formats for one output.
+
+    Raises
+    ------
+    InputError
+    """
+    if json_ and csv:
+        raise InputError("--json and --csv cannot be given together; leave one of them out")
+
+
 def parameters(extra: list[str], assignments: list[str] | None) -> dict[str, Any]:
     """Model parameters from ``--name value``, ``--name=value`` and ``--set name=value``."""
     pairs: dict[str, Any] = {}
@@ -178,6 +215,11 @@ def parameters(extra: list[str], assignments: list[str] | None) -> dict[str, Any
                 f"{word!r} is not understood: parameters are given as --NAME VALUE or --set NAME=VALUE"
             )
         name, equals, value = word[2:].partition("=")
+        if name == "units":
+            raise InputError(
+                "--units is not an option of this command, whose parameters are in the model's units; write "
+                "a table with --out and convert it: stridemap export TABLE --units leg_length=...,mass=..."
+            )
         text = value if equals else next(rest, None)
         if text is None or (text.startswith("--") and not equals):
             raise InputError(f"--{name} needs a value")

@@ -9,16 +9,19 @@ import typer
 from stridemap.cli.options import (
     FOUND,
     NOTHING,
+    CsvOption,
     DeriveTimeoutOption,
     JsonOption,
     ModelOption,
     PeriodNOption,
     SetOption,
     box,
+    one_format,
     option_values,
     parameters,
     whole,
 )
+from stridemap.cli.si import Size, UnitsOption
 
 
 def orbit(
@@ -49,33 +52,42 @@ def orbit(
     backend: Annotated[
         str | None, typer.Option(help="What runs the kernels: lanes, scalar or interpreter.")
     ] = None,
+    units: UnitsOption = None,
     json_: JsonOption = False,
+    csv: CsvOption = False,
     derive_timeout: DeriveTimeoutOption = None,
 ) -> int:
     """Print all limit cycles at one point of parameter space."""
-    from stridemap.cli.output import print_orbits, print_search
+    from stridemap.cli.output import print_csv, print_orbits, print_search
     from stridemap.solver.api.points import find_orbits
     from stridemap.solver.model.loading import load
     from stridemap.solver.options import AcceptanceOptions, SearchOptions
 
-    params = parameters(context.args, set_)
-    chosen = {"starts": starts, **option_values("--search", search), "search_box": box(search_box)}
+    one_format(json_, csv)
+    given = parameters(context.args, set_)
+    loaded = load(model)
+    size = Size.of(loaded, units)
+    params = size.all_own(given)
+    searched = size.search(option_values("--search", search))
+    chosen = {"starts": starts, **searched, "search_box": size.all_own(box(search_box))}
     options = SearchOptions.from_mapping(chosen)
     accepted = AcceptanceOptions.from_mapping(option_values("--acceptance", acceptance))
     orbits = find_orbits(
         model, params, period_n=period_n, options=options, acceptance=accepted, backend=backend
     )
     if json_:
-        loaded = load(model)
         point = dict(zip(loaded.spec.names, loaded.point(params).tolist(), strict=True))
-        found = [o.to_dict() for o in orbits]
-        search_ = orbits.search.to_dict() if orbits.search else None
-        out = {"model": model, "params": point, "orbits": found, "search": search_}
+        point = {**size.all_shown(point), **{name: float(value) for name, value in given.items()}}
+        found = [size.all_shown(o.to_dict()) for o in orbits]
+        search_ = size.all_shown(orbits.search.to_dict()) if orbits.search else None
+        out = {"model": model, **size.said, "params": point, "orbits": found, "search": search_}
         print(json.dumps(out, indent=1, allow_nan=False))
+    elif csv:
+        print_csv(orbits, size)
     elif len(orbits):
-        print_orbits(orbits)
+        print_orbits(orbits, size)
     else:
         print("no limit cycle found", file=sys.stderr)
-    if orbits.search and not json_:
+    if orbits.search and not json_ and not csv:
         print_search(orbits.search)
     return FOUND if len(orbits) else NOTHING

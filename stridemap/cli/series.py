@@ -2,13 +2,11 @@
 
 import io
 import json
+from collections.abc import Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from stridemap.errors import InputError
-
-if TYPE_CHECKING:
-    from stridemap.solver.walks.trajectory import Trajectory
 
 ENDINGS = (".parquet", ".csv")
 
@@ -24,12 +22,12 @@ def check_ending(path: Path) -> None:
         raise InputError(f"{path} is not allowed as a trajectory: its ending must be {' or '.join(ENDINGS)}")
 
 
-def write_series(series: "Trajectory", path: Path, about: dict[str, Any]) -> None:
+def write_series(columns: Mapping[str, Any], path: Path, about: dict[str, Any]) -> None:
     """Write a time series; equal walks give equal bytes.
 
     Parameters
     ----------
-    series : Trajectory
+    columns : mapping of str to ndarray, shape (n,)
     path : pathlib.Path
         Ending in ``.parquet`` or ``.csv``.
     about : dict
@@ -45,7 +43,7 @@ def write_series(series: "Trajectory", path: Path, about: dict[str, Any]) -> Non
     import pyarrow.parquet as pq
 
     check_ending(path)
-    table = pa.table(series.columns())
+    table = pa.table(dict(columns))
     out = io.BytesIO()
     if path.suffix == ".csv":
         pyarrow.csv.write_csv(table, out, pyarrow.csv.WriteOptions(quoting_style="none"))

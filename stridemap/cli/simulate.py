@@ -18,6 +18,7 @@ from stridemap.cli.options import (
     split,
     whole,
 )
+from stridemap.cli.si import Size, UnitsOption
 from stridemap.errors import InputError
 
 if TYPE_CHECKING:
@@ -51,6 +52,7 @@ def simulate(
     rate: Annotated[
         float | None, typer.Option(help=f"Samples of the time series per unit of time; {RATE:g} by default.")
     ] = None,
+    units: UnitsOption = None,
     json_: JsonOption = False,
     derive_timeout: DeriveTimeoutOption = None,
 ) -> int:
@@ -62,34 +64,42 @@ def simulate(
     """
     from stridemap.cli.series import check_ending, write_series
     from stridemap.solver.api.points import simulate as simulate_
+    from stridemap.solver.model.loading import load
 
-    dt = _spacing(rate, trajectory)
+    size = Size.of(load(model), units)
+    dt = size.own("time", _spacing(rate, trajectory))
     if trajectory is not None:
         check_ending(trajectory)
-    params = parameters(context.args, set_)
+    params = size.all_own(parameters(context.args, set_))
     walk = simulate_(
-        model, _entries(state, "--state"), start=_entries(start, "--from"), steps=steps, params=params
+        model,
+        _entries(state, "--state", size),
+        start=_entries(start, "--from", size),
+        steps=steps,
+        params=params,
     )
     if trajectory is not None:
-        about = {**_summary(model, walk), "rate": 1 / dt, "outcome": walk.outcome.value}
-        write_series(walk.trajectory(dt), trajectory, about)
+        about = {**_summary(model, walk, size), "rate": 1 / size.shown("time", dt)}
+        about["outcome"] = walk.outcome.value
+        write_series(size.all_shown(walk.trajectory(dt).columns()), trajectory, about)
     if json_:
         rows = [
-            {"period": s.period, "step_length": s.step_length, "state": dict(s.state)} for s in walk.steps
+            size.all_shown({"period": s.period, "step_length": s.step_length, "state": dict(s.state)})
+            for s in walk.steps
         ]
-        out = {**_summary(model, walk), "outcome": walk.outcome.value, "steps": rows}
+        out = {**_summary(model, walk, size), "outcome": walk.outcome.value, "steps": rows}
         print(json.dumps(out, indent=1, allow_nan=False))
     else:
-        _print(walk, steps)
+        _print(walk, steps, size)
     return FOUND if len(walk.steps) == steps else NOTHING
 
 
-def _entries(words: list[str] | None, option: str) -> dict[str, Any] | None:
+def _entries(words: list[str] | None, option: str, size: Size) -> dict[str, Any] | None:
     """Numbers by name from words ``NAME=VALUE``; None where there are none."""
     out: dict[str, Any] = {}
     for word in words or ():
         assign(out, *split(word, option))
-    return out or None
+    return {name: size.own("time" if name == "t" else name, value) for name, value in out.items()} or None
 
 
 def _spacing(rate: float | None, trajectory: Path | None) -> float:
@@ -102,18 +112,20 @@ def _spacing(rate: float | None, trajectory: Path | None) -> float:
     return 1 / chosen
 
 
-def _summary(model: str, walk: "Walk") -> dict[str, Any]:
-    return {"model": model, "params": dict(walk.params), "start": dict(walk.start)}
+def _summary(model: str, walk: "Walk", size: Size) -> dict[str, Any]:
+    start = {name: size.shown("time" if name == "t" else name, value) for name, value in walk.start.items()}
+    return {"model": model, **size.said, "params": size.all_shown(dict(walk.params)), "start": start}
 
 
-def _print(walk: "Walk", steps: int) -> None:
+def _print(walk: "Walk", steps: int, size: Size) -> None:
     """The steps as a table, and how the walk ended."""
     from stridemap.cli.output import print_table
 
     names = list(walk.steps[0].state) if walk.steps else []
     table = [["step", "period", "length", *names]]
     for i, s in enumerate(walk.steps, 1):
-        values = [s.period, s.step_length, *s.state.values()]
+        seen = size.all_shown({"period": s.period, "step_length": s.step_length, **s.state})
+        values = list(seen.values())
         table.append([str(i), *(f"{value:.9f}" for value in values)])
     print_table(table)
     if walk.outcome.sentence:

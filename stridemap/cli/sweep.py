@@ -24,6 +24,9 @@ def sweep(
     backend: Annotated[
         str | None, typer.Option(help="What runs the kernels: lanes, scalar or interpreter.")
     ] = None,
+    csv: Annotated[
+        bool, typer.Option("--csv", help="Write orbits.csv too, as `stridemap export --to csv` does.")
+    ] = False,
     derive_timeout: DeriveTimeoutOption = None,
 ) -> int:
     """Find all limit cycles of a grid of parameters; writes orbits.parquet and cells.parquet."""
@@ -37,6 +40,12 @@ def sweep(
     except KeyboardInterrupt:
         print(f"interrupted: finished tiles are kept in {out}; continue with --resume", file=sys.stderr)
         return INTERRUPTED
+    if csv:
+        from stridemap.sweeps.config import load_config
+        from stridemap.tables.export import export
+        from stridemap.tables.reading import read_table
+
+        export(read_table(out, load_config(config).model), out / "orbits.csv")
     done = "was finished before" if summary.already_finished else "finished"
     failed = (
         f", {summary.failed_cells:,} cells failed (see the reasons in cells.parquet)"

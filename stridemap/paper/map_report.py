@@ -53,7 +53,6 @@ def report(
     verdicts = claims or [claim.to_dict() for claim in evaluate(cycle_tables(paper))]
     curves = map_boundaries(paper, say)
     references = references_of(paper.gaits("compass"), "compass", ["omega"])
+    drawn = None if curves.empty else curves
     with shown("writing the report"):
-        return write_report(
-            paper.run("map"), out, verdicts, curves=None if curves.empty else curves, references=references
-        )
+        return write_report(paper.run("map"), out, verdicts, curves=drawn, references=references)

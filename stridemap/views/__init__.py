@@ -13,8 +13,18 @@ if TYPE_CHECKING:
     from stridemap.views.plots import plot
     from stridemap.views.report.references import Reference
     from stridemap.views.report.write import ReportSummary, write_report
+    from stridemap.views.scatter import plot_table
 
-__all__ = ["Reference", "ReportSummary", "animate", "boundary_map", "branch_diagram", "plot", "write_report"]
+__all__ = [
+    "Reference",
+    "ReportSummary",
+    "animate",
+    "boundary_map",
+    "branch_diagram",
+    "plot",
+    "plot_table",
+    "write_report",
+]
 
 _HOMES = {
     "Reference": "report.references",
@@ -23,6 +33,7 @@ _HOMES = {
     "boundary_map": "boundary_map",
     "branch_diagram": "branch_diagram",
     "plot": "plots",
+    "plot_table": "scatter",
     "write_report": "report.write",
 }
 

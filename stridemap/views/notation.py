@@ -1,55 +1,18 @@
 """How names and units are written: as symbols, in plain text and in LaTeX."""
 
-import math
 import re
 
+from stridemap.columns import SCALED, unit_of
+from stridemap.quantities import KINDS
 from stridemap.spec import ModelSpec, UnitNames
-from stridemap.units import KINDS, Units
 
 _NAMES = "alpha beta gamma delta epsilon zeta eta theta kappa lambda mu nu xi rho sigma tau phi chi psi omega"
 _GREEK = dict(zip(_NAMES.split(), "αβγδεζηθκλμνξρστφχψω", strict=True))
 _SUBSCRIPTS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 _DOT = "\u0307"
-_SCALED = "sqrt(L/g)"
-"""The unit of time of models that are written in units of a mass, a length and gravity."""
 
 
 # -- units ---------------------------------------------------------------------------------------------------
-
-
-def unit_of(kind: str, names: UnitNames) -> str:
-    """Unit of a kind of quantity in a model's own units, written as in a specification.
-
-    Parameters
-    ----------
-    kind : str
-        A key of `stridemap.units.KINDS`.
-    names : UnitNames
-        What the model calls its units.
-    """
-    own = {"mass": names.mass, "length": names.length, "time": names.time, "energy": names.energy}
-    scaled, si = KINDS[kind]
-    if kind in own:
-        return own[kind]
-    if names.time == _SCALED:
-        words = {"M": names.mass, "L": names.length}
-        return re.sub(r"\b[ML]\b", lambda match: words[match[0]], scaled)
-    if (names.mass, names.length, names.time) == ("kg", "m", "s"):
-        return si
-    return _composed(kind, names)
-
-
-def _composed(kind: str, names: UnitNames) -> str:
-    """A unit as a product of powers of the units of mass, length and time."""
-
-    def power(mass: float = 1, length: float = 1, gravity: float = 1) -> int:
-        return round(2 * math.log2(Units(length, mass, gravity).unit(kind)))
-
-    # Units are formed from M, L and g; g is a length over a time squared. Powers are in halves.
-    gravity = power(gravity=2)
-    halves = {names.mass: power(mass=2), names.length: power(length=2) + gravity, names.time: -2 * gravity}
-    factors = [f"{name}^{h // 2}" if h != 2 else name for name, h in halves.items() if h]
-    return " ".join(factors) or ("rad" if KINDS[kind][0] == "rad" else "1")
 
 
 def units(names: UnitNames) -> dict[str, str]:
@@ -73,7 +36,7 @@ def latex_unit(unit: str, names: UnitNames) -> str:
     """
     if unit == "1":
         return "–"
-    italic = {names.mass, names.length, "g"} if names.time == _SCALED else set()
+    italic = {names.mass, names.length, "g"} if names.time == SCALED else set()
     words = re.sub(r"\bsqrt\(([^)]*)\)", r"\\sqrt{\1}", unit)
     words = re.sub(r"\s*/\s*", "/", words)
     words = re.sub(r"\s*\*\s*|\s+", r"\\,", words)

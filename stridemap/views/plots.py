@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from stridemap.columns import unit_of
 from stridemap.errors import InputError
 from stridemap.solver.cycles.orbit import Orbit
 from stridemap.solver.observables.motion import Motion
@@ -58,7 +59,7 @@ def plot(orbit: Orbit, kind: str = "profiles", *, samples: int = 201) -> "Figure
 def _profiles(steps: Sequence[Motion], title: str) -> "Figure":
     """One column for coordinates and force; one for the rates."""
     from stridemap.views import palette, style
-    from stridemap.views.notation import latex_axis, state_labels, time_label, unit_of
+    from stridemap.views.notation import latex_axis, state_labels, time_label
 
     spec = steps[0].model.spec
     labels, n = state_labels(spec), len(spec.coordinates)

@@ -5,6 +5,7 @@ Nothing depends on colour alone: classes of the map differ in luminance, lines i
 
 import io
 import os
+import re
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -95,9 +96,17 @@ def styled() -> Iterator[None]:
         yield
 
 
+class Drawing(Figure):
+    """A figure that notebooks show by itself, also where pyplot was not imported."""
+
+    def _repr_html_(self) -> str:
+        """The figure as an element of a page."""
+        return svg(self)
+
+
 def new_figure(width: float, height: float) -> Figure:
     """An empty figure of a size in inches, independent of pyplot and its windows."""
-    figure = Figure(figsize=(width, height), layout="constrained")
+    figure = Drawing(figsize=(width, height), layout="constrained")
     FigureCanvasAgg(figure)
     figure.get_layout_engine().set(w_pad=0.02, h_pad=0.02, wspace=0.03, hspace=0.03)
     return figure
@@ -126,6 +135,38 @@ def write(figure: Figure, folder: Path, name: str) -> list[Path]:
         figure.savefig(content, format=kind, metadata=metadata)
         paths.append(put(folder / f"{name}.{kind}", content.getvalue()))
     return paths
+
+
+def svg(figure: Figure) -> str:
+    """A figure as an SVG element for a page."""
+    content = io.StringIO()
+    with styled():
+        figure.savefig(content, format="svg", metadata=_UNDATED["svg"])
+    text = content.getvalue()
+    return re.sub(r"<metadata>.*?</metadata>\s*", "", text[text.index("<svg") :], flags=re.DOTALL)
+
+
+def save(figure: Figure, path: Path) -> Path:
+    """Write a figure in the format of its path's ending, without a date: equal figures are equal bytes.
+
+    Raises
+    ------
+    InputError
+        When the file cannot be written.
+    """
+    kind = path.suffix[1:]
+    content = io.BytesIO()
+    with styled():
+        figure.savefig(content, format=kind, metadata=_UNDATED.get(kind))
+    return put(path, content.getvalue())
+
+
+_UNDATED: dict[str, dict[str, None]] = {
+    "svg": {"Date": None, "Creator": None},
+    "png": {"Software": None},
+    "pdf": {"CreationDate": None, "Creator": None, "Producer": None},
+}
+"""What a file of each kind leaves out of its metadata."""
 
 
 def put(path: Path, content: bytes) -> Path:

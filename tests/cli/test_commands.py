@@ -130,9 +130,17 @@ def test_the_plain_table_tells_the_same(run):
     status, out, err = run("orbit", *TWO)
     assert (status, err) == (0, "")
     head, *lines = out.splitlines()
-    assert head.split() == ["cycle", "1", "cycle", "2"]
-    assert len({len(line) for line in (head, *lines)}) == 1  # columns stand under each other
-    rows = {" ".join(line.split()[:-2]): line.split()[-2:] for line in lines}
+    assert head.split() == ["cycle", "1", "cycle", "2", "unit", "meaning"]
+    unit, meaning = head.index("unit"), head.index("meaning")
+    assert {line[unit - 2 : unit] + line[meaning - 2 : meaning] for line in lines} == {"    "}  # in columns
+    cycles = [line[:unit] for line in lines]
+    rows = {" ".join(line.split()[:-2]): line.split()[-2:] for line in cycles}
+    words = {line[:18].strip(): (line[unit:meaning].strip(), line[meaning:]) for line in lines}
+    assert words["dx"] == ("L sqrt(g/L)", "rate of x")
+    assert words["work"][0] == "M g L"
+    assert words["cot"] == ("1", "cost of transport")
+    assert words["period"] == ("sqrt(L/g)", "time from one touchdown to the next")
+    assert words["multiplier 1"] == ("1", "Floquet multiplier 1")
     orbits = printed(run("orbit", *TWO, "--json"))["orbits"]
     state = list(orbits[0]["state"])
     multipliers = [f"multiplier {i}" for i in range(5)]
@@ -153,7 +161,7 @@ def test_what_a_model_has_not_is_null_or_a_dash(run):
     assert list(orbit["state"]) == ["theta1", "dtheta1", "dtheta2"]
     assert orbit["group"] is orbit["x_zero_crossings"] is orbit["wobble_amplitude"] is None
     _, out, _ = run("orbit", "--model", "compass")
-    rows = dict(line.split() for line in out.splitlines()[1:] if not line.startswith("multiplier"))
+    rows = dict(line.split()[:2] for line in out.splitlines()[1:] if not line.startswith("multiplier"))
     assert rows["group"] == rows["x_zero_crossings"] == rows["wobble_amplitude"] == "-"
 
 

@@ -83,7 +83,6 @@ def test_parameters(refused, command, line, words):
         ("sweep a.toml --out b --workes 2", ["--workes", "--workers"]),
         ("derive --chek", ["--chek", "--check"]),
         ("swep a.toml", ["'swep'"]),
-        ("", ["command"]),
     ],
 )  # fmt: skip
 def test_options_and_commands(refused, line, words):

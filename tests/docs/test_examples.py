@@ -27,7 +27,8 @@ def example(monkeypatch, tmp_path, capsys):
     def run(number):
         (script,) = FOLDER.glob(f"{number}_*.py")
         names = runpy.run_path(str(script), run_name="__main__")
-        assert pyplot.get_fignums(), "an example shows a figure"
+        shown = pyplot.get_fignums() or isinstance(names.get("figure"), matplotlib.figure.Figure)
+        assert shown, "an example shows a figure"
         assert list(tmp_path.iterdir()) == []
         return names, capsys.readouterr().out
 
@@ -110,6 +111,20 @@ def test_swinging_torso(example):
     assert names["gait"].stable
     assert names["gait"].cot < compass.cot
     assert "cost of transport 0.294, compass 0.308" in out
+
+
+def test_limit_cycles_in_a_notebook(example):
+    names, _ = example(9)
+    stable, si, lowest = names["stable"], names["si"], names["lowest"]
+    # What the page shows: tables and pictures, as elements of a page.
+    for shown in (names["orbits"], stable, names["figure"]):
+        assert "<svg" in shown._repr_html_()
+    assert "<td>1.1837395</td><td>sqrt(L/g)</td>" in stable._repr_html_()
+    assert names["cheapest"]["cot"].is_monotonic_increasing
+    assert float(lowest.sel(k=6)) == pytest.approx(stable.cot, rel=1e-9)
+    assert names["figure"].axes[0].get_xlabel().endswith(r"$\mathrm{N}/\mathrm{m}$]")
+    # 32 kg, 9.80665 m/s^2 and 0.75 m: a k of 6 is 2,510.5 N/m.
+    assert np.abs(si.frame["k"] - 6 * 32 * 9.80665 / 0.75).min() < 1e-6
 
 
 def push(names, spring):

@@ -28,11 +28,11 @@ OPTIONS = (
     "--claims", "--sweeps", "--thin", "--check", "--only", "--help", "--derive-timeout", "--k", "--omega",
     "--alpha", "--beta", "--slope", "--version", "--vary", "--range", "--target", "--period-n", "--cascade",
     "--seeds", "--friction-limit", "--continuation", "--plot", "--show", "--from", "--trajectory", "--rate",
-    "--search-box",
+    "--search-box", "--x", "--y", "--colour", "--where", "--to", "--by", "--units", "--csv",
 )  # fmt: skip
 COMMANDS = (
     "orbit", "find", "branch", "simulate", "animate", "sweep", "report", "claims", "figures", "derive",
-    "version",
+    "version", "plot", "export", "models", "completion",
 )  # fmt: skip
 
 LINES = (
@@ -54,6 +54,11 @@ LINES = (
     "figures --out figures --only map --sweeps paper --thin 60",
     "derive model.py --out derived --derive-timeout 5",
     "derive --check",
+    "plot out --x omega --y cot --colour group --where stable --out f.svg --units leg_length=1,mass=2",
+    "export out --to nc --where omega<3 --by branch --out t.nc --model compass",
+    "orbit --model compass --starts 4 --csv --units leg_length=0.75,mass=32",
+    "models compass --json",
+    "completion bash",
     "version",
 )
 

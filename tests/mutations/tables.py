@@ -146,11 +146,42 @@ PAGES = (
         ("tests/stridemap/test_units.py::test_every_quantity_has_the_dimension_of_its_si_unit",),
     ),
     Mutation(
-        "stridemap/views/notation.py",
-        "names.length: power(length=2) + gravity",
-        "names.length: power(length=2) - gravity",
+        "stridemap/columns.py",
+        "names.length: length + gravity",
+        "names.length: length - gravity",
         "units of a model in units of its own are wrong",
         (NOTATION,),
+    ),
+    Mutation(
+        "stridemap/tables/where.py",
+        "return found.fillna(False).astype(bool)",
+        "return found.fillna(True).astype(bool)",
+        "rows of which it is not known are selected",
+        ("tests/stridemap/tables/test_where.py::test_conditions",),
+    ),
+    Mutation(
+        "stridemap/tables/gridded.py",
+        'order = frame["period"].to_numpy().argsort(kind="stable")',
+        'order = (-frame["period"].to_numpy()).argsort(kind="stable")',
+        "the cycles of a cell are numbered by falling period",
+        ("tests/stridemap/tables/test_gridded.py::test_every_row_is_where_its_parameters_say",),
+    ),
+    Mutation(
+        "stridemap/tables/conversion.py",
+        "name: frame[name] * factor",
+        "name: frame[name] / factor",
+        "tables are converted backwards",
+        ("tests/stridemap/tables/test_si.py::test_tables_of_any_kind",),
+    ),
+    Mutation(
+        "sweeps/si.py",
+        "scaled = value / factor",
+        "scaled = value * factor",
+        "parameters of a sweep in SI units are converted backwards",
+        (
+            "tests/stridemap/tables/test_si.py"
+            "::test_a_file_in_si_units_means_the_same_as_one_in_the_models_units",
+        ),
     ),
 )
 

@@ -10,12 +10,13 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from numpy.typing import NDArray
 
+from stridemap.columns import unit_of
 from stridemap.paper.drawings.material import Material
 from stridemap.quantities import QUANTITIES
 from stridemap.solver.model.loading import load
 from stridemap.spec import UnitNames
 from stridemap.views import style
-from stridemap.views.notation import latex_axis, unit_of
+from stridemap.views.notation import latex_axis
 
 Floats = NDArray[np.float64]
 

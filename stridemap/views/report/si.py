@@ -3,11 +3,12 @@
 import math
 import re
 
+from stridemap.columns import unit_of
 from stridemap.errors import InputError
 from stridemap.quantities import KINDS
 from stridemap.spec import ModelSpec
 from stridemap.units import Units
-from stridemap.views.notation import printed, unit_of
+from stridemap.views.notation import printed
 
 _SCALED = "sqrt(L/g)"
 

@@ -37,6 +37,7 @@ SCRIPTS = (
     "references.js",
     "filter.js",
     "pen.js",
+    "axes.js",
     "curves.js",
     "zoom.js",
     "map.js",

@@ -196,7 +196,8 @@ def test_repr_has_a_line_for_each(orbits):
 
 def test_html_escapes_and_leaves_out_what_the_model_lacks(orbits):
     text = orbits._repr_html_()
-    assert text.count("<tr>") == len(orbits) + 1
+    assert text.count("<tr>") == len(orbits) + 2  # names and units
+    assert "<td>sqrt(L/g)</td>" in text
     assert "<th>group</th>" in text
     assert f"<td>{orbits[0].period:.6g}</td>" in text
     measures = {**orbits.measures, "group": np.array(["<b>&"] * len(orbits), dtype=object)}

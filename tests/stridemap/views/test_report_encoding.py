@@ -40,7 +40,8 @@ def shown(value, state):
 def test_the_digits_that_are_shown_are_those_of_the_table(values, state):
     found, _ = carried(values, state)
     assert [shown(v, state).lstrip("-") for v in found] == [shown(v, state).lstrip("-") for v in values]
-    assert np.array_equal(np.sign(np.round(found, 9)), np.sign(np.round(values, 9)))
+    large = np.abs(values) > 1e-9
+    assert np.array_equal(np.sign(found)[large], np.sign(values)[large])
 
 
 def test_states_keep_fifteen_decimals_and_the_twelve_that_are_shown():
