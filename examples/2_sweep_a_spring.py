@@ -14,6 +14,7 @@ import numpy as np
 
 import stridemap
 from stridemap.sweeps.config import parse_config
+from stridemap.views import palette
 
 # %%
 # A sweep as a file, or as a dictionary
@@ -47,7 +48,6 @@ print(orbits.groupby("group").agg(cycles=("k", "size"), k_min=("k", "min"), k_ma
 # between them there is a gap near each resonance: no gait at all on the main branch.
 
 (compass,) = stridemap.find_orbits("compass", omega=3)
-colours = dict(zip("ABCD", ("#0072b2", "#d55e00", "#009e73", "#cc79a7"), strict=True))
 marks = dict(zip("ABCD", "osD^", strict=True))
 measures = {
     "spectral_radius": "largest modulus\nof a multiplier",
@@ -56,19 +56,23 @@ measures = {
 }
 
 figure, axes = plt.subplots(3, sharex=True, figsize=(6.4, 6.6), layout="constrained")
-for ax, (name, label) in zip(axes, measures.items(), strict=True):
-    for group, rows in orbits[orbits.group.isin(list(colours))].groupby("group"):
-        for stable, face in ((True, colours[group]), (False, "none")):
+for ax, (name, title) in zip(axes, measures.items(), strict=True):
+    for group, rows in orbits[orbits.group.isin(list(marks))].groupby("group"):
+        colour = palette.GROUPS[group]
+        for stable, face in ((True, colour), (False, "none")):
             some = rows[rows.stable == stable]
-            label = f"group {group}" if stable else None
             ax.scatter(
-                some.k, some[name], 11, facecolors=face, edgecolors=colours[group],
-                linewidths=0.7, marker=marks[group], label=label,
+                some.k, some[name], 11, facecolors=face, edgecolors=colour,
+                linewidths=0.7, marker=marks[group], label=f"group {group}" if stable else None,
             )  # fmt: skip
     ax.axhline(
-        getattr(compass, name), color="0.4", linestyle="--", linewidth=1, label="compass"
+        getattr(compass, name),
+        color=palette.COMPASS,
+        linestyle="--",
+        linewidth=1,
+        label="compass",
     )
-    ax.set_ylabel(label)
+    ax.set_ylabel(title)
 axes[0].axhline(1, color="0.8", linewidth=0.8, zorder=0)
 axes[0].set_ylim(0.8, 1.6)
 axes[1].set_ylim(0.1, 0.4)

@@ -11,6 +11,7 @@ import mpmath
 import numpy as np
 
 import stridemap
+from stridemap.views import palette
 
 model = stridemap.load("wobbling")
 
@@ -26,9 +27,10 @@ q, p = np.array([0.25, 0.6, 0.3]), model.point({})
 drawing = model.evaluate("drawing", q=q, p=p)
 
 figure, ax = plt.subplots(figsize=(4.8, 4.4), layout="constrained")
-ax.plot(*drawing["legs"].T, color="0.3", linewidth=2)
-ax.plot(*drawing["spring"].T, color="#d55e00", linewidth=2, linestyle=(0, (1, 1)))
-ax.scatter(*drawing["positions"].T, 1200 * drawing["masses"], color="#0072b2", zorder=3)
+ax.plot(*drawing["legs"].T, color=palette.STANCE, linewidth=2)
+ax.plot(*drawing["spring"].T, color=palette.SPRING, linewidth=2, linestyle=(0, (1, 1)))
+colours = [palette.MASS if m.role == "wobbling" else palette.STANCE for m in model.spec.masses]
+ax.scatter(*drawing["positions"].T, 1200 * drawing["masses"], color=colours, zorder=3)
 hip, wobbling_mass = drawing["spring"]
 swing_foot = drawing["legs"][-1]
 ax.plot([0, 0], [0, 1.1], color="0.6", linestyle=":")

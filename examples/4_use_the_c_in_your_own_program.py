@@ -16,6 +16,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import stridemap
+from stridemap.views import palette
 
 # %%
 # The program
@@ -147,7 +148,7 @@ for i, (label, style) in enumerate(lines):
         t[::20],
         c_motion[::20, i],
         "o",
-        color="#d55e00",
+        color=palette.VERMILION,
         markersize=4,
         label="dots: from C" if i == 3 else None,
     )

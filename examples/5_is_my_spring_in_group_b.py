@@ -11,6 +11,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import stridemap
+from stridemap.views import palette
 
 # %%
 # The robot's units
@@ -120,17 +121,31 @@ figure, axes = plt.subplots(3, sharex=True, figsize=(6.4, 6.2), layout="constrai
 # distance to it.
 x = softest + (stiffest - softest) * np.linspace(0, 1, 33) ** 2
 gaits = [gait_in_b(spring) for spring in x]
-axes[0].plot(x, [gait.spectral_radius for gait in gaits], "o-", markersize=3)
+axes[0].plot(
+    x, [gait.spectral_radius for gait in gaits], "o-", color=palette.GROUPS["B"], markersize=3
+)
 axes[0].axhline(1, color="0.8", linewidth=0.8, zorder=0)
 axes[0].set_ylabel("largest modulus\nof a multiplier")
-axes[1].plot(x, [1000 * robot.measures(gait)["d_max"] for gait in gaits], "o-", markersize=3)
+axes[1].plot(
+    x,
+    [1000 * robot.measures(gait)["d_max"] for gait in gaits],
+    "o-",
+    color=palette.GROUPS["B"],
+    markersize=3,
+)
 axes[1].set_ylabel(r"$d_\mathrm{max}$ in mm")
-axes[2].plot(x, [robot.measures(gait)["work"] for gait in gaits], "o-", markersize=3)
+axes[2].plot(
+    x,
+    [robot.measures(gait)["work"] for gait in gaits],
+    "o-",
+    color=palette.GROUPS["B"],
+    markersize=3,
+)
 axes[2].set_ylabel("work of the hip\nin J a step")
 axes[2].set_xlabel("spring in N/m")
 for ax in axes:
-    ax.axvspan(softest, stiffest, color="#0072b2", alpha=0.08)
-    ax.axvline(3500, color="#d55e00", linestyle="--", label="3,500 N/m")
+    ax.axvspan(softest, stiffest, color=palette.STABLE, alpha=0.08)
+    ax.axvline(3500, color=palette.DARK, linestyle="--", label="3,500 N/m")
 axes[0].legend(frameon=False)
 
 # %%

@@ -17,6 +17,7 @@ import numpy as np
 
 import stridemap
 from stridemap.sweeps.config import parse_config
+from stridemap.views import palette
 
 # %%
 # The model file
@@ -82,13 +83,17 @@ for column, (orbits, title) in enumerate(
 ):
     for row, (name, label, limits) in enumerate(measures):
         ax = axes[row, column]
-        for stable, face in ((False, "none"), (True, "#0072b2")):
+        for stable, face in ((False, "none"), (True, palette.STABLE)):
             some = orbits[orbits.stable == stable]
             kind = "stable" if stable else "unstable"
-            look = {"facecolors": face, "edgecolors": "#0072b2", "linewidths": 0.6}
+            look = {"facecolors": face, "edgecolors": palette.STABLE, "linewidths": 0.6}
             ax.scatter(some.k, some[name], 10, label=kind, **look)
         ax.axhline(
-            getattr(compass, name), color="0.4", linestyle="--", linewidth=1, label="compass"
+            getattr(compass, name),
+            color=palette.COMPASS,
+            linestyle="--",
+            linewidth=1,
+            label="compass",
         )
         ax.set_ylim(limits)
         if column == 0:
@@ -118,14 +123,16 @@ print(f"k = {cheapest.k:.2f}: cost of transport {gait.cot:.3f}, compass {compass
 figure, ax = plt.subplots(figsize=(7.2, 2.6), layout="constrained")
 for i, n in enumerate(np.linspace(0, len(motion.t) - 1, 5).astype(int)):
     shift = np.array([0.7 * i, 0.0])
-    for name, colour in (("legs", "0.3"), ("torso", "#d55e00")):
+    for name, colour in (("legs", palette.STANCE), ("torso", palette.BODY)):
         ax.plot(
             *(motion.lines[name][n] + shift).T,
             color=colour,
             linewidth=2,
             solid_capstyle="round",
         )
-    ax.scatter(*(motion.positions[n] + shift).T, 160 * motion.masses, color="#0072b2", zorder=3)
+    ax.scatter(
+        *(motion.positions[n] + shift).T, 160 * motion.masses, color=palette.BODY, zorder=3
+    )
     ax.text(shift[0] + motion.com[n, 0], -0.16, f"t = {motion.t[n]:.2f}", ha="center")
 ax.axhline(0, color="0.7", zorder=0)
 ax.set_aspect("equal")

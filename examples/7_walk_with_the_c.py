@@ -18,6 +18,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import stridemap
+from stridemap.views import palette
 
 # %%
 # The files
@@ -122,14 +123,14 @@ figure, axes = plt.subplots(2, sharex=True, figsize=(6.4, 5.2), layout="constrai
 steps = np.arange(1, 21)
 for data, style, label in [
     (simulated, dict(marker="o", color="0.7", markersize=8), "simulator"),
-    (in_double, dict(marker="x", color="#0072b2"), "C, double"),
-    (in_float, dict(marker="+", color="#d55e00", markersize=9), "C, float"),
+    (in_double, dict(marker="x", color=palette.BLUE), "C, double"),
+    (in_float, dict(marker="+", color=palette.VERMILION, markersize=9), "C, float"),
 ]:
     axes[0].plot(steps, data[:, 1] - fixed_point[1], linestyle="", label=label, **style)
 axes[0].set_ylabel(r"$\dot\theta_1$ from the cycle's, $\sqrt{g/L}$")
 axes[0].legend(frameon=False)
-axes[1].semilogy(steps, off_float, "+", color="#d55e00", markersize=9, label="float")
-axes[1].semilogy(steps, off_double, "x", color="#0072b2", label="double")
+axes[1].semilogy(steps, off_float, "+", color=palette.VERMILION, markersize=9, label="float")
+axes[1].semilogy(steps, off_double, "x", color=palette.BLUE, label="double")
 axes[1].set_ylabel("difference from the simulator")
 axes[1].set_xlabel("step")
 axes[1].set_xticks(steps[::3])

@@ -15,6 +15,7 @@ import numpy as np
 
 import stridemap
 from stridemap.sweeps.config import parse_config
+from stridemap.views import palette
 
 # %%
 # A damper as a share of critical damping
@@ -42,7 +43,6 @@ measures = {
     "d_max": r"$d_\mathrm{max}$ in L",
     "spectral_radius": "largest modulus\nof a multiplier",
 }
-colours = dict(zip("ABC", ("#0072b2", "#d55e00", "#009e73"), strict=True))
 
 figure, axes = plt.subplots(3, sharex=True, figsize=(6.4, 6.6), layout="constrained")
 for group, k in typical.items():
@@ -53,12 +53,16 @@ for group, k in typical.items():
     gaits = gaits[gaits.group == group]
     for ax, name in zip(axes, measures, strict=True):
         ax.plot(
-            100 * gaits.c / critical, gaits[name], color=colours[group],
+            100 * gaits.c / critical, gaits[name], color=palette.GROUPS[group],
             label=f"group {group}, k = {k:g}",
         )  # fmt: skip
 for ax, (name, title) in zip(axes, measures.items(), strict=True):
     ax.axhline(
-        getattr(compass, name), color="0.4", linestyle="--", linewidth=1, label="compass"
+        getattr(compass, name),
+        color=palette.COMPASS,
+        linestyle="--",
+        linewidth=1,
+        label="compass",
     )
     ax.set_ylabel(title)
 axes[2].set_xlabel("damping in % of critical")
@@ -105,7 +109,7 @@ with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(1) as executor:
     orbits = stridemap.read_orbits(folder)
 
 orbits["share"] = 100 * orbits.c / (2 * np.sqrt(orbits.k * orbits.alpha * (1 - orbits.alpha)))
-stable = orbits[orbits.stable & orbits.group.isin(list(colours))]
+stable = orbits[orbits.stable & orbits.group.isin(list(typical))]
 best = stable.loc[stable.groupby(["group", "c"]).cot.idxmin()]
 cheaper = best[best.cot < compass.cot].groupby("group").share.max()
 print(
@@ -122,9 +126,9 @@ for shade, c in zip((0.0, 0.35, 0.6, 0.8), (0.0, 0.02, 0.04, 0.1), strict=True):
     rows = stable[stable.c == c]
     left.scatter(rows.k, rows.cot, 8, color=plt.get_cmap("viridis")(shade), label=f"c = {c:g}")
 for group, rows in best.groupby("group"):
-    right.plot(rows.share, rows.cot, "o-", color=colours[group], label=f"group {group}")
+    right.plot(rows.share, rows.cot, "o-", color=palette.GROUPS[group], label=f"group {group}")
 for ax in (left, right):
-    ax.axhline(compass.cot, color="0.4", linestyle="--", linewidth=1)
+    ax.axhline(compass.cot, color=palette.COMPASS, linestyle="--", linewidth=1)
     ax.legend(frameon=False, fontsize="small")
 left.set_xlabel("spring $k$ in M g / L")
 left.set_ylabel("cost of transport")

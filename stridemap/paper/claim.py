@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from types import MappingProxyType
 from typing import Any
@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from stridemap.paper.cycle_tables import CycleTables
+from stridemap.views.small_figures import SmallFigure
 
 
 class Verdict(StrEnum):
@@ -38,6 +39,14 @@ class Claim:
     evidence : mapping
         Plain values. ``parts`` has an entry for each part of the statement: whether it ``holds``, and the
         numbers that decide it.
+    short : str
+        The statement in a few words.
+    where : str
+        The section of the paper that says so.
+    listed : mapping of str to str
+        The deciding numbers of each pair of alpha and omega, where there are some for each.
+    figure : SmallFigure, optional
+        What decides it, as a drawing.
     """
 
     id: str
@@ -45,18 +54,27 @@ class Claim:
     verdict: Verdict
     numbers: str
     evidence: Mapping[str, Any]
+    short: str = ""
+    where: str = ""
+    listed: Mapping[str, str] = field(default_factory=dict)
+    figure: SmallFigure | None = None
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "evidence", MappingProxyType(dict(self.evidence)))
+        object.__setattr__(self, "listed", MappingProxyType(dict(self.listed)))
 
     def to_dict(self) -> dict[str, Any]:
         """Plain values for JSON."""
         return {
             "id": self.id,
             "statement": self.statement,
+            "short": self.short,
+            "where": self.where,
             "verdict": self.verdict.value,
             "numbers": self.numbers,
+            "listed": dict(self.listed),
             "evidence": dict(self.evidence),
+            "figure": None if self.figure is None else self.figure.to_dict(),
         }
 
 
@@ -91,31 +109,78 @@ class Parts:
         return dict(self._entries)
 
 
-Decided = tuple[Parts, str, dict[str, Any]]
+@dataclass(frozen=True)
+class Listed:
+    """Deciding numbers at each pair of alpha and omega: what they are, and they by the name of the pair."""
+
+    what: str
+    values: Mapping[str, str]
+
+    def __str__(self) -> str:
+        return f"{self.what}: {', '.join(self.values.values())}"
+
+
+Decided = tuple[Parts, str | Listed, dict[str, Any]]
 """The parts of a statement, the deciding numbers in a few words, and further evidence."""
 
 
 @dataclass(frozen=True)
 class Statement:
-    """A statement of the paper and the function that decides it."""
+    """A statement of the paper, the function that decides it, and the one that draws what decides it."""
 
     id: str
     text: str
     decide: Callable[[CycleTables], Decided]
+    short: str = ""
+    where: str = ""
+    figure: Callable[[CycleTables, Mapping[str, Any]], SmallFigure] | None = None
 
     def __call__(self, data: CycleTables) -> Claim:
         """Decide the statement."""
-        parts, numbers, further = self.decide(data)
+        parts, said, further = self.decide(data)
+        numbers, listed = str(said), said.values if isinstance(said, Listed) else {}
         if failing := parts.failing():
             named = ", ".join(failing[:4]) + (f" and {len(failing) - 4} more" if len(failing) > 4 else "")
             numbers = f"{numbers}; not so: {named}" if numbers else f"not so: {named}"
         evidence = {"parts": parts.to_dict(), **plain(further)}
-        return Claim(self.id, self.text, parts.verdict(), numbers, evidence)
+        return Claim(
+            self.id,
+            self.text,
+            parts.verdict(),
+            numbers,
+            evidence,
+            self.short or self.text,
+            self.where,
+            listed,
+        )
+
+    def drawn(self, data: CycleTables) -> Claim:
+        """Decide the statement, and draw what decides it."""
+        claim = self(data)
+        return replace(claim, figure=self.figure(data, claim.evidence)) if self.figure else claim
 
 
-def statement(id_: str, text: str) -> Callable[[Callable[[CycleTables], Decided]], Statement]:
-    """Declare the function below as the one that decides a statement."""
-    return lambda decide: Statement(id_, text, decide)
+def statement(
+    id_: str,
+    text: str,
+    *,
+    short: str = "",
+    where: str = "",
+    figure: Callable[[CycleTables, Mapping[str, Any]], SmallFigure] | None = None,
+) -> Callable[[Callable[[CycleTables], Decided]], Statement]:
+    """Declare the function below as the one that decides a statement.
+
+    Parameters
+    ----------
+    id_, text : str
+    short : str
+        The statement in a few words, for a line on a terminal; by default all of it.
+    where : str
+        The section of the paper that says so.
+    figure : callable, optional
+        Draws what decides it, from the tables and the evidence.
+    """
+    return lambda decide: Statement(id_, text, decide, short, where, figure)
 
 
 def shown(value: float, form: str) -> str:

@@ -1,7 +1,7 @@
 """The limit cycles that the paper's statements are about, as the tables from which they are decided."""
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 
 import numpy as np
 import pandas as pd
@@ -9,8 +9,9 @@ from numpy.typing import NDArray
 
 from stridemap.errors import InputError
 from stridemap.paper.branch_tables import EDGE_COLUMNS, edge_table, minima_table
+from stridemap.paper.points import PLANE, TYPICAL
 from stridemap.paper.profile_features import COLUMNS as PROFILE_COLUMNS
-from stridemap.paper.profile_features import COMPARED, compare_with, with_profiles
+from stridemap.paper.profile_features import COMPARED, compare_with, sampled, with_profiles
 from stridemap.paper.sweeps import PaperSweeps, require_gaits
 from stridemap.services import shown
 from stridemap.solver.branches.main_branch import on_main_branch
@@ -48,6 +49,9 @@ class CycleTables:
         Cycles over `k` and alpha at both omega.
     line_k, map_k, map_alpha : ndarray
         What was searched: values of `k` of the lines, and of `k` and alpha of the map.
+    profiles : mapping
+        For drawings: of the most stable typical solution of each group, and of the compass at the same
+        frequency (``compass``), `x`, `d` and the rate of theta1 over a step, as far as it has them.
     """
 
     typical: pd.DataFrame
@@ -59,6 +63,7 @@ class CycleTables:
     line_k: NDArray[np.float64]
     map_k: NDArray[np.float64]
     map_alpha: NDArray[np.float64]
+    profiles: Mapping[str, Mapping[str, NDArray[np.float64]]] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         for name, columns in {
@@ -125,12 +130,39 @@ def cycle_tables(sweeps: PaperSweeps) -> CycleTables:
         line_k=line_k,
         map_k=np.array(sweeps.configs["map"].grid["k"]),
         map_alpha=np.array(sweeps.configs["map"].grid["alpha"]),
+        profiles=_profiles(walker, typical, compass, gaits["compass"]),
     )
 
 
 def _typical(walker: Model, orbits: pd.DataFrame, compass: Model, cycles: pd.DataFrame) -> pd.DataFrame:
     profiled = with_profiles(walker, orbits)
     return compare_with(walker, profiled, compass, cycles[cycles["omega"].isin(orbits["omega"])])
+
+
+def _profiles(
+    walker: Model, typical: pd.DataFrame, compass: Model, cycles: pd.DataFrame
+) -> dict[str, dict[str, NDArray[np.float64]]]:
+    """The profiles that are drawn."""
+    chosen = {
+        group: (walker, rows.sort_values("spectral_radius").iloc[[0]])
+        for group, rows in typical[typical["stable"].fillna(False).astype(bool)].groupby("group")
+        if set(rows["k"]) & {TYPICAL.get(str(group))}
+    }
+    same = cycles[cycles["omega"] == PLANE["omega"]].sort_values("spectral_radius")
+    if len(same):
+        chosen["compass"] = (compass, same.iloc[[0]])
+    out = {}
+    for name, (model, cycle) in chosen.items():
+        motion = sampled(model, cycle)
+        out[str(name)] = {
+            **{
+                c: motion.coordinate(c)[0]
+                for c in ("x", "dtheta1")
+                if c.removeprefix("d") in model.coordinates
+            },
+            "d": motion.d[0],
+        }
+    return out
 
 
 def _lines(walker: Model, orbits: pd.DataFrame, main: NDArray[np.bool_]) -> pd.DataFrame:

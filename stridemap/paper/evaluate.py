@@ -34,7 +34,7 @@ def evaluate(data: CycleTables) -> list[Claim]:
     with shown("deciding the statements", "statements") as update:
         for number, one in enumerate(ordered):
             update(number, len(ordered), one.id)
-            decided.append(one(data))
+            decided.append(one.drawn(data))
     return decided
 
 

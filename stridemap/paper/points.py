@@ -11,3 +11,9 @@ TYPICAL = {"A": 0.5, "B": 6.0, "C": 22.5}
 
 PLANE = {"alpha": 0.25, "omega": 3.0}
 """Where the typical solutions are."""
+
+GROUPS_FOUND = "III-A, Obtained solution groups"
+PERFORMANCE = "III-B, Walking performances"
+DEPENDENCY = "IV-A, Parameter dependency of the model"
+ACTUAL = "IV-C, Relationship between model and actual walking"
+"""Sections of the paper that make the statements."""

@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 from PIL import Image
 
 from stridemap.services import shown
-from stridemap.views import style, walker
+from stridemap.views import palette, style, walker
 from stridemap.views.scene import Scene
 
 FORCE = 0.3
@@ -102,15 +102,16 @@ def draw_frame(axes: Axes, of: Scene, step: int, i: int) -> None:
             walker.draw_arc(axes, foot[i], of.radius, up, colour)
     colours = walker.mass_colours(of.bodies, of.positions[i], hip, stance, swing)
     walker.draw_masses(axes, [mass.name for mass in of.bodies], of.positions[i], of.masses, colours)
-    arrow = {"arrowstyle": "-|>,head_width=0.25,head_length=0.5", "color": style.GREEN, "linewidth": 1.5}
+    arrow = {"arrowstyle": "-|>,head_width=0.25,head_length=0.5", "color": palette.FORCE, "linewidth": 1.5}
     below = np.array([of.cop[i], 0.0])
     axes.annotate(
         "", below + FORCE * of.force[i], below, arrowprops={**arrow, "shrinkA": 0, "shrinkB": 0}, zorder=6
     )
-    axes.plot(of.zmp[i], -0.035, "^", color=style.VERMILION, markersize=6, mew=0, zorder=6)
+    axes.plot(of.zmp[i], -0.035, "^", color=palette.ZMP, markersize=6, mew=0, zorder=6)
     legend = {"transform": axes.transAxes, "va": "bottom", "fontsize": 4.8}
-    axes.text(0.01, 0.005, "→ force, at the centre of pressure", color=style.GREEN, **legend)
-    axes.text(0.99, 0.005, "▲ paper's zero moment point", ha="right", color=style.VERMILION, **legend)
+    axes.text(0.01, 0.005, f"→ {palette.MEANINGS['force']}", color=palette.FORCE, **legend)
+    zmp = palette.MEANINGS["zmp"].removeprefix("the ")
+    axes.text(0.99, 0.005, f"▲ {zmp}", ha="right", color=palette.ZMP, **legend)
 
 
 def _leg_directions(of: Scene, i: int) -> tuple[np.ndarray, np.ndarray]:

@@ -58,7 +58,7 @@ def plot(orbit: Orbit, kind: str = "profiles", *, samples: int = 201) -> "Figure
 
 def _profiles(steps: Sequence[Motion], title: str) -> "Figure":
     """One column for coordinates and force; one for the rates."""
-    from stridemap.views import style
+    from stridemap.views import palette, style
     from stridemap.views.notation import latex_axis, state_labels, time_label
 
     spec = steps[0].model.spec
@@ -74,12 +74,12 @@ def _profiles(steps: Sequence[Motion], title: str) -> "Figure":
     force, distance = panels[n]
     for component, symbol, look in ((1, "$F_y$", "-"), (0, "$F_x$", "--")):
         values = _joined([seen.force[:, component] for seen in steps])
-        force.plot(t, values, look, color=style.GREEN, label=symbol)
+        force.plot(t, values, look, color=palette.FORCE, label=symbol)
     force.set_ylabel(latex_axis("ground force", unit_of("force", spec.units), spec.units))
     force.legend()
-    distance.plot(t, _joined([seen.d for seen in steps]), color=style.VERMILION, label="paper's $d$")
+    distance.plot(t, _joined([seen.d for seen in steps]), color=palette.ZMP, label="paper's $d$")
     ahead = _joined([seen.cop - seen.contact for seen in steps])
-    distance.plot(t, ahead, "--", color=style.GREEN, label="centre of pressure")
+    distance.plot(t, ahead, "--", color=palette.FORCE, label="centre of pressure")
     distance.set_ylabel(latex_axis("distance", spec.units.length, spec.units))
     distance.legend()
     for axes in panels.ravel():

@@ -17,6 +17,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from stridemap.errors import InputError
+from stridemap.views import palette
 from stridemap.views.palette import (
     BLACK,
     BLUE,
@@ -41,17 +42,19 @@ COLUMN = 80 * MM
 """Width of a single column of the paper, in inches."""
 DPI = 200
 
-STABLE, UNSTABLE, NONE = BLUE, GREY, WHITE
+STABLE, UNSTABLE, NONE = palette.STABLE, palette.UNSTABLE, palette.NONE
 """Classes of the map."""
 
-STABLE_LINE: dict[str, Any] = {"color": BLUE, "linewidth": 2.2, "linestyle": "-", "solid_capstyle": "butt"}
-UNSTABLE_LINE: dict[str, Any] = {"color": DARK, "linewidth": 0.7, "linestyle": "-"}
-COMPASS_LINE: dict[str, Any] = {"color": BLACK, "linewidth": 0.9, "linestyle": (0, (5, 2.5))}
+STABLE_LINE: dict[str, Any] = {
+    "color": palette.STABLE, "linewidth": 2.2, "linestyle": "-", "solid_capstyle": "butt",
+}  # fmt: skip
+UNSTABLE_LINE: dict[str, Any] = {"color": palette.UNSTABLE_LINE, "linewidth": 0.7, "linestyle": "-"}
+COMPASS_LINE: dict[str, Any] = {"color": palette.COMPASS, "linewidth": 0.9, "linestyle": (0, (5, 2.5))}
 
 SOLUTIONS: dict[str, dict[str, Any]] = {
-    "a": {"color": VERMILION, "linewidth": 1.3, "linestyle": "-"},
-    "b": {"color": GREEN, "linewidth": 1.3, "linestyle": (0, (6, 1.5))},
-    "c": {"color": BLUE, "linewidth": 1.3, "linestyle": (0, (5, 1.2, 1, 1.2))},
+    "a": {"color": palette.GROUPS["A"], "linewidth": 1.3, "linestyle": "-"},
+    "b": {"color": palette.GROUPS["B"], "linewidth": 1.3, "linestyle": (0, (6, 1.5))},
+    "c": {"color": palette.GROUPS["C"], "linewidth": 1.3, "linestyle": (0, (5, 1.2, 1, 1.2))},
     "compass": COMPASS_LINE,
 }
 """Lines of the typical solutions and of the compass walker, which differ in colour and dashes."""

@@ -9,14 +9,13 @@ from matplotlib.patches import Circle
 from numpy.typing import NDArray
 
 from stridemap.spec import Mass
-from stridemap.views import style
+from stridemap.views import palette, style
 
 Array = NDArray[np.float64]
 
 RADIUS = 0.095
 """Radius of a disc for the mass of the whole walker, in heights of the walker."""
-LEFT, RIGHT = style.DARK, style.SKY
-HIP, WOBBLING, BODY = style.DARK, style.VERMILION, style.PURPLE
+LEFT, RIGHT, HIP = palette.STANCE, palette.SWING, style.DARK
 COILS = 5
 ARC = 0.6
 """Half the angle of a round foot's arc."""
@@ -47,7 +46,7 @@ def mass_colours(
     stance, swing : str
         Colours of the two legs.
     """
-    by_role = {"stance_foot": stance, "swing_foot": swing, "wobbling": WOBBLING, "body": BODY}
+    by_role = {"stance_foot": stance, "swing_foot": swing, "wobbling": palette.MASS, "body": palette.BODY}
     return [
         HIP if mass.role == "body" and hip is not None and np.allclose(position, hip) else by_role[mass.role]
         for mass, position in zip(masses, positions, strict=True)
@@ -77,7 +76,7 @@ def spring_line(points: Array, width: float) -> Array:
 
 def draw_spring(axes: Axes, points: Array, width: float = 0.03, **line: Any) -> None:
     """A spring as a zigzag."""
-    look = {"color": style.BLACK, "linewidth": 0.8, "zorder": 5, **line}
+    look = {"color": palette.SPRING, "linewidth": 0.8, "zorder": 5, **line}
     axes.plot(*spring_line(points, width).T, **look)
 
 

@@ -50,6 +50,7 @@ def test_find_a_limit_cycle(example):
 def test_sweep_a_spring(example):
     names, _ = example(2)
     orbits = names["orbits"]
+    assert [panel.get_ylabel() for panel in names["axes"]] == list(names["measures"].values())
     assert set("ABCD") <= set(orbits.group.dropna())
     in_b = names["in_b"]
     # The sentences about the ends of group B: a real multiplier near 1, a pair near -1.

@@ -27,6 +27,7 @@ def made_up():
             for w in (2.0, 3.0)
         ]
     )  # fmt: skip
+    turn = np.linspace(0, 2 * np.pi, 401)
     lines = pd.DataFrame([row for a in (0.25, 0.5) for w in (2.0, 3.0) for row in _line(a, w)])
     return CycleTables(
         typical=pd.DataFrame([_typical(g, k) for g, k in (("A", 0.5), ("B", 6.0), ("C", 22.5))]),
@@ -38,6 +39,10 @@ def made_up():
         line_k=LINE_K,
         map_k=LINE_K,
         map_alpha=MAP_ALPHA,
+        profiles={
+            name: {"x": 0.05 * np.sin(turn), "d": 0.2 * np.sin(turn), "dtheta1": -np.cos(n * turn)}
+            for name, n in (("A", 1), ("B", 2), ("C", 3), ("compass", 1))
+        },
     )
 
 

@@ -6,9 +6,11 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from stridemap.paper.claim import Decided, Parts, shown, statement
+from stridemap.paper.claim import Decided, Listed, Parts, shown, statement
 from stridemap.paper.cycle_tables import CycleTables
-from stridemap.paper.points import ALPHAS, GROUPS, OMEGAS, TYPICAL
+from stridemap.paper.deciding import profiles
+from stridemap.paper.deciding.over_k import a_against_b_and_c, growth, least_of_groups, least_of_part, over_k
+from stridemap.paper.points import ALPHAS, GROUPS, OMEGAS, PERFORMANCE, TYPICAL
 from stridemap.paper.select import (
     compass,
     extremes,
@@ -20,40 +22,40 @@ from stridemap.paper.select import (
     with_minima,
 )
 
-Rule = Callable[[CycleTables, str], tuple[Parts, str]]
+Rule = Callable[[CycleTables, str], tuple[Parts, str | Listed]]
 
 
-def least_is_largest_in_a(data: CycleTables, column: str) -> tuple[Parts, str]:
+def least_is_largest_in_a(data: CycleTables, column: str) -> tuple[Parts, Listed]:
     """At each alpha and omega, the smallest value over stable A is above those over stable B and stable C."""
-    parts, texts = Parts(), []
+    parts, texts = Parts(), {}
     for name, _, _, orbits in slices(with_minima(data)):
         found = {g: extremes(stable(orbits, g), column) for g in "ABC"}
         least = {g: found[g].get("least", np.nan) for g in "ABC"}
         for g in "BC":
             parts.add(f"A above {g} at {name}", least["A"] > least[g], A=found["A"], **{g: found[g]})
-        texts.append("/".join(shown(value, ".3g") for value in least.values()))
-    return parts, "smallest in A/B/C: " + ", ".join(texts)
+        texts[name] = "/".join(shown(value, ".3g") for value in least.values())
+    return parts, Listed("smallest in A/B/C", texts)
 
 
-def a_is_above_the_compass(data: CycleTables, column: str) -> tuple[Parts, str]:
+def a_is_above_the_compass(data: CycleTables, column: str) -> tuple[Parts, Listed]:
     """Every stable cycle of A is above the compass, at each alpha and omega."""
-    parts, texts = Parts(), []
+    parts, texts = Parts(), {}
     for name, _, omega, orbits in slices(with_minima(data)):
         reference, found = compass(data, omega, column), extremes(stable(orbits, "A"), column)
         parts.add(name, found.get("least", np.nan) > reference, compass=reference, **found)
-        texts.append(f"{shown(found.get('least', np.nan), '.4g')} (compass {shown(reference, '.4g')})")
-    return parts, "smallest in A: " + ", ".join(texts)
+        texts[name] = f"{shown(found.get('least', np.nan), '.3g')} (compass {shown(reference, '.3g')})"
+    return parts, Listed("smallest in A", texts)
 
 
 def some_are_below_the_compass(
     data: CycleTables, column: str, omegas: tuple[float, ...]
-) -> tuple[Parts, str]:
+) -> tuple[Parts, Listed]:
     """Some stable cycles of B, and some of C, are below the compass, at each alpha and some omega."""
-    parts, texts = Parts(), []
+    parts, texts = Parts(), {}
     for name, _, omega, orbits in slices(data):
         if omega not in omegas:
             continue
-        reference = compass(data, omega, column)
+        reference, counts = compass(data, omega, column), []
         for g in "BC":
             rows = stable(orbits, g)
             below = rows[rows[column] < reference]
@@ -61,8 +63,9 @@ def some_are_below_the_compass(
                 f"{g} at {name}", len(below),
                 compass=reference, cycles_below=len(below), k_below=span(below), **extremes(rows, column),
             )  # fmt: skip
-            texts.append(f"{g} {len(below)}/{len(rows)}")
-    return parts, "stable cycles below it: " + ", ".join(texts)
+            counts.append(f"{g} {len(below)}/{len(rows)}")
+        texts[name] = " ".join(counts)
+    return parts, Listed("stable cycles below it", texts)
 
 
 def grows(data: CycleTables, column: str) -> tuple[Parts, str]:
@@ -140,31 +143,79 @@ def of_cost(data: CycleTables, rule: Rule) -> Decided:
     return parts, text, {"with_work_per_weight_and_speed": per_speed}
 
 
-@statement("C11", "The smallest d_max of stable cycles is larger in A than in B and than in C")
+@statement(
+    "C11",
+    "The smallest d_max of stable cycles is larger in A than in B and than in C",
+    short="smallest d_max is larger in A than in B and C",
+    where=PERFORMANCE,
+    figure=over_k(
+        "d_max",
+        a_against_b_and_c,
+        "d_max of stable cycles in A, B and C; marked are the smallest.",
+        groups="ABC",
+    ),
+)
 def c11(data: CycleTables) -> Decided:
     """See `least_is_largest_in_a`."""
     return *least_is_largest_in_a(data, "d_max"), {}
 
 
-@statement("C12", "In stable cycles of A, d_max is always above the compass's")
+@statement(
+    "C12",
+    "In stable cycles of A, d_max is always above the compass's",
+    short="d_max of stable A is above the compass's",
+    where=PERFORMANCE,
+    figure=over_k(
+        "d_max",
+        least_of_part,
+        "d_max of A; marked is the smallest of stable cycles.",
+        groups="A",
+        reference=True,
+    ),
+)
 def c12(data: CycleTables) -> Decided:
     """See `a_is_above_the_compass`."""
     return *a_is_above_the_compass(data, "d_max"), {}
 
 
-@statement("C13", "At omega = 2, some stable cycles of B and of C have d_max below the compass's")
+@statement(
+    "C13",
+    "At omega = 2, some stable cycles of B and of C have d_max below the compass's",
+    short="some of B and C have d_max below the compass's",
+    where=PERFORMANCE,
+    figure=over_k(
+        "d_max",
+        least_of_groups("{group} at {name}"),
+        "d_max of B and C; marked are the smallest of stable cycles.",
+        groups="BC",
+        reference=True,
+        omegas=(2.0,),
+    ),
+)
 def c13(data: CycleTables) -> Decided:
     """See `some_are_below_the_compass`."""
     return *some_are_below_the_compass(data, "d_max", (2.0,)), {}
 
 
-@statement("C14", "d_max grows with alpha and omega, and falls quickly as k falls within a group")
+@statement(
+    "C14",
+    "d_max grows with alpha and omega, and falls quickly as k falls within a group",
+    short="d_max grows with alpha, omega, and k within a group",
+    where=PERFORMANCE,
+    figure=growth("d_max"),
+)
 def c14(data: CycleTables) -> Decided:
     """See `grows`."""
     return *grows(data, "d_max"), {}
 
 
-@statement("C15", "d is positive first and then negative; of the typical solutions A's d fluctuates most")
+@statement(
+    "C15",
+    "d is positive first and then negative; of the typical solutions A's d fluctuates most",
+    short="d is positive, then negative; it varies most in A",
+    where=PERFORMANCE,
+    figure=profiles.distance,
+)
 def c15(data: CycleTables) -> Decided:
     """Signs in each typical solution, and which of them has the largest range of d.
 
@@ -211,25 +262,66 @@ def _turns_negative_once(cycles: Any) -> Any:
     return (cycles["d_start"] > 0) & (cycles["d_sign_changes"] == 1) & averages
 
 
-@statement("C16", "The smallest CoT of stable cycles is larger in A than in B and than in C")
+@statement(
+    "C16",
+    "The smallest CoT of stable cycles is larger in A than in B and than in C",
+    short="smallest CoT is larger in A than in B and C",
+    where=PERFORMANCE,
+    figure=over_k(
+        "cot",
+        a_against_b_and_c,
+        "Cost of transport of stable cycles in A, B and C; marked are the smallest.",
+        groups="ABC",
+    ),
+)
 def c16(data: CycleTables) -> Decided:
     """See `least_is_largest_in_a`."""
     return of_cost(data, least_is_largest_in_a)
 
 
-@statement("C17", "In stable cycles of A, CoT is always above the compass's")
+@statement(
+    "C17",
+    "In stable cycles of A, CoT is always above the compass's",
+    short="CoT of stable A is above the compass's",
+    where=PERFORMANCE,
+    figure=over_k(
+        "cot",
+        least_of_part,
+        "Cost of transport of A; marked is the smallest of stable cycles.",
+        groups="A",
+        reference=True,
+    ),
+)
 def c17(data: CycleTables) -> Decided:
     """See `a_is_above_the_compass`."""
     return of_cost(data, a_is_above_the_compass)
 
 
-@statement("C18", "Some stable cycles of B and of C have CoT below the compass's")
+@statement(
+    "C18",
+    "Some stable cycles of B and of C have CoT below the compass's",
+    short="some of B and C have CoT below the compass's",
+    where=PERFORMANCE,
+    figure=over_k(
+        "cot",
+        least_of_groups("{group} at {name}"),
+        "Cost of transport of B and C; marked are the smallest of stable cycles.",
+        groups="BC",
+        reference=True,
+    ),
+)
 def c18(data: CycleTables) -> Decided:
     """See `some_are_below_the_compass`."""
     return of_cost(data, lambda d, column: some_are_below_the_compass(d, column, OMEGAS))
 
 
-@statement("C19", "CoT grows with alpha and omega, and falls quickly as k falls within a group")
+@statement(
+    "C19",
+    "CoT grows with alpha and omega, and falls quickly as k falls within a group",
+    short="CoT grows with alpha, omega, and k within a group",
+    where=PERFORMANCE,
+    figure=growth("cot"),
+)
 def c19(data: CycleTables) -> Decided:
     """See `grows`."""
     return of_cost(data, grows)

@@ -6,9 +6,11 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from stridemap.paper.claim import Decided, Parts, shown, statement
+from stridemap.paper.claim import Decided, Listed, Parts, shown, statement
 from stridemap.paper.cycle_tables import CycleTables
-from stridemap.paper.points import GROUPS, OMEGAS, TYPICAL
+from stridemap.paper.deciding import profiles
+from stridemap.paper.deciding import rows as in_rows
+from stridemap.paper.points import ACTUAL, GROUPS, GROUPS_FOUND, OMEGAS, TYPICAL
 from stridemap.paper.select import (
     at,
     compass,
@@ -21,7 +23,13 @@ from stridemap.paper.select import (
 )
 
 
-@statement("C1", "There is a stable cycle at each typical solution: k = 0.5 in A, 6 in B, 22.5 in C")
+@statement(
+    "C1",
+    "There is a stable cycle at each typical solution: k = 0.5 in A, 6 in B, 22.5 in C",
+    short="stable cycles at the typical solutions",
+    where=GROUPS_FOUND,
+    figure=in_rows.typical_stability,
+)
 def c1(data: CycleTables) -> Decided:
     """At alpha = 0.25 and omega = 3. A part for each: a stable cycle of that group at that k."""
     parts, numbers = Parts(), []
@@ -36,7 +44,13 @@ def c1(data: CycleTables) -> Decided:
     return parts, f"largest multipliers {', '.join(numbers)}" if numbers else "", {}
 
 
-@statement("C2", "Groups A to E follow each other as k grows, with gaps without a cycle on the main branch")
+@statement(
+    "C2",
+    "Groups A to E follow each other as k grows, with gaps without a cycle on the main branch",
+    short="groups A to E in order, with gaps",
+    where=GROUPS_FOUND,
+    figure=in_rows.order_of_groups,
+)
 def c2(data: CycleTables) -> Decided:
     """Whether the main branch comes in pieces, lettered in order.
 
@@ -45,12 +59,12 @@ def c2(data: CycleTables) -> Decided:
     smallest of the next there are values of k without a cycle on the main branch. For each omega: ``all
     five`` letters have stable cycles somewhere on the map.
     """
-    parts, letters = Parts(), []
+    parts, letters = Parts(), {}
     for name, _, _, orbits in slices(data):
         main = orbits[orbits["main"].astype(bool)]
         spans = {g: span(main_branch(main, g)) for g in sorted(main["group"].unique())}
         found = "".join(sorted(spans, key=lambda g: spans[g][0]))
-        letters.append(found or "none")
+        letters[name] = found or "none"
         parts.add(f"order at {name}", bool(found) and "ABCDEFGHIJ".startswith(found), letters=found, k=spans)
         gaps = [_gap(data, spans[a], spans[b]) for a, b in pairwise(found)]
         good = bool(gaps) and all(gap["k_without"] > 0 for gap in gaps)
@@ -62,7 +76,7 @@ def c2(data: CycleTables) -> Decided:
             f"all five at omega {omega:g}", all(where.values()),
             alpha={g: [min(a), max(a)] if a else [] for g, a in where.items()},
         )  # fmt: skip
-    return parts, "letters up to k = 60: " + ", ".join(letters), {}
+    return parts, Listed("letters up to k = 60", letters), {}
 
 
 def _gap(data: CycleTables, before: list[float], after: list[float]) -> dict[str, Any]:
@@ -71,7 +85,13 @@ def _gap(data: CycleTables, before: list[float], after: list[float]) -> dict[str
     return {"k_from": before[1], "k_to": after[0], "k_without": int(inside.sum())}
 
 
-@statement("C3", "In A the wobbling mass is behind the hip first and ahead of it later; in B the reverse")
+@statement(
+    "C3",
+    "In A the wobbling mass is behind the hip first and ahead of it later; in B the reverse",
+    short="in A the mass is behind the hip first, in B ahead",
+    where=GROUPS_FOUND,
+    figure=in_rows.shares_of_time,
+)
 def c3(data: CycleTables) -> Decided:
     """A part for each group at each alpha and omega: it is true of every stable cycle.
 
@@ -88,18 +108,25 @@ def c3(data: CycleTables) -> Decided:
             good = (
                 (first > 0.5) & (second > 0.5) & (sign * rows["x_first"] < 0) & (sign * rows["x_second"] > 0)
             )
-            share = min(first.min(), second.min()) if len(rows) else np.nan
+            shares = np.minimum(first, second)
+            share, where = (shares.min(), rows["k"][shares.idxmin()]) if len(rows) else (np.nan, np.nan)
             least = min(least, share) if len(rows) else least
             parts.add(
                 f"{group} at {name}", len(rows) and good.all(),
-                cycles=len(rows), so_in=int(good.sum()), least_share_of_time=share,
+                cycles=len(rows), so_in=int(good.sum()), least_share_of_time=share, least_share_at_k=where,
                 x_mean_first_half=[rows["x_first"].min(), rows["x_first"].max()],
                 x_mean_second_half=[rows["x_second"].min(), rows["x_second"].max()],
             )  # fmt: skip
     return parts, f"so for at least {least:.0%} of either half of the step", {}
 
 
-@statement("C4", "The wobbling mass oscillates twice a step in C, three times in D, four times in E")
+@statement(
+    "C4",
+    "The wobbling mass oscillates twice per step in C, three times in D, four times in E",
+    short="2, 3, 4 oscillations per step in C, D, E",
+    where=GROUPS_FOUND,
+    figure=in_rows.sign_changes,
+)
 def c4(data: CycleTables) -> Decided:
     """Oscillations are half the sign changes of `x` within a step.
 
@@ -107,7 +134,7 @@ def c4(data: CycleTables) -> Decided:
     them oscillate so; a group without stable cycles anywhere fails. Maxima of `x` are counted as further
     evidence.
     """
-    parts, texts, seen = Parts(), [], set()
+    parts, texts, seen = Parts(), {}, set()
     for name, _, _, orbits in slices(data):
         shares = []
         for group, oscillations in (("C", 2), ("D", 3), ("E", 4)):
@@ -127,13 +154,19 @@ def c4(data: CycleTables) -> Decided:
             parts.add(f"most of {group} at {name}", good.mean() > 0.5, **numbers)
             parts.add(f"all of {group} at {name}", good.all())
             shares.append(f"{group} {good.mean():.0%}")
-        texts.append(" ".join(shares) or "none")
+        texts[name] = " ".join(shares) or "none"
     for group in sorted(set("CDE") - seen):
         parts.add(f"{group} exists", False)
-    return parts, f"share of stable cycles that do: {', '.join(texts)}", {}
+    return parts, Listed("share of stable cycles that do", texts), {}
 
 
-@statement("C5", "The rate of theta1 has 1, 2 and 3 peaks in the typical solutions of A, B and C")
+@statement(
+    "C5",
+    "The rate of theta1 has 1, 2 and 3 peaks in the typical solutions of A, B and C",
+    short="1, 2, 3 peaks of the rate of theta1 in A, B, C",
+    where=GROUPS_FOUND,
+    figure=profiles.peaks,
+)
 def c5(data: CycleTables) -> Decided:
     """A part for each typical solution. Peaks of all stable cycles are further evidence."""
     parts, counts = Parts(), []
@@ -150,7 +183,11 @@ def c5(data: CycleTables) -> Decided:
 
 
 @statement(
-    "C6", "The compass has one cycle at each omega, with one peak in the rate of theta1, and resembles A"
+    "C6",
+    "The compass has one cycle at each omega, with one peak in the rate of theta1, and resembles A",
+    short="the compass has one cycle, which resembles A",
+    where=GROUPS_FOUND,
+    figure=profiles.like_the_compass,
 )
 def c6(data: CycleTables) -> Decided:
     """One cycle and one peak at each omega; the likeness with the typical solutions, at omega = 3.
@@ -182,7 +219,13 @@ def c6(data: CycleTables) -> Decided:
     return parts, text, {}
 
 
-@statement("C20", "The wobbling mass moves by about 0.05 of the leg length in the solutions shown")
+@statement(
+    "C20",
+    "The wobbling mass moves by about 0.05 of the leg length in the solutions shown",
+    short="the mass moves by about 0.05 L",
+    where=ACTUAL,
+    figure=profiles.amplitude,
+)
 def c20(data: CycleTables) -> Decided:
     """The greatest modulus of `x` over the three typical solutions.
 

@@ -5,9 +5,11 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from stridemap.paper.claim import Decided, Parts, shown, statement
+from stridemap.paper.claim import Decided, Listed, Parts, shown, statement
 from stridemap.paper.cycle_tables import CycleTables
-from stridemap.paper.points import ALPHAS, GROUPS, OMEGAS
+from stridemap.paper.deciding import rows as in_rows
+from stridemap.paper.deciding.over_k import least_of_groups, least_of_part, over_k
+from stridemap.paper.points import ALPHAS, DEPENDENCY, GROUPS, OMEGAS, PERFORMANCE
 from stridemap.paper.select import (
     at,
     compass,
@@ -20,20 +22,42 @@ from stridemap.paper.select import (
 from stridemap.paper.stable_runs import Run, stable_runs
 
 
-@statement("C7", "The largest multiplier of every cycle is larger than the compass's")
+@statement(
+    "C7",
+    "The largest multiplier of every cycle is larger than the compass's",
+    short="largest multipliers are above the compass's",
+    where=PERFORMANCE,
+    figure=over_k(
+        "spectral_radius",
+        least_of_part,
+        "Largest multiplier over k; marked is the smallest of all cycles.",
+        reference=True,
+    ),
+)
 def c7(data: CycleTables) -> Decided:
     """A part for each alpha and omega: true for every physical gait, stable or not."""
-    parts, texts = Parts(), []
+    parts, texts = Parts(), {}
     for name, _, omega, orbits in slices(with_minima(data)):
         reference, found = compass(data, omega, "spectral_radius"), extremes(orbits, "spectral_radius")
         least = found.get("least", np.nan)
         below = int((orbits["spectral_radius"] <= reference).sum())
         parts.add(name, least > reference, compass=reference, cycles_not_above=below, **found)
-        texts.append(f"{shown(least, '.3f')} (compass {shown(reference, '.3f')})")
-    return parts, "smallest: " + ", ".join(texts), {}
+        texts[name] = f"{shown(least, '.3f')} (compass {shown(reference, '.3f')})"
+    return parts, Listed("smallest", texts), {}
 
 
-@statement("C8", "Within B, C and D the largest multiplier is smallest towards the group's small-k end")
+@statement(
+    "C8",
+    "Within B, C and D the largest multiplier is smallest towards the group's small-k end",
+    short="multipliers of B, C, D are smallest towards small k",
+    where=PERFORMANCE,
+    figure=over_k(
+        "spectral_radius",
+        least_of_groups("{group} at {name}"),
+        "Largest multiplier over k; marked is the smallest on the main branch, and of stable cycles.",
+        groups="BCD",
+    ),
+)
 def c8(data: CycleTables) -> Decided:
     """The fold, where a multiplier is 1, is at the smallest `k` itself; so the minimum lies somewhat inside.
 
@@ -72,7 +96,13 @@ def _location_of_least(rows: pd.DataFrame, column: str) -> tuple[float, dict[str
     return float(location), numbers
 
 
-@statement("C9", "The range of k with stable cycles is wider at omega = 3 than at omega = 2")
+@statement(
+    "C9",
+    "The range of k with stable cycles is wider at omega = 3 than at omega = 2",
+    short="stable ranges of k are wider at omega = 3",
+    where=PERFORMANCE,
+    figure=in_rows.stable_ranges,
+)
 def c9(data: CycleTables) -> Decided:
     """Total length of the values of `k` from 0.1 to 60 with stable cycles, ends bisected.
 
@@ -119,7 +149,11 @@ def _length(groups: dict[str, list[Run]]) -> float:
 
 
 @statement(
-    "C10", "Stable cycles take most of k for alpha from 0.4 to 0.5, little for very small or large alpha"
+    "C10",
+    "Stable cycles take most of k for alpha from 0.4 to 0.5, little for very small or large alpha",
+    short="most stable cycles are at alpha from 0.4 to 0.5",
+    where=DEPENDENCY,
+    figure=in_rows.shares_over_alpha,
 )
 def c10(data: CycleTables) -> Decided:
     """The share of the values of `k` up to 60 at which there is a stable cycle, over a fine axis of alpha.

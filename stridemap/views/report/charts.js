@@ -33,12 +33,12 @@ function chartsOf(samples) {
   }
   const has = (name) => samples[0][name] !== null;
   const length = kindFactor("length");
-  if (has("d")) charts.push({ title: "d: stance foot minus the paper's zero moment point", unit: kindUnit("length"), series: [seriesOf("d", samples, (s) => s.d, length, "series-0")], measure: "d_max" });
-  if (has("offset")) charts.push({ title: "centre of pressure ahead of the contact", unit: kindUnit("length"), series: [seriesOf("offset", samples, (s) => s.offset, length, "series-0")], measure: "cop_max" });
+  if (has("d")) charts.push({ title: "d: stance foot minus the paper's zero moment point", unit: kindUnit("length"), series: [seriesOf("d", samples, (s) => s.d, length, "zmp")], measure: "d_max" });
+  if (has("offset")) charts.push({ title: "centre of pressure ahead of the contact", unit: kindUnit("length"), series: [seriesOf("offset", samples, (s) => s.offset, length, "force")], measure: "cop_max" });
   if (has("force")) {
     charts.push({
       title: "ground force on the stance foot", unit: kindUnit("force"), zero: true,
-      series: [["Fy", 1], ["Fx", 0]].map(([label, part], i) => seriesOf(label, samples, (s) => s.force[part], kindFactor("force"), `series-${i}`)),
+      series: [["Fy", 1], ["Fx", 0]].map(([label, part], i) => seriesOf(label, samples, (s) => s.force[part], kindFactor("force"), i ? "force aside" : "force")),
     });
   }
   if (has("torque")) {

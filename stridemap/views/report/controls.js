@@ -162,6 +162,8 @@ function buildPlayer() {
     stage.seek((Number(byId("time").value) / 1000) * stage.path.period);
   });
   byId("profiles").addEventListener("pointerdown", () => play(false));
+  byId("strip").addEventListener("click", () => play(false));
+  byId("strip").addEventListener("keydown", (event) => event.key !== "Tab" && play(false));
   byId("profiles").addEventListener("keydown", (event) => event.key.startsWith("Arrow") && play(false));
   showSpeeds();
   const still = matchMedia("(prefers-reduced-motion: reduce)");

@@ -14,6 +14,7 @@ class CycleView {
     this.stage = stage;
     this.onCycle = onCycle;
     this.pinned = null;
+    this.strip = new Strip(byId("strip"), (time) => this.stage.seek(time));
     byId("profiles").addEventListener("pointerdown", (event) => this.scrub(event));
     byId("profiles").addEventListener("pointermove", (event) => event.buttons && this.scrub(event));
     byId("profiles").addEventListener("keydown", (event) => this.key(event));
@@ -41,6 +42,7 @@ class CycleView {
     this.pinned = pinned;
     this.profiles();
     this.tables(row);
+    if (another) this.strip.load(this.path);
     if (another) this.stage.load(this.path);
     else this.mark(this.stage.time);
   }
@@ -101,6 +103,7 @@ class CycleView {
   mark(t) {
     this.charts?.forEach((chart) => chart.mark(t * kindFactor("time")));
     if (!this.path) return;
+    this.strip.mark(t);
     byId("profiles").setAttribute("aria-valuenow", String(Math.round((100 * t) / this.path.period)));
     byId("profiles").setAttribute("aria-valuetext", `t = ${brief(t * kindFactor("time"), 3)} of ${brief(this.path.period * kindFactor("time"), 3)}`);
   }

@@ -20,7 +20,7 @@ function lineChart({ title, unit, series, across, zero, measure, bound = null },
   const extra = (zero || bound !== null ? [0] : []);
   const [low, high] = padded(series.flatMap((s) => s.values).concat(extra));
   const [from, to] = across ? padded(series.flatMap(placesOf)) : [0, Math.max(...series.map((s) => s.times.at(-1)))];
-  const x = (value) => left + between(value, from, to) * (width - left - right);
+  const x = (value) => left + between(Number.isFinite(value) ? value : from, from, to) * (width - left - right);
   const y = (value) => height - bottom - between(Number.isFinite(value) ? value : low, low, high) * (height - top - bottom);
   const root = svg("svg", { viewBox: `0 0 ${width} ${height}`, class: "chart", role: "img", "aria-label": described(title, unit, series.slice(0, own), across) });
   for (const value of ticks(low, high, 4)) {

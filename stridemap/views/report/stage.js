@@ -1,8 +1,17 @@
 // The stage: the walker on its ground, with zero moment point and ground force, moving or at a chosen time.
 
 const SPEEDS = [0.05, 0.1, 0.25, 0.5, 1];
-const MASS_COLOURS = { swing_foot: "swing", wobbling: "spring" };
+const MASS_COLOURS = { stance_foot: "stance", swing_foot: "swing", wobbling: "mass" };
+const TRACE = 97; // samples of a step for traces
 const springLines = model.lines.filter(({ role }) => role === "spring");
+
+// The name of a body's colour. A body where the legs meet is drawn as they are; any other has a colour of its own.
+function bodyColour({ lines, positions }, i) {
+  const { role } = model.masses[i];
+  if (role !== "body") return MASS_COLOURS[role];
+  const hips = model.lines.filter((line) => line.role === "legs").map(({ name }) => lines[name][Math.floor(lines[name].length / 2)]);
+  return hips.some((hip) => distance(hip, positions[i]) < 1e-9) ? "stance" : "body";
+}
 
 class Stage {
   // `onTime(t)` is called when the time within the step changes.
@@ -20,13 +29,10 @@ class Stage {
     this.stride = path.seen(path.period).foot;
     const samples = path.samples(49);
     const heights = samples.flatMap(({ positions, lines }) => [positions, ...Object.values(lines)].flat().map(([, y]) => y));
-    const extents = samples.flatMap(({ lines }) => springLines.map(({ name }) => [name, lines[name].at(-1).map((v, i) => v - lines[name][0][i])]));
-    // The direction of a spring is that in which it is longest: its length may pass through zero.
-    this.springs = new Map();
-    for (const [name, extent] of extents) if (Math.hypot(...extent) > Math.hypot(...(this.springs.get(name) ?? [0, 0]))) this.springs.set(name, extent);
+    this.traces = this.tracesOf(path.samples(TRACE));
+    this.loops = new Map(springLines.map(({ name }) => [name, this.loopsOf(name, path.samples(TRACE))]));
     const forces = samples.map(({ force }) => (force === null ? 0 : Math.hypot(...force))).sort((a, b) => a - b);
     this.size = Math.max(...heights);
-    this.extent = Math.max(0, ...[...this.springs.values()].map((extent) => Math.hypot(...extent)));
     this.usualForce = forces[24] || 1;
     [this.time, this.step] = [0, 0];
     this.show();
@@ -64,18 +70,40 @@ class Stage {
     this.onTime(this.time, this.seen);
   }
 
+  // Where wobbling masses are over a step, in the world.
+  tracesOf(samples) {
+    const wobbling = model.masses.flatMap(({ role }, i) => (role === "wobbling" ? [i] : []));
+    return wobbling.map((i) => samples.map(({ positions }) => positions[i]));
+  }
+
+  // The two ends of a spring over a step, as seen by who walks along at the mean speed: loops about the mean of the
+  // first one. Their reach is how far they go from there.
+  loopsOf(name, samples) {
+    const along = (sample, i) => this.stride.map((v) => (v * i) / (samples.length - 1));
+    const ends = [0, -1].map((end) => samples.map((sample, i) => sample.lines[name].at(end).map((v, axis) => v - along(sample, i)[axis])));
+    const middle = [0, 1].map((axis) => ends[0].reduce((sum, point) => sum + point[axis], 0) / samples.length);
+    const loops = ends.map((end) => end.map((point) => point.map((v, axis) => v - middle[axis])));
+    return { middle, loops, reach: Math.max(...loops.flat().map((point) => Math.hypot(...point))) };
+  }
+
   draw() {
     if (!this.path) return;
     const { pen, width, height } = prepared(this.canvas);
-    const scale = Math.min(width / 1.5, height / 1.4) / this.size;
+    this.render(pen, width, height);
+  }
+
+  render(pen, width, height) {
+    const scale = Math.min(width / 0.9, height / 1.24) / this.size;
     // The camera follows at the mean speed; the origin of the world is the present stance foot.
     const share = this.time / this.path.period - 0.5;
     const centre = [share * this.stride[0], share * this.stride[1]];
-    const toPixels = ([x, y]) => [width / 2 + (x - centre[0]) * scale, height - 0.2 * this.size * scale - (y - centre[1]) * scale];
+    const toPixels = ([x, y]) => [width / 2 + (x - centre[0]) * scale, height - 0.13 * this.size * scale - (y - centre[1]) * scale];
     this.toPixels = toPixels;
     this.ground(pen, toPixels, width, scale);
+    this.trace(pen, toPixels, width, scale);
     this.measures(pen, toPixels, scale);
     this.walker(pen, toPixels, scale);
+    this.centreOfMass(pen, toPixels);
     this.lenses(pen, width, height, scale);
   }
 
@@ -100,6 +128,20 @@ class Stage {
     for (let i = -Math.ceil(reach / length); i <= 0; i++) disc(pen, at(i * length), 2.5);
   }
 
+  // Where each wobbling mass was and will be, a dot for equal times: where they lie close it is slow.
+  trace(pen, toPixels, width, scale) {
+    const steps = Math.ceil(width / scale / (Math.abs(this.stride[0]) || 1)) + 1;
+    pen.fillStyle = styled("mass");
+    for (const trace of this.traces) {
+      for (let step = -steps; step <= steps; step++) {
+        for (let i = 0; i < trace.length - 1; i += 8) {
+          const past = step + i / (trace.length - 1) <= this.time / this.path.period;
+          disc(pen, toPixels(trace[i].map((v, axis) => v + step * this.stride[axis])), past ? 2 : 1);
+        }
+      }
+    }
+  }
+
   walker(pen, toPixels, scale) {
     const { lines, positions, masses } = this.seen;
     pen.lineCap = "round";
@@ -108,7 +150,7 @@ class Stage {
       const points = lines[name];
       const hip = Math.floor(points.length / 2); // of legs: the stance leg ends here and the swing leg begins
       for (let i = 1; i < points.length; i++) {
-        const [colour, width] = role === "spring" ? ["spring", 2] : role === "legs" && i > hip ? ["swing", 4] : ["ink", 5];
+        const [colour, width] = role === "spring" ? ["spring", 2] : role === "legs" && i > hip ? ["swing", 5] : ["stance", 6];
         pen.strokeStyle = styled(colour);
         pen.lineWidth = width;
         if (role === "spring") coil(pen, toPixels(points[i - 1]), toPixels(points[i]));
@@ -116,9 +158,12 @@ class Stage {
       }
     }
     const heaviest = Math.max(...masses.map(Math.abs));
-    positions.forEach((position, i) => {
+    // The lighter ones in front, or a heavy one would hide them.
+    const order = positions.map((_, i) => i).sort((a, b) => Math.abs(masses[b]) - Math.abs(masses[a]));
+    order.forEach((i) => {
+      const position = positions[i];
       const radius = Math.max(3, 0.045 * this.size * scale * Math.sqrt(Math.abs(masses[i] / heaviest)));
-      pen.fillStyle = styled(MASS_COLOURS[model.masses[i].role] ?? "ink");
+      pen.fillStyle = styled(bodyColour(this.seen, i));
       disc(pen, toPixels(position), radius);
       pen.strokeStyle = styled("card");
       pen.lineWidth = 1.5;
@@ -126,41 +171,44 @@ class Stage {
     });
   }
 
-  // Springs move little: each is drawn once more under a magnifying glass, in the upper corner. The mark in
-  // the middle is where it is fixed; a spring on either side of the mass stands for the one that has no length.
+  // Springs move little: each is drawn once more under a magnifying glass, in the upper corner, with the loops that
+  // its ends go through as seen by who walks along at the mean speed.
   lenses(pen, width, height, scale) {
-    const radius = Math.min(0.16 * height, 0.16 * width, 60);
-    const larger = lensPower((0.6 * radius) / (scale * this.extent));
+    const radius = Math.min(0.2 * height, 0.18 * width, 95);
+    const reach = Math.max(0, ...[...this.loops.values()].map((of) => of.reach));
+    const larger = lensPower((0.86 * radius) / (scale * reach));
     if (!(larger > 1)) return;
-    [...this.springs].forEach(([name, extent], i) => {
-      const points = this.seen.lines[name];
-      const middle = [width - radius - 6 - i * (2 * radius + 12), radius + 6];
-      const along = [extent[0] / Math.hypot(...extent), extent[1] / Math.hypot(...extent)];
-      const length = points.at(-1).reduce((sum, v, j) => sum + (v - points[0][j]) * along[j], 0);
-      const at = (s, aside = 0) => [middle[0] + s * along[0] + aside * along[1], middle[1] - s * along[1] + aside * along[0]];
-      const tip = at(larger * scale * length);
+    const share = this.time / this.path.period;
+    [...this.loops].forEach(([name, { middle, loops }], n) => {
+      const centre = [width - radius - 6 - n * (2 * radius + 12), radius + 6];
+      const at = ([x, y]) => [centre[0] + larger * scale * x, centre[1] - larger * scale * y];
       pen.fillStyle = styled("card");
       pen.strokeStyle = styled("line");
       pen.lineWidth = 1.5;
-      disc(pen, middle, radius);
+      disc(pen, centre, radius);
       pen.stroke();
-      pen.strokeStyle = styled("ink");
-      segment(pen, ...at(0, -0.35 * radius), ...at(0, 0.35 * radius));
+      const now = [0, -1].map((end) => at(this.seen.lines[name].at(end).map((v, axis) => v - share * this.stride[axis] - middle[axis])));
+      loops.forEach((loop, end) => {
+        pen.strokeStyle = styled(end ? "spring" : "ink-soft");
+        pen.lineWidth = end ? 2 : 1.5;
+        polyline(pen, loop.map(at));
+      });
       pen.strokeStyle = styled("spring");
-      pen.lineWidth = 1.5;
-      coil(pen, at(-radius), tip, 5, 4);
-      coil(pen, tip, at(radius), 5, 4);
-      pen.fillStyle = styled("spring");
-      disc(pen, tip, 7);
+      pen.lineWidth = 1.2;
+      coil(pen, ...now, 6, 5);
+      pen.fillStyle = styled("ink");
+      disc(pen, now[0], 5);
+      pen.fillStyle = styled("mass");
+      disc(pen, now[1], 7);
       pen.fillStyle = styled("ink-soft");
       pen.font = `12px ${styled("font")}`;
       pen.textAlign = "center";
       pen.textBaseline = "top";
-      pen.fillText(`${name} \u00d7${larger}`, middle[0], middle[1] + radius + 4);
+      pen.fillText(`${name} \u00d7${larger}, walking along`, centre[0], centre[1] + radius + 4);
     });
   }
 
-  // Centre of mass, the paper's zero moment point with its distance from the foot, and ground force.
+  // The paper's zero moment point with its distance from the foot, and ground force.
   measures(pen, toPixels, scale) {
     const { com, zmp, force, contact, cop } = this.seen;
     const footAt = toPixels([contact, 0]);
@@ -185,10 +233,14 @@ class Stage {
       pen.lineWidth = 3;
       arrow(pen, toPixels([at, 0]), toPixels([at + along, up]), 9);
     }
+  }
+
+  centreOfMass(pen, toPixels) {
+    const { com } = this.seen;
     if (com !== null) {
       pen.fillStyle = styled("card");
       disc(pen, toPixels(com), 5.5);
-      pen.strokeStyle = styled("zmp");
+      pen.strokeStyle = styled("ink");
       pen.lineWidth = 2;
       pen.stroke();
     }
@@ -199,13 +251,19 @@ class Stage {
 function lensPower(fits) {
   if (!Number.isFinite(fits)) return 0;
   const unit = 10 ** Math.floor(Math.log10(fits));
-  return Math.max(...[1, 2, 5].map((m) => m * unit).filter((m) => m <= fits));
+  return Math.max(...[1, 2, 3, 4, 5, 6, 8].map((m) => m * unit).filter((m) => m <= fits));
 }
 
 function disc(pen, [x, y], radius) {
   pen.beginPath();
   pen.arc(x, y, radius, 0, 2 * Math.PI);
   pen.fill();
+}
+
+function polyline(pen, points) {
+  pen.beginPath();
+  points.forEach(([x, y], i) => (i ? pen.lineTo(x, y) : pen.moveTo(x, y)));
+  pen.stroke();
 }
 
 function triangle(pen, [x, y], size) {

@@ -18,7 +18,10 @@ import pandas as pd
 from stridemap.errors import InputError
 from stridemap.solver.model.model import Model
 from stridemap.sweeps.reading import read_sweep
+from stridemap.views import palette
 from stridemap.views.report import sections
+from stridemap.views.report.claims import claims as verdict_list
+from stridemap.views.report.claims import read_claims
 from stridemap.views.report.curves import curves as encoded
 from stridemap.views.report.curves import read_curves
 from stridemap.views.report.payload import NEEDED, payload
@@ -45,9 +48,11 @@ SCRIPTS = (
     "charts.js",
     "lines.js",
     "stage.js",
+    "strip.js",
     "cycle.js",
     "bar.js",
     "export.js",
+    "print.js",
     "selection.js",
     "address.js",
     "page.js",
@@ -129,12 +134,13 @@ def write_report(
         raise InputError(f"the sweep in {folder} found no limit cycle, so there is nothing to show")
     lines = _curves(loaded, provenance["configuration"], curves)
     data = payload(loaded, provenance["configuration"], orbits, cells, lines, references)
-    verdicts = sections.read_claims(claims) if isinstance(claims, str | Path) else claims
+    verdicts = read_claims(claims) if isinstance(claims, str | Path) else claims
     page = _page(
         title=sections.text(f"Limit cycles: {loaded.title}"),
         heading=sections.text(loaded.title),
         lead=sections.lead(loaded, provenance, orbits, cells),
-        claims=(verdict_section := sections.claims(loaded, verdicts)),
+        keys=sections.keys(loaded),
+        claims=(verdict_section := verdict_list(loaded, verdicts)),
         claims_link='<a href="#claims">Statements of the paper</a>' if verdict_section else "",
         provenance=sections.provenance(loaded, provenance),
         # A `<` could end the element that holds the data.
@@ -179,7 +185,7 @@ def _within_script(program: str) -> str:
 def _page(**parts: str) -> str:
     """Fill the places ``{{name}}`` of the page's template."""
     source = files("stridemap.views.report")
-    parts["style"] = source.joinpath("page.css").read_text(encoding="utf-8")
+    parts["style"] = source.joinpath("page.css").read_text(encoding="utf-8") + palette.style_sheet()
     own = "\n".join(source.joinpath(name).read_text(encoding="utf-8") for name in SCRIPTS)
     parts["script"] = PROGRAM.format(equations=parts.pop("equations"), own=own)
     # The browser runs this program and no other, whatever else should have got into the page.

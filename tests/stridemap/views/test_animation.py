@@ -16,7 +16,7 @@ from matplotlib.colors import to_hex
 from matplotlib.figure import Figure
 from PIL import Image
 
-from stridemap.views import walker
+from stridemap.views import palette, walker
 from stridemap.views.animation import _titles, choose
 from stridemap.views.film import draw_frame
 from stridemap.views.scene import scene
@@ -172,7 +172,7 @@ def test_names_do_not_matter_but_roles_do(orbits, monkeypatch):
     model = shown.seen.model
     lines, discs = drawn(shown)
     assert discs == {
-        "hip": walker.HIP, "wobbling mass": walker.WOBBLING, "stance foot": walker.LEFT,
+        "hip": walker.HIP, "wobbling mass": palette.MASS, "stance foot": walker.LEFT,
         "swing foot": walker.RIGHT,
     }  # fmt: skip
     names = [mass.name for mass in model.spec.masses]
@@ -182,7 +182,7 @@ def test_names_do_not_matter_but_roles_do(orbits, monkeypatch):
     assert renamed == (lines, {f"part {i}": discs[m] for i, m in enumerate(names)})
     swapped = tuple(Mass(mass.name, "body") for mass in others)
     monkeypatch.setattr(model, "spec", replace(model.spec, masses=swapped))
-    assert set(drawn(shown)[1].values()) == {walker.HIP, walker.BODY}
+    assert set(drawn(shown)[1].values()) == {walker.HIP, palette.BODY}
     rigid = tuple(Line(line.name, "part") for line in model.spec.lines)
     monkeypatch.setattr(model, "spec", replace(model.spec, lines=rigid))
     assert len(drawn(shown)[0]) == len(lines) - 1  # one line in place of two legs

@@ -23,6 +23,7 @@ from stridemap.sweeps import store
 from stridemap.sweeps.config import canonical_json
 from stridemap.sweeps.run import sweep
 from stridemap.views.report.write import write_report
+from stridemap.views.small_figures import Axis, Band, Bar, Curve, Guide, Mark, Panel, SmallFigure, rows_axis
 from tests.oracles.states import need
 from tests.oracles.sweeping import Inline
 
@@ -144,6 +145,19 @@ def hostile_walker():
     )
 
 
+def hostile_figure():
+    """With a text in each place, and bars wide enough to show theirs."""
+    axis, rows = Axis(ALL, 0.0, 1.0), rows_axis([ALL, ALL])
+    place = {ALL: 0.5}
+    first = Panel(
+        ALL, axis, axis, [Curve("group-A", [0.1, 0.5], [0.1, 0.5], text=ALL)],
+        marks=[Mark(0.5, 0.5, True, ALL, place)], guides=[Guide("y", 0.5, ALL)],
+        bands=[Band("x", 0.2, 0.4, ALL)],
+    )  # fmt: skip
+    second = Panel(ALL, axis, rows, bars=[Bar("group-B", 0, 0.0, 1.0, ALL, place)])
+    return SmallFigure(ALL, [first, second]).to_dict()
+
+
 def hostile_claims():
     return {
         "claims": [
@@ -152,6 +166,10 @@ def hostile_claims():
                 "statement": ALL,
                 "verdict": "holds",
                 "numbers": ALL,
+                "short": ALL,
+                "where": ALL,
+                "listed": {ALL: ALL},
+                "figure": hostile_figure(),
                 "evidence": {ALL: [ALL, {ALL: [1.5, None, True]}], "half": "\ud800"},
             }
         ]
@@ -196,7 +214,12 @@ def test_texts_make_no_element_and_no_attribute(hostile):
     parser.feed((hostile / "page.html").read_text(encoding="utf-8"))
     tags = [tag for tag, _ in parser.found]
     assert tags.count("script") == 2
-    assert [attributes.get("id") for tag, attributes in parser.found if tag == "svg"] == ["curves"]
+    drawings = [attributes for tag, attributes in parser.found if tag == "svg"]
+    assert [attributes["id"] for attributes in drawings if "id" in attributes] == ["curves"]
+    assert sum(attributes.get("class") == "small" for attributes in drawings) == 2  # the panels of the figure
+    assert not {name for attributes in drawings for name in attributes} - {
+        "id", "class", "viewbox", "role", "aria-label", "aria-hidden",
+    }  # fmt: skip
     assert not {"img", "iframe", "object", "embed", "base", "form"} & set(tags)
     assert not [(tag, a) for tag, attributes in parser.found for a in attributes if a.startswith("on")]
     assert {attributes.get("href", "#")[0] for tag, attributes in parser.found if tag == "a"} == {"#"}

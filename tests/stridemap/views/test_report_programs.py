@@ -73,9 +73,14 @@ def test_every_quantity_can_colour_the_map(swept):
 
 def test_the_walker_is_drawn_by_roles(swept, monkeypatch):
     name, folder, seen = swept
-    lines = {"wobbling": ["ink", "swing", "spring"], "rimless_wheel": ["ink"] * 3}.get(name, ["ink", "swing"])
-    discs = {"wobbling": ["ink", "spring", "ink", "swing"], "goswami_compass": ["ink"] * 3}
-    discs = {**discs, "rimless_wheel": ["ink"]}.get(name, ["ink", "ink", "swing"])
+    legs = ["stance", "swing"]
+    lines = {"wobbling": [*legs, "spring"], "rimless_wheel": ["stance"] * 3}.get(name, legs)
+    # The heaviest first: the hip, which is drawn as the legs that meet there.
+    discs = {
+        "wobbling": ["stance", "mass", *legs],
+        "goswami_compass": ["stance", "body", "body"],
+        "rimless_wheel": ["body"],
+    }.get(name, ["stance", *legs])
     assert colours(seen) == (lines, discs)
     model = stridemap.load(name)
     renamed = tuple(Mass(f"part {i}", mass.role) for i, mass in enumerate(model.spec.masses))
@@ -84,4 +89,4 @@ def test_the_walker_is_drawn_by_roles(swept, monkeypatch):
     bodies = tuple(Mass(mass.name, "body") for mass in model.spec.masses)
     parts = tuple(Line(line.name, "part") for line in model.spec.lines)
     monkeypatch.setattr(model, "spec", replace(model.spec, masses=bodies, lines=parts))
-    assert colours(shown(folder)) == (["ink"] * len(lines), ["ink"] * len(discs))
+    assert colours(shown(folder)) == (["stance"] * len(lines), ["body"] * len(discs))
