@@ -69,6 +69,7 @@ def test_json_of_a_point_with_two_cycles(run):
     assert found["model"] == "wobbling"
     assert found["params"] == {
         "k": 6.0, "alpha": 0.25, "omega": 3.0, "beta": 0.15, "Kp": 10.0, "Kd": 0.6, "S": 0.18, "gamma": 0.18,
+        "c": 0.0,
     }  # fmt: skip
     first, second = found["orbits"]
     assert first["period"] < second["period"]

@@ -4,7 +4,7 @@ from tests.mutations.mutation import Mutation
 
 EVENTS = "tests/solver/observables/test_events.py"
 MEASURES = "tests/solver/observables/test_measures.py"
-LIFTING = "wobbling-k=12.9-alpha=0.185-omega=2-beta=0.202-Kp=17.2-Kd=0.297-S=0.182-gamma=0.17"
+LIFTING = "wobbling-k=12.9-alpha=0.185-omega=2-beta=0.202-Kp=17.2-Kd=0.297-S=0.182-gamma=0.17-c=0"
 ERRORS = "tests/solver/cycles/test_errors.py"
 
 ZEROS = (
