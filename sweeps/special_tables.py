@@ -45,8 +45,11 @@ def in_order(model: Model, varied: str, width: float, table: pa.Table) -> pa.Tab
     x = np.column_stack([table[name].to_numpy(zero_copy_only=False) for name in names]) / scale
     rows = table.select(["line", "type", "branch", "lower", "upper", "reason"]).to_pylist()
     kept: dict[tuple[int, str], list[int]] = {}
+    # Tiles that share a line meet a point once each. Of these the first counts that belongs to a family with
+    # cycles in cells: its number is lower than that of a family without one.
+    by_branch = sorted(enumerate(rows), key=lambda numbered: numbered[1]["branch"])
     for located in (True, False):
-        for i, row in enumerate(rows):
+        for i, row in by_branch:
             if (row["reason"] is None) != located:
                 continue
             like = kept.setdefault((row["line"], row["type"]), [])

@@ -74,7 +74,8 @@ class Store:
         outputs, parts = store._outputs(), store._parts()
         for path in [*outputs, *parts]:
             store._check(path, same_software=False)
-        if len(outputs) == 2 and not parts and all(_provenance(p) == store.provenance for p in outputs):
+        whole = len(outputs) == len(TABLES) and not parts
+        if whole and all(_provenance(p) == store.provenance for p in outputs):
             return cls(store.folder, store.provenance, finished=True)
         if parts:
             raise InputError(

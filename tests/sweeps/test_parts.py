@@ -7,6 +7,7 @@ import pytest
 
 from stridemap.solver.model.loading import load
 from stridemap.sweeps.parts import columns_of, part_table, result_of
+from stridemap.sweeps.special_tables import special_table_of
 from stridemap.sweeps.tables import table_of
 from tests.oracles.kernels import needs_compiler
 from tests.sweeps.test_tiles import Line
@@ -29,6 +30,7 @@ def test_a_part_is_the_whole_result(cells):
     result = dataclasses.replace(
         result,
         orbits=columns_of(table_of(model, result.orbits)),
+        special=columns_of(special_table_of(model, result.special)),
         outgoing=dataclasses.replace(result.outgoing, origin=result.outgoing.cell + 7),
         failures={1: "ValueError: boom", 0: "é, ∞"},
         joins=np.array([[5, 7], [1, 2**40]]),
@@ -38,6 +40,7 @@ def test_a_part_is_the_whole_result(cells):
     assert same(result_of(model, result.round, result.tile, part_table(model, result)), result)
     nothing = line.result([(0, np.full(6, 1e3))])
     none = columns_of(table_of(model, nothing.orbits))
-    nothing = dataclasses.replace(nothing, orbits=none, failures={}, discarded={})
+    special = columns_of(special_table_of(model, nothing.special))
+    nothing = dataclasses.replace(nothing, orbits=none, special=special, failures={}, discarded={})
     assert len(none["cell"]) == len(nothing.joins) == 0
     assert same(result_of(model, nothing.round, nothing.tile, part_table(model, nothing)), nothing)
