@@ -24,7 +24,7 @@ def read_table(path: str | Path, model: Any = None, units: "Units | str | None" 
     Parameters
     ----------
     path : str or path
-        Output folder of a sweep, or one of its two tables; or a ``.parquet`` or ``.csv`` file that a command
+        Output folder of a sweep, or one of its tables; or a ``.parquet`` or ``.csv`` file that a command
         of stridemap wrote.
     model : str, path or Model, optional
         The table's model, where the file does not say what its columns hold, as a ``.csv`` cannot; and of a

@@ -250,7 +250,7 @@ def test_they_can_be_left_out(tmp_path):
 def test_a_read_sweep_and_the_summary_of_a_finished_one_have_them(wobbling):
     folder, summary, special = wobbling
     assert read_sweep(folder).special.equals(special)
-    again = sweep(parse_config(WOBBLING), folder, executor=Inline(), resume=True)
+    again = sweep(parse_config(WOBBLING), folder, executor=Inline(), resume=True, tile_cells=33)
     assert again.already_finished
     assert again.special == summary.special
 
