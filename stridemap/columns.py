@@ -196,6 +196,11 @@ def columns_of(spec: ModelSpec) -> dict[str, Column]:
     out["arclength"] = Column("arclength", CELL_COLUMNS["arclength"], "1")
     for name in (*spec.section, "period", *spec.names):
         out[f"tangent_{name}"] = Column(f"tangent_{name}", f"tangent of the branch along {name}", "1")
+    crossing = {"multiplier": CELL_COLUMNS["multiplier"]}
+    crossing |= {f"null_{name}": f"{CELL_COLUMNS['null']}, along {name}" for name in spec.section}
+    for name, meaning in crossing.items():
+        for ending, part in (("re", "real"), ("im", "imaginary")):
+            out[f"{name}_{ending}"] = Column(f"{name}_{ending}", f"{meaning}, {part} part", "1")
     return out
 
 

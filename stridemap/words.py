@@ -34,6 +34,9 @@ CELL_COLUMNS = {
     "crossing_slope": "how fast a special point is crossed",
     "criticality": "on which side doubled cycles exist",
     "null": "the direction that neither grows nor shrinks",
+    "line": "first cell of the line of the grid",
+    "lower": "lower end of where a special point lies, in the model's units",
+    "upper": "upper end of where a special point lies, in the model's units",
 }
 """Columns of tables and keys of JSON that are not measured quantities, each with what it holds."""
 
