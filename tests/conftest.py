@@ -25,12 +25,15 @@ def pytest_configure(config):
 
 @pytest.fixture
 def run(monkeypatch, capsys):
-    """The command line in this process: exit status, standard output, standard error."""
+    """The command line in this process: exit status, standard output, standard error.
+
+    However slow the machine is, what it writes does not depend on it: nothing says how far it is.
+    """
+    monkeypatch.setattr(progress, "QUIET", 3600.0)
 
     def command(*words):
         monkeypatch.setattr(sys, "argv", ["stridemap", *map(str, words)])
         monkeypatch.setattr(warnings, "showwarning", warnings.showwarning)  # main() sets its own
-        monkeypatch.setattr(progress, "QUIET", 3600.0)  # else it shows how busy the machine is
         with pytest.raises(SystemExit) as exit_:
             main()
         out, err = capsys.readouterr()

@@ -1,5 +1,6 @@
 """``stridemap derive``: equations, C and kernels of models, written, and a limit cycle beside them."""
 
+import difflib
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -25,6 +26,13 @@ if TYPE_CHECKING:
     from stridemap.solver.cycles.orbits import Orbits
 
 STABLE = "stable"
+
+
+OPTIONS = (
+    "--out", "--check", "--cycle", "--set", "--period-n", "--starts", "--search", "--samples", "--header",
+    "--derive-timeout", "--quiet",
+)  # fmt: skip
+"""What may be misspelt where a model is expected."""
 
 
 class WithModel(WithParameters):
@@ -93,6 +101,10 @@ def _check_words(
     words: list[str], model: str | None, out: Path | None, check: bool, cycle: str | None
 ) -> None:
     """Refuse what does not go together."""
+    if model is not None and model.startswith("-"):
+        close = difflib.get_close_matches(model, OPTIONS, n=1)
+        hint = f"did you mean {close[0]}? " if close else ""
+        raise InputError(f"there is no option {model}; {hint}see `stridemap derive --help`")
     if model is not None and check:
         raise InputError("--check is for the built-in models; leave it out, or the path of the model file")
     if cycle is not None and (model is None or out is None):

@@ -428,13 +428,6 @@ SPECIAL = (
         (TWO,),
     ),
     Mutation(
-        "solver/branches/ends.py",
-        "while n_rk < CYCLE_N_RK[-1]:",
-        "while n_rk < 0:",
-        "the ends of gaits are those at the resolution with which the branch was followed",
-        (f"{ENDS}::test_an_end_is_one_at_the_finest_resolution_too",),
-    ),
-    Mutation(
         "solver/branches/conditions.py",
         "within: Array = np.minimum(u[:, -1] - shortest, longest - u[:, -1])",
         "within: Array = np.maximum(u[:, -1] - shortest, longest - u[:, -1])",

@@ -133,7 +133,7 @@ POINTS = (
         (f"{SPECIAL}::test_the_order_and_what_is_one_point",),
     ),
     Mutation(
-        "sweeps/special_tables.py",
+        "sweeps/special_columns.py",
         'lower, "right") - 1, 0)',
         'lower, "left") - 1, 0)',
         "a special point in a cell belongs to the cell before",
@@ -171,11 +171,13 @@ POINTS = (
 
 PAGES = (
     Mutation(
-        "stridemap/views/report/payload.py",
+        "stridemap/views/report/encoding.py",
         '{"type": "word", "words": words,',
         '{"type": "word", "words": words[::-1],',
         "words in the report are in the wrong order: each cell has another's",
-        (f"{REPORT}::test_words_stand_where_they_stand_in_the_table",),
+        (
+            "tests/stridemap/views/test_report_encoding.py::test_words_and_truth_stand_where_they_stand_in_the_table",
+        ),
     ),
     Mutation(
         "stridemap/views/report/payload.py",
@@ -185,7 +187,7 @@ PAGES = (
         (f"{REPORT}::test_measures_are_those_of_the_registry",),
     ),
     Mutation(
-        "stridemap/views/report/payload.py",
+        "stridemap/views/report/encoding.py",
         "np.where(values.isna(), 2, ",
         "np.where(values.isna(), 0, ",
         "what is not known to be stable is unstable in the report",

@@ -29,6 +29,8 @@ def test_at_the_preset_there_is_nothing_to_say(name):
         ("wobbling", {"k": 0, "Kd": 0}, "with k = 0 nothing holds x: "),
         ("wobbling", {"k": 1e-6}, None),
         ("wobbling", {"Kp": 0, "Kd": 0}, None),
+        ("wobbling", {"Kp": 1e15}, None),
+        ("wobbling", {"omega": 1e300}, None),
         ("goswami_compass", {"beta": 0}, "with beta = 0 the mass matrix is singular: "),
         ("goswami_compass", {"mu": 0}, None),
         ("round_feet", {"hip_mass": 0, "inertia": 0, "radius": 0}, None),

@@ -106,6 +106,7 @@ def test_derive_out_and_the_folder_as_a_model(run, home):
     status, out, err = run("derive", "models/wheel.py", "--out", "mine")
     assert (status, err) == (0, "")
     names = "README.md example.c manifest.json wheel.c wheel.h wheel.js wheel.py wheel_kernels.c".split()
+    names += ["wheel_step.c", "wheel_step.h"]
     assert out.split() == [f"mine/{name}" for name in names]
     assert sorted(p.name for p in (home / "mine").iterdir()) == names
     shutil.rmtree(home / "models")  # the folder is all that is needed
