@@ -264,7 +264,7 @@ def test_both_tables_say_how_they_were_made(reference):
         assert found["commit"] is None
     else:
         assert found["commit"].removesuffix("-dirty") == commit.stdout.strip()
-    for name in ("orbits.parquet", "cells.parquet"):
+    for name in ("orbits.parquet", "cells.parquet", "special.parquet"):
         raw = pq.read_schema(folder / name).metadata[b"stridemap"].decode()
         assert raw == canonical_json(found)
         for private in (socket.gethostname(), str(folder), "workers", "time"):

@@ -108,9 +108,9 @@ def c3(data: CycleTables) -> Decided:
             good = (
                 (first > 0.5) & (second > 0.5) & (sign * rows["x_first"] < 0) & (sign * rows["x_second"] > 0)
             )
-            shares = np.minimum(first, second)
-            share, where = (shares.min(), rows["k"][shares.idxmin()]) if len(rows) else (np.nan, np.nan)
-            least = min(least, share) if len(rows) else least
+            shares = np.minimum(first, second).dropna()
+            share, where = (shares.min(), rows["k"][shares.idxmin()]) if len(shares) else (np.nan, np.nan)
+            least = min(least, share) if len(shares) else least
             parts.add(
                 f"{group} at {name}", len(rows) and good.all(),
                 cycles=len(rows), so_in=int(good.sum()), least_share_of_time=share, least_share_at_k=where,

@@ -162,7 +162,7 @@ def test_json(folder, run):
         assert claim["verdict"] in ("holds", "in part", "differs")
         assert claim["statement"]
         assert claim["evidence"]["parts"]
-    assert answer["params"] == {"beta": 0.15, "Kp": 10.0, "Kd": 0.6, "S": 0.18, "gamma": 0.18, "c": 0.0}
+    assert answer["params"] == {"beta": 0.15, "Kp": 10.0, "Kd": 0.6, "S": 0.18, "gamma": 0.18}
     assert "not published" in answer["origin"]
 
 

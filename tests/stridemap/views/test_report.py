@@ -255,7 +255,7 @@ def test_a_sweep_that_found_nothing(tmp_path, refused):
 
 def altered(folder, change):
     """The tables of a sweep with another provenance."""
-    for name in ("orbits.parquet", "cells.parquet"):
+    for name in ("orbits.parquet", "cells.parquet", "special.parquet"):
         table = pq.read_table(folder / name)
         metadata = dict(table.schema.metadata)
         provenance = json.loads(metadata[b"stridemap"])

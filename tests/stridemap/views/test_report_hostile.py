@@ -41,7 +41,7 @@ ALL = " ".join(SCRIPTS)
 
 def forge(folder, change=None, tables=None):
     """Change a sweep's provenance, and columns of its tables by table and name; digests fit all the same."""
-    for name in ("orbits.parquet", "cells.parquet"):
+    for name in ("orbits.parquet", "cells.parquet", "special.parquet"):
         table = pq.read_table(folder / name)
         metadata = dict(table.schema.metadata)
         provenance = json.loads(metadata[b"stridemap"])
@@ -399,7 +399,7 @@ def test_text_that_is_no_text(done, refused):
 def test_damaged_tables_are_refused_or_read_as_they_are(done):
     """Cut short or with bytes changed, anywhere: a sentence, or the very numbers."""
     rng = random.Random(1)
-    for name in ("orbits.parquet", "cells.parquet"):
+    for name in ("orbits.parquet", "cells.parquet", "special.parquet"):
         path = done / "out" / name
         whole, wanted = path.read_bytes(), stridemap.read_orbits(done / "out")
         refusals = 0
@@ -420,7 +420,7 @@ def test_damaged_tables_are_refused_or_read_as_they_are(done):
         path.write_bytes(whole)
 
 
-@pytest.mark.parametrize("name", ["orbits.parquet", "cells.parquet"])
+@pytest.mark.parametrize("name", ["orbits.parquet", "cells.parquet", "special.parquet"])
 def test_what_is_no_file_is_not_waited_for(done, refused, name):
     (done / "out" / name).unlink()
     os.mkfifo(done / "out" / name)
