@@ -5,7 +5,7 @@ worker needs.
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -15,6 +15,7 @@ from stridemap.solver.backends.base import Backend
 from stridemap.solver.model.model import Model
 from stridemap.solver.options import AcceptanceOptions, ContinuationOptions, SearchOptions
 from stridemap.sweeps.grid import Grid
+from stridemap.sweeps.software import software
 from stridemap.sweeps.solutions import Guesses, Solutions
 
 Ints = NDArray[np.int64]
@@ -45,6 +46,8 @@ class Task:
         Cycles that the tile's cells have already.
     seen : Solutions
         What the search gave there, before it converged: the cycles, and what turned out not to be one.
+    software : dict of str to str
+        What the process that made the task runs; a worker with another is refused.
     """
 
     model: Model
@@ -61,6 +64,7 @@ class Task:
     incoming: Guesses
     known: Solutions
     seen: Solutions
+    software: dict[str, str] = field(default_factory=lambda: dict(software()))
 
 
 @dataclass(frozen=True)

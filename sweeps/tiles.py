@@ -22,6 +22,7 @@ from stridemap.solver.kernels.catalogue import CYCLE_N_RK
 from stridemap.solver.model.scales import Scales
 from stridemap.sweeps.connections import connections
 from stridemap.sweeps.lines import Lines
+from stridemap.sweeps.software import refuse_other
 from stridemap.sweeps.solutions import NONE, Guesses, Solutions
 from stridemap.sweeps.tasks import Result, Task
 
@@ -60,7 +61,10 @@ def work(task: Task) -> Result:
     ------
     CompilerError
         When the task's backend cannot be had here.
+    WorkerError
+        When this process runs other software than the one that made the task.
     """
+    refuse_other(task.software)
     search = _Search(task)
     search.relax()
     cells, branch, orbits = search.gaits()
