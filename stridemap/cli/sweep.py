@@ -34,6 +34,9 @@ def sweep(
     csv: Annotated[
         bool, typer.Option("--csv", help="Write orbits.csv too, as `stridemap export --to csv` does.")
     ] = False,
+    tile_cells: Annotated[
+        int | None, whole("Most cells of a tile, for more workers; which cycles are found may depend on it.")
+    ] = None,
     derive_timeout: DeriveTimeoutOption = None,
 ) -> int:
     """Find all limit cycles of a grid of parameters; writes orbits.parquet and cells.parquet."""
@@ -49,7 +52,14 @@ def sweep(
     try:
         with show() as progress:
             summary = sweep_(
-                config, out, workers=workers, dask=dask, resume=resume, backend=backend, progress=progress
+                config,
+                out,
+                workers=workers,
+                dask=dask,
+                resume=resume,
+                backend=backend,
+                tile_cells=tile_cells,
+                progress=progress,
             )
     except KeyboardInterrupt:
         print(f"interrupted: finished tiles are kept in {out}; continue with --resume", file=sys.stderr)

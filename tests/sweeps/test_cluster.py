@@ -3,17 +3,23 @@
 import functools
 import logging
 import os
+import re
+import shlex
 import signal
 from concurrent.futures import CancelledError
 from importlib.util import find_spec
+from pathlib import Path
 
 import pytest
+import typer
 
 import stridemap
+from stridemap.cli.app import app
 from stridemap.errors import InputError, WorkerError
 from stridemap.sweeps import cluster, run, software, tasks
-from stridemap.sweeps.config import parse_config
+from stridemap.sweeps.config import load_config, parse_config
 from stridemap.sweeps.failures import explained
+from stridemap.sweeps.grid import Grid, tile_size, tiles
 from tests.oracles.sweeping import Inline, parts, tables
 
 sweep = functools.partial(run.sweep, tile_cells=1)
@@ -256,3 +262,23 @@ def test_a_cluster_without_workers_is_waited_for():
     client = Asked({})
     cluster._wait_for_a_worker(client, "tcp://a:1")
     assert client.waits == -1
+
+
+# -- what the page says --------------------------------------------------------------------------------------
+
+
+def test_the_scripts_of_the_page_give_options_that_exist():
+    page = (Path(__file__).resolve().parents[2] / "docs" / "many-machines.md").read_text("utf-8")
+    command = typer.main.get_command(app).commands["sweep"]
+    lines = re.findall(r"^(?:exec )?stridemap sweep (.+?)(?: +#.*)?$", page, re.MULTILINE)
+    assert len(lines) == 3
+    for line in lines:
+        context = command.make_context("sweep", shlex.split(line.replace("$SLURM_CPUS_PER_TASK", "64")))
+        assert context.params["config"] == Path("my.toml")
+        assert context.params["workers"] == 64 or context.params["dask"]
+
+
+def test_the_page_says_into_how_many_tiles_the_default_grid_is_cut():
+    page = (Path(__file__).resolve().parents[2] / "docs" / "many-machines.md").read_text("utf-8")
+    grid = Grid.from_mapping(load_config(Path(run.__file__).parent / "paper.toml").grid)
+    assert f"{grid.n_cells:,} cells into {len(tiles(grid, tile_size(grid)))}\nonly" in page
