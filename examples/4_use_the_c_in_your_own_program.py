@@ -35,7 +35,7 @@ PROGRAM = r"""
 #include <stdio.h>
 #include <stdlib.h>
 
-enum { N = 3 };
+enum { N = 3, P = 9 }; /* coordinates and parameters */
 
 /* y = (q, v): y + a k as coordinates and rates */
 static void moved(const double y[2 * N], double a, const double k[2 * N],
@@ -47,7 +47,7 @@ static void moved(const double y[2 * N], double a, const double k[2 * N],
     }
 }
 
-static void runge_kutta(double t, double h, const double p[8], double y[2 * N])
+static void runge_kutta(double t, double h, const double p[P], double y[2 * N])
 {
     static const double part[4] = {0.0, 0.5, 0.5, 1.0}, weight[4] = {1.0, 2.0, 2.0, 1.0};
     double k[2 * N] = {0.0}, sum[2 * N] = {0.0}, q[N], v[N];
@@ -62,19 +62,19 @@ static void runge_kutta(double t, double h, const double p[8], double y[2 * N])
         y[i] += h / 6.0 * sum[i];
 }
 
-/* walk  period  p[0..7]  z[0..4] */
+/* walk  period  p[0..8]  z[0..4] */
 int main(int argc, char **argv)
 {
     const int steps = 400;
-    double p[8], z[5], y[2 * N], zmp[1], d[1], q_plus[N], v_plus[N];
+    double p[P], z[5], y[2 * N], zmp[1], d[1], q_plus[N], v_plus[N];
 
-    if (argc != 15)
+    if (argc != 2 + P + 5)
         return 2;
     const double period = atof(argv[1]);
-    for (int i = 0; i < 8; i++)
+    for (int i = 0; i < P; i++)
         p[i] = atof(argv[2 + i]);
     for (int i = 0; i < 5; i++)
-        z[i] = atof(argv[10 + i]);
+        z[i] = atof(argv[2 + P + i]);
 
     wobbling_section_state(z, p, y, y + N);
     for (int i = 0; i <= steps; i++) {

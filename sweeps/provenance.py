@@ -1,15 +1,12 @@
 """What a sweep was computed with."""
 
-import platform
 import subprocess
-from importlib.metadata import version
 from typing import Any
 
 from stridemap.solver.backends.base import Kernels
 from stridemap.solver.model.files import GENERATED
+from stridemap.sweeps.software import versions
 from stridemap.sweeps.tables import FORMAT
-
-PACKAGES = ("stridemap", "numpy", "scipy", "casadi", "pyarrow")
 
 DECIDING = ("format", "measures", "model_hash", "versions", "arithmetic", "tile_cells")
 """Entries on which the numbers depend. A sweep is continued only where they are the same; the commit and the
@@ -34,7 +31,7 @@ def provenance(kernels: Kernels) -> dict[str, Any]:
         "measures": list(model.measured),
         "model": model.name,
         "model_hash": model.hash,
-        "versions": {"python": platform.python_version(), **{name: version(name) for name in PACKAGES}},
+        "versions": versions(),
         "arithmetic": kernels.backend.arithmetic,
         "compiler": kernels.compiler,
         "commit": _commit(),

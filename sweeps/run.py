@@ -11,7 +11,7 @@ import contextlib
 import os
 from collections import Counter, defaultdict
 from collections.abc import Callable, Mapping
-from concurrent.futures import BrokenExecutor, Executor, Future, as_completed
+from concurrent.futures import Executor, Future, as_completed
 from dataclasses import dataclass, field
 from itertools import count
 from pathlib import Path
@@ -22,13 +22,15 @@ import pyarrow as pa
 import pyarrow.compute as pc
 from numpy.typing import NDArray
 
-from stridemap.errors import InputError, WorkerError, short
+from stridemap.errors import InputError, short
 from stridemap.solver.backends.base import Backend
 from stridemap.solver.backends.selection import load_kernels, named_backend
 from stridemap.solver.cycles.degenerate import why_no_cycle
 from stridemap.solver.cycles.status import Status
+from stridemap.sweeps.cluster import cluster, scheduler_address
 from stridemap.sweeps.config import MAX_COUNT, SweepConfig, load_config
 from stridemap.sweeps.executors import interrupts_held, processes
+from stridemap.sweeps.failures import explained, no_workers
 from stridemap.sweeps.families import families
 from stridemap.sweeps.grid import Grid, tile_size, tiles
 from stridemap.sweeps.lock import held, refuse_if_held
@@ -100,6 +102,7 @@ def sweep(
     *,
     workers: int | None = None,
     executor: Executor | None = None,
+    dask: str | Path | None = None,
     resume: bool = False,
     backend: str | Backend | None = None,
     tile_cells: int | None = None,
@@ -117,6 +120,9 @@ def sweep(
     executor : concurrent.futures.Executor, optional
         Runs the tiles in place of processes of our own. It is not shut down. A tile carries all that it
         needs, so it may be computed on another machine.
+    dask : str or path, optional
+        Address of a Dask scheduler, such as "tcp://10.0.0.5:8786", or the path of its scheduler file: its
+        workers run the tiles. The software there must be the same as here.
     resume : bool
         Continue from the tiles that an earlier run finished.
     backend : str or Backend, optional
@@ -134,15 +140,20 @@ def sweep(
     Raises
     ------
     InputError
-        For unusable configuration, output folder or arguments.
+        For unusable configuration, output folder or arguments, and when no scheduler answers.
     WorkerError
-        When a worker process dies; finished tiles stay.
+        When a worker process dies, the cluster is lost, or a worker has other software; finished tiles stay.
     StorageError
         When the disk is full; finished tiles stay.
     """
     config = config if isinstance(config, SweepConfig) else load_config(config)
     if workers is not None:
         _check_count("workers", workers, MOST_WORKERS)
+    if dask is not None:
+        if workers is not None or executor is not None:
+            other = "executor" if workers is None else "workers"
+            raise InputError(f"dask and {other} cannot be given together; leave one of them out")
+        dask = scheduler_address(dask)
     if tile_cells is None:
         tile_cells = tile_size(Grid.from_mapping(config.grid))
     _check_count("tile_cells", tile_cells, MAX_COUNT)
@@ -157,18 +168,13 @@ def sweep(
         stack.enter_context(held(store.folder))
         if executor is not None:
             return run.all_rounds(executor)
+        if dask is not None:
+            return run.all_rounds(stack.enter_context(cluster(dask)))
         try:
             pool = stack.enter_context(processes(workers or os.cpu_count() or 1))
         except OSError as error:
-            raise _no_workers(error) from None
+            raise no_workers(error) from None
         return run.all_rounds(pool)
-
-
-def _no_workers(error: OSError) -> WorkerError:
-    return WorkerError(
-        f"the worker processes cannot work ({error.strerror or error}); close other programs or raise their "
-        "limits (ulimit -n, ulimit -u), or continue with --resume and fewer --workers"
-    )
 
 
 def _check_count(name: str, value: Any, most: int) -> None:
@@ -256,17 +262,11 @@ class _Run:
                 finished += 1
                 found += self._counted(result)
                 self._report(round_, finished, len(tasks), found)
-        except OSError as error:
-            raise _no_workers(error) from None
-        except BrokenExecutor:
-            raise WorkerError(
-                "a worker process died (out of memory, or a script that sweeps without "
-                '`if __name__ == "__main__":`?); finished tiles are kept: continue with --resume, '
-                "perhaps with fewer --workers"
-            ) from None
-        except BaseException:
+        except BaseException as error:
             for future in futures:
                 future.cancel()
+            if (reason := explained(error)) is not None:
+                raise reason from None
             raise
         # Read back in the order of tiles, whatever the order in which they were finished.
         parts = ((task.tile, self.store.read_part(round_, task.tile)) for task in tasks)

@@ -5,7 +5,7 @@ worker needs.
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -15,6 +15,7 @@ from stridemap.solver.backends.base import Backend
 from stridemap.solver.model.model import Model
 from stridemap.solver.options import AcceptanceOptions, ContinuationOptions, SearchOptions
 from stridemap.sweeps.grid import Grid
+from stridemap.sweeps.software import software
 from stridemap.sweeps.solutions import Guesses, Solutions
 
 Ints = NDArray[np.int64]
@@ -47,6 +48,8 @@ class Task:
         What the search gave there, before it converged: the cycles, and what turned out not to be one.
     special_points : bool
         Whether they are located.
+    software : dict of str to str
+        What the process that made the task runs; a worker with another is refused.
     """
 
     model: Model
@@ -64,6 +67,7 @@ class Task:
     known: Solutions
     seen: Solutions
     special_points: bool = True
+    software: dict[str, str] = field(default_factory=lambda: dict(software()))
 
 
 @dataclass(frozen=True)

@@ -24,6 +24,7 @@ from stridemap.solver.model.scales import Scales
 from stridemap.sweeps.changes import Stretches
 from stridemap.sweeps.connections import connections
 from stridemap.sweeps.lines import Lines
+from stridemap.sweeps.software import refuse_other
 from stridemap.sweeps.solutions import NONE, Guesses, Solutions
 from stridemap.sweeps.special import Locator, SpecialPoint
 from stridemap.sweeps.special_columns import special_columns
@@ -64,7 +65,10 @@ def work(task: Task) -> Result:
     ------
     CompilerError
         When the task's backend cannot be had here.
+    WorkerError
+        When this process runs other software than the one that made the task.
     """
+    refuse_other(task.software)
     search = _Search(task)
     search.relax()
     cells, branch, orbits = search.gaits()

@@ -113,20 +113,6 @@ def test_swinging_torso(example):
     assert "cost of transport 0.294, compass 0.308" in out
 
 
-def test_limit_cycles_in_a_notebook(example):
-    names, _ = example(9)
-    stable, si, lowest = names["stable"], names["si"], names["lowest"]
-    # What the page shows: tables and pictures, as elements of a page.
-    for shown in (names["orbits"], stable, names["figure"]):
-        assert "<svg" in shown._repr_html_()
-    assert "<td>1.1837395</td><td>sqrt(L/g)</td>" in stable._repr_html_()
-    assert names["cheapest"]["cot"].is_monotonic_increasing
-    assert float(lowest.sel(k=6)) == pytest.approx(stable.cot, rel=1e-9)
-    assert names["figure"].axes[0].get_xlabel().endswith(r"$\mathrm{N}/\mathrm{m}$]")
-    # 32 kg, 9.80665 m/s^2 and 0.75 m: a k of 6 is 2,510.5 N/m.
-    assert np.abs(si.frame["k"] - 6 * 32 * 9.80665 / 0.75).min() < 1e-6
-
-
 def push(names, spring):
     """By what factor 40 steps change a small distance from the cycle; the spring in N/m."""
     point = names["robot"].parameters("wobbling", **(names["si"] | {"k": spring}))
@@ -180,3 +166,17 @@ def test_how_much_damping(example):
     # Every group gets more stable.
     ends = best.sort_values("c").groupby("group").spectral_radius.agg(["first", "last"])
     assert (ends["last"] < ends["first"] - 0.05).all()
+
+
+def test_limit_cycles_in_a_notebook(example):
+    names, _ = example(9)
+    stable, si, lowest = names["stable"], names["si"], names["lowest"]
+    # What the page shows: tables and pictures, as elements of a page.
+    for shown in (names["orbits"], stable, names["figure"]):
+        assert "<svg" in shown._repr_html_()
+    assert "<td>1.1837395</td><td>sqrt(L/g)</td>" in stable._repr_html_()
+    assert names["cheapest"]["cot"].is_monotonic_increasing
+    assert float(lowest.sel(k=6)) == pytest.approx(stable.cot, rel=1e-9)
+    assert names["figure"].axes[0].get_xlabel().endswith(r"$\mathrm{N}/\mathrm{m}$]")
+    # 32 kg, 9.80665 m/s^2 and 0.75 m: a k of 6 is 2,510.5 N/m.
+    assert np.abs(si.frame["k"] - 6 * 32 * 9.80665 / 0.75).min() < 1e-6
