@@ -144,7 +144,7 @@ def test_add_a_measure(recipe):
     copy = recipe("add-a-measure")
     copy.run_tests()
     table, python, columns = copy.run_page(SWEEP)
-    assert re.search(r"^impact_loss +0\.\d+ +0\.\d+$", table, re.M)
+    assert re.search(r"^impact_loss +0\.\d+ +0\.\d+  M g L +energy lost at touchdown$", table, re.M)
     assert re.search(r"^[\d.]+ J$", python, re.M)
     # Where the entry stands in the registry, there is the column.
     names = columns.split()
@@ -194,7 +194,7 @@ def test_add_a_command(recipe):
     copy = recipe("add-a-command")
     copy.run_tests()
     table, json = copy.run_page()
-    assert table.startswith("model")
+    assert table.startswith("quantity")
     assert json.startswith("{")
     assert copy.python("-c", UNLOADED) == "[]\n"
 
