@@ -52,6 +52,7 @@ PARTS = {
     "leg": {"m": 10.0, "i": 0.8, "l": 0.8, "c": 0.3},
     "shank": {"m": 3.2, "i": 0.05, "l": 0.4, "c": 0.13},
     "thigh": {"m": 6.8, "i": 0.11, "l": 0.4, "c": 0.16},
+    "foot": {"m": 1.0, "i": 0.005, "l": 0.2, "c": 0.1},
     "torso": {"m": 20.0, "i": 2.2, "l": 0.6, "c": 0.2},
     "head": {"m": 5.0, "i": 0.03, "l": 0.25, "c": 0.12},
     "arm": {"m": 3.5, "i": 0.13, "l": 0.6, "c": 0.27},
@@ -59,18 +60,35 @@ PARTS = {
 """Mass, moment of inertia about the centre of mass, length, and distance of that centre from the joint
 (of the parts of a leg: from the end that is nearer to the hip), in SI units."""
 
-_MEANINGS = {"m": "mass", "i": "moment of inertia", "l": "length", "c": "centre of mass below or above"}
+LEGS = {"leg", "thigh", "shank", "foot"}
+"""Parts of a leg."""
+
+_MEANINGS = {"m": "mass", "i": "moment of inertia", "l": "length", "c": "place of the centre of mass"}
 _UNITS = {"m": "kg", "i": "kg m^2", "l": "m", "c": "m"}
 
 
-def links(count: int) -> tuple[Link, ...]:
+def links(count: int, feet: bool = False) -> tuple[Link, ...]:
     """The links of a biped: two legs; with knees from four on; then a torso, a head or two arms.
 
     Parameters
     ----------
     count : int
         2 to 7.
+    feet : bool
+        Whether a biped of seven links has feet, on whose toes it stands, in place of arms.
     """
+    if feet:
+        if count != 7:
+            raise ValueError(f"a biped of {count} links has no feet here: 7")
+        return (
+            Link("stance foot", -1, True, "foot", 5),
+            Link("stance shank", 0, True, "shank", 4),
+            Link("stance thigh", 1, True, "thigh", 3),
+            Link("swing thigh", 2, False, "thigh", 2),
+            Link("swing shank", 3, False, "shank", 1),
+            Link("swing foot", 4, False, "foot", 0),
+            Link("torso", 2, True, "torso", 6),
+        )
     if count < 4:
         found = [Link("stance leg", -1, True, "leg", 1), Link("swing leg", 0, False, "leg", 0)]
         hip = 0
@@ -108,7 +126,7 @@ def carried(chain: tuple[Link, ...]) -> list[list[int]]:
     return paths
 
 
-def walker(count: int, coordinates: str = "absolute") -> Walker:
+def walker(count: int, coordinates: str = "absolute", feet: bool = False) -> Walker:
     """A passive biped as a declaration.
 
     Parameters
@@ -116,8 +134,10 @@ def walker(count: int, coordinates: str = "absolute") -> Walker:
     count : int
         Number of links, 2 to 7.
     coordinates : {"absolute", "relative"}
+    feet : bool
+        Whether a biped of seven links has feet instead of arms.
     """
-    chain = links(count)
+    chain = links(count, feet)
     declared = tuple(
         Coordinate(f"q{i}", "rad", f"angle of the {link.name}") for i, link in enumerate(chain, 1)
     )
@@ -145,7 +165,7 @@ def walker(count: int, coordinates: str = "absolute") -> Walker:
         ends.append(joint + length * away)
         place = joint + from_joint(link, length, centre) * away
         bodies.append(Body(link.name, mass, place, inertia=inertia, angle=angle))
-    leg_ends = [e for e, link in zip(ends, chain, strict=True) if link.part in ("leg", "shank", "thigh")]
+    leg_ends = [e for e, link in zip(ends, chain, strict=True) if link.part in LEGS]
     foot = leg_ends[-1]
     box = {c.name: (0.0, 0.3) for c in declared} | {f"d{c.name}": (0.0, 1.0) for c in declared}
     return Walker(
@@ -169,4 +189,4 @@ def walker(count: int, coordinates: str = "absolute") -> Walker:
 
 def _carrying(chain: tuple[Link, ...]) -> set[str]:
     """Parts whose length matters: those that carry another link, and those of legs."""
-    return {chain[link.carrier].part for link in chain if link.carrier >= 0} | {"leg", "shank"}
+    return {chain[link.carrier].part for link in chain if link.carrier >= 0} | LEGS
