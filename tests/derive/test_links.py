@@ -55,9 +55,9 @@ def assert_equal(one, other):
 
 
 @pytest.mark.parametrize("coordinates", chain.COORDINATES)
-@pytest.mark.parametrize("count", [2, 3, 5, 7])
-def test_mass_matrix_and_forces_are_the_recursive_ones(count, coordinates):
-    walker, links = chain.walker(count, coordinates), chain.links(count)
+@pytest.mark.parametrize(("count", "feet"), [(2, False), (3, False), (5, False), (7, True)])
+def test_mass_matrix_and_forces_are_the_recursive_ones(count, feet, coordinates):
+    walker, links = chain.walker(count, coordinates, feet), chain.links(count, feet)
     functions = written(walker, "mass_matrix", "bias_forces")
     values = at_random(walker)
     names = [p.name for p in walker.parameters]
@@ -71,3 +71,23 @@ def test_mass_matrix_and_forces_are_the_recursive_ones(count, coordinates):
     assert_equal(found, filled(bias, count))
     operations = sum(program.operations for _, program in functions.values())
     assert operations <= LONGER * recursive.operations(links, coordinates, names)
+
+
+@pytest.mark.quick
+def test_equal_operations_are_counted_once_and_those_with_zero_and_one_are_not():
+    steps = {}
+    x, y = (recursive.Counted(steps, name) for name in "xy")
+    x * y + (-y) * x  # a product, and a difference of it and itself
+    assert len(steps) == 2
+    (x + 0) * 1 - 0 * y, -x * y, 0 - x, x + y, y - (-x)  # the product again, and one sum
+    assert len(steps) == 3
+
+
+@pytest.mark.quick
+def test_a_single_pendulum_by_hand():
+    """The matrix is I + m c^2, the gravity torque of an upright leg -m g c sin(q)."""
+    leg = (chain.Link("swing leg", -1, True, "leg", 0),)
+    p = {"g": 9.0, "m_leg": 2.0, "i_leg": 0.5, "l_leg": 1.0, "c_leg": 0.5}
+    matrix, bias = recursive.mass_matrix_and_bias(leg, "absolute", [0.3], [1.7], p)
+    assert matrix[0][0] == pytest.approx(1.0, rel=1e-15)
+    assert bias[0] == pytest.approx(-9.0 * np.sin(0.3), rel=1e-15)
