@@ -66,8 +66,9 @@ format: $(DEV) ## put the style in order where that can be done by program
 	$(BIN)/ruff check --fix-only .
 	$(BIN)/ruff format .
 
-bench: $(DEV) ## measure the speed, beside the paper's practice
+bench: $(DEV) ## measure the speed, beside the paper's practice, and how the derivation grows with the links
 	$(BIN)/python -m benchmarks.bench $(ARGS)
+	$(BIN)/python -m benchmarks.links $(filter --json,$(ARGS))
 
 recall: $(DEV) ## measure what share of all limit cycles the sweep finds (CELLS=, STARTS=)
 	$(BIN)/python -m benchmarks.recall $(if $(CELLS),--cells $(CELLS)) $(if $(STARTS),--starts $(STARTS)) $(ARGS)

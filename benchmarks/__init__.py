@@ -1,1 +1,1 @@
-"""Measurements: speed (`bench`) and completeness (`recall`)."""
+"""Measurements: speed (`bench`), completeness (`recall`) and growth of the derivation (`links`)."""

@@ -6,6 +6,7 @@ for that, or has sums in denominators, stays as it is. Bounds are numbers of ter
 that the result is the same on every machine.
 """
 
+from collections import Counter
 from math import comb
 
 import sympy as sp
@@ -77,8 +78,16 @@ def _simplified(expr: sp.Expr) -> sp.Expr:
         return expr
     candidates = [expr, found, sp.factor_terms(found)]
     if sp.count_ops(found) <= COLLECTED and not _denominators(found):
-        candidates += [sp.collect(found, s) for s in sorted(found.free_symbols, key=lambda s: s.name)]
+        candidates += _collected(found)
     return min(candidates, key=sp.count_ops)
+
+
+def _collected(total: sp.Expr) -> list[sp.Expr]:
+    """A sum with its terms collected by each symbol that several of them have."""
+    terms = sp.Add.make_args(total)
+    often = Counter(symbol for term in terms for symbol in term.free_symbols)
+    several = sorted((s for s, times in often.items() if times > 1), key=lambda s: s.name)
+    return [sp.collect(total, s) for s in several]
 
 
 def _generators(expanded: sp.Expr) -> int:
@@ -97,7 +106,7 @@ def _readable(expr: sp.Expr) -> sp.Expr:
     reduced = sp.expand(whole)
     base = min(reduced, expanded, key=sp.count_ops)
     candidates = [expr, expanded, whole, reduced, sp.factor(reduced)]
-    candidates += [sp.collect(base, s) for s in sorted(base.free_symbols, key=lambda s: s.name)]
+    candidates += _collected(base)
     candidates = list(dict.fromkeys(candidates))
     return _shortest([*candidates, *map(sp.factor_terms, candidates)])
 
