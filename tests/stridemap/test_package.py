@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -133,3 +134,23 @@ def test_the_installed_package_sweeps(installed, tmp_path):
     run(installed[0] / "stridemap", "sweep", "my.toml", "--out", "out", "--workers", "1", cwd=tmp_path)
     assert stridemap.read_cells(tmp_path / "out")["omega"].tolist() == [3.0]
     assert load("compass").hash == stridemap.sweeps.store.read_provenance(tmp_path / "out")["model_hash"]
+
+
+def locked(file):
+    """Version and hashes of each package of a lock file."""
+    out, name = {}, ""
+    for line in (ROOT / "requirements" / file).read_text("utf-8").splitlines():
+        if found := re.match(r"([a-z0-9][\w.-]*)==([^ ;]+)", line):
+            name = found[1]
+            out[name] = {found[2]}
+        out.setdefault(name, set()).update(re.findall(r"sha256:\w+", line))
+    return out
+
+
+def test_lock_files_agree_on_what_several_of_them_hold():
+    """Each is made beside the others; a merge of two changes can leave the hashes of another version."""
+    known = {}
+    for file in ("run.txt", "pictures.txt", "dev.txt", "docs.txt"):
+        for name, pinned in locked(file).items():
+            assert known.setdefault(name, pinned) == pinned, f"{name} in {file}; run `make lock`"
+    assert len(known) > 40
