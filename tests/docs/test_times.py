@@ -31,6 +31,8 @@ NOT_MEASURED = {
     ("docs/speed.md", "397 s"): "of a program that is not there any more",
     ("docs/declare.md", "an hour"): "the limit after which a derivation is ended",
     ("docs/declare.md", "in seconds"): "of terms of a length that is not said",
+    ("docs/declare.md", "0.732414844429 s"): "the period of a gait",
+    ("docs/many-machines.md", "some seconds"): "what a tile takes on a cluster",
 }
 """Times on pages that no command of the record takes, with the reason."""
 

@@ -30,11 +30,11 @@ subgrid = 1
 STRIDEMAP = [sys.executable, "-m", "stridemap"]
 
 IN_PIECES = """
-import functools, os, signal, time
+import os, signal, sys, time
 signal.signal(signal.SIGINT, signal.default_int_handler)  # not so where the tests run in the background
 import stridemap.sweeps.run as run
 from stridemap.cli.app import main
-run.sweep = functools.partial(run.sweep, tile_cells=2)
+sys.argv += ["--tile-cells", "2"]
 write = run.Store.write_part
 def write_and_rest(*args):
     write(*args)
