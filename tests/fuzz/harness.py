@@ -12,6 +12,7 @@ import warnings
 from pathlib import Path
 
 import stridemap.solver.api.points as points
+import stridemap.solver.walks.simulator as simulator
 from stridemap.cli.app import main
 from stridemap.errors import StridemapError
 from stridemap.solver.options import SearchOptions
@@ -28,7 +29,7 @@ class Fault(AssertionError):
 
 def cut(monkeypatch):
     """Do in small what takes long, after all checks."""
-    find, walk = points.find_all, points.walk
+    find, walk = points.find_all, simulator.walk
 
     def few(solver, points, search=None):
         return find(solver, points, SearchOptions(starts=2, seed=0 if search is None else search.seed))
@@ -40,7 +41,7 @@ def cut(monkeypatch):
         raise StridemapError("it would be done now")
 
     monkeypatch.setattr(points, "find_all", few)
-    monkeypatch.setattr(points, "walk", one_step)
+    monkeypatch.setattr(simulator, "walk", one_step)
     monkeypatch.setattr("stridemap.solver.walks.swing.MAX_STEPS", 60)
     monkeypatch.setattr("stridemap.views.film.film", lambda *_: b"")
     for name in (

@@ -22,4 +22,5 @@ def test_every_input_is_understood_or_refused_in_a_sentence(kind, piece, finishe
         except Fault as fault:
             faults.append(f"{number}: {fault}")
     assert faults == []
-    assert seen >= {0, 2}  # some are in order, some are not
+    # Some are in order, some are not; of declarations with one thing changed hardly any is.
+    assert seen >= ({2} if kind == "declarations" else {0, 2})

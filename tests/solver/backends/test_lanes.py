@@ -99,7 +99,7 @@ def test_sines_of_no_number_and_beyond_any_walker_are_no_number(sines):
 @pytest.mark.parametrize("name", ["wobbling", pytest.param("compass", marks=pytest.mark.quick)])
 def test_lanes_agree_with_one_point_at_a_time(name):
     model = load(name)
-    u, params = cases(model, 40)
+    u, params = cases(model, 120)
     one, many = ScalarC().kernels(model), Lanes().kernels(model)
     for kernel in (catalogue.residual(24), catalogue.jacobian(24), catalogue.trace(48)):
         for a, b in zip(one.call(kernel, u, params), many.call(kernel, u, params), strict=True):
