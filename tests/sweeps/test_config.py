@@ -48,6 +48,7 @@ def test_default_file_is_the_papers_map():
     assert {0.5, 6.0, 22.5} <= set(paper.grid["k"])  # the paper's typical solutions
     assert {0.25, 0.5} <= set(paper.grid["alpha"])
     assert paper.n_cells == 17280
+    assert not paper.special_points
 
 
 def test_range_values_are_those_one_would_write():
