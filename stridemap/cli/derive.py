@@ -28,13 +28,6 @@ if TYPE_CHECKING:
 STABLE = "stable"
 
 
-OPTIONS = (
-    "--out", "--check", "--cycle", "--set", "--period-n", "--starts", "--search", "--samples", "--header",
-    "--derive-timeout", "--quiet",
-)  # fmt: skip
-"""What may be misspelt where a model is expected."""
-
-
 class WithModel(WithParameters):
     """A command whose help lists the parameters of the model that is its first word."""
 
@@ -84,6 +77,8 @@ def derive(
     A model file's go to --out, or into the user's cache; the built-in ones' into generated/. With --cycle and
     parameters, a limit cycle at that point goes to --out as well.
     """
+    if model is not None and model.startswith("-"):
+        raise _unknown_option(model, [name for option in context.command.params for name in option.opts])
     _check_words(context.args, model, out, check, cycle)
     if cycle is None:
         _refuse_of_cycles(set_, period_n, starts, search, samples, header)
@@ -97,14 +92,17 @@ def derive(
     return _written(model, out)
 
 
+def _unknown_option(word: str, known: list[str]) -> InputError:
+    """That a word where the model is expected is a misspelt option."""
+    close = difflib.get_close_matches(word, known, n=1)
+    hint = f"did you mean {close[0]}? " if close else ""
+    return InputError(f"there is no option {word}; {hint}see `stridemap derive --help`")
+
+
 def _check_words(
     words: list[str], model: str | None, out: Path | None, check: bool, cycle: str | None
 ) -> None:
     """Refuse what does not go together."""
-    if model is not None and model.startswith("-"):
-        close = difflib.get_close_matches(model, OPTIONS, n=1)
-        hint = f"did you mean {close[0]}? " if close else ""
-        raise InputError(f"there is no option {model}; {hint}see `stridemap derive --help`")
     if model is not None and check:
         raise InputError("--check is for the built-in models; leave it out, or the path of the model file")
     if cycle is not None and (model is None or out is None):

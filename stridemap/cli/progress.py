@@ -7,6 +7,7 @@ so that the solver knows nothing of terminals.
 import sys
 import threading
 import time
+from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any, Protocol
@@ -92,7 +93,7 @@ def _left(at: "SweepProgress", rate: float) -> str:
     return f", {(at.total - at.done) / rate:.0f} s left" if at.done < at.total else ""
 
 
-class _Work:
+class _Work(ABC):
     """A piece of work, and a clock that calls `_tick` while it lasts."""
 
     def __init__(self, title: str, unit: str) -> None:
@@ -113,8 +114,9 @@ class _Work:
                     self._tick()
             wait = min(LINE_EVERY, 0.5)
 
+    @abstractmethod
     def _tick(self) -> None:
-        raise NotImplementedError
+        """The clock says that the work still goes on."""
 
     def update(
         self, done: int | None = None, total: int | None = None, detail: str = "", title: str | None = None
@@ -124,16 +126,18 @@ class _Work:
             self.title = title or self.title
             self._changed()
 
+    @abstractmethod
     def _changed(self) -> None:
-        raise NotImplementedError
+        """More is done than before."""
 
     def end(self, well: bool) -> None:
         self._over.set()
         with self.lock:
             self._ended(well)
 
+    @abstractmethod
     def _ended(self, well: bool) -> None:
-        raise NotImplementedError
+        """The work is over."""
 
     @property
     def seconds(self) -> float:
