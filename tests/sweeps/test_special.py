@@ -224,6 +224,10 @@ def test_the_order_and_what_is_one_point():
         model, "slope", 1.0, special_table_of(model, special_columns(model, grid, {}, located))
     ).to_pylist()
     assert [r["type"] for r in rows if r["reason"]] == []
+    # Of one point that two tiles have met, the family with cycles counts: its number is the lower one.
+    twice = [point(0.7, (0.1, -0.1, 3.0), branch=branch) for branch in (7, 2)]
+    table = special_table_of(model, special_columns(model, grid, {}, twice))
+    assert [r["branch"] for r in in_order(model, "slope", 1.0, table).to_pylist()] == [2]
 
 
 def test_a_part_keeps_special_points(wobbling):
