@@ -111,6 +111,22 @@ def test_an_end_takes_few_trials():
         assert count <= 20
 
 
+def test_where_a_condition_jumps_secants_do_not_creep():
+    """An early touchdown can vanish all at once: large on one side of the jump, nearly zero on the other."""
+    (branch, *_) = stridemap.branches("simplest_walker", "slope", (0.005, 0.015), seeds=1)
+    points = branch.points[:: len(branch.points) - 1]
+    begin, end = (point.x[-1] for point in points)
+    values = {GaitEnd.CONTACT: np.array([1.0, -1e-5])}
+    ((_, search),) = searches(branch.curve, points, values, ContinuationOptions())
+    trial, count = next(search), 1
+    with pytest.raises(StopIteration):
+        while True:
+            share = (trial.point.x[-1] - begin) / (end - begin)
+            value = 1.0 if share < 0.4 else 1e-5 * (0.6 - share)
+            trial, count = search.send(value), count + 1
+    assert count <= 15
+
+
 def test_a_gait_ends_where_the_foot_touches_down_early():
     """On one side the integrator walks the cycle; on the other its foot is down before the step ends."""
     given = {"alpha": 0.25, "omega": 3.0}
