@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stridemap.solver.backends.base import Kernels
+from stridemap.solver.kernels.resolution import distinct
 from stridemap.solver.observables.events import Brackets, Trace, brackets, locate
 from stridemap.solver.observables.reductions import extreme
 
@@ -131,7 +132,7 @@ class GaitConditions:
         """
         names = self.names if names is None else names
         resolution, out = np.asarray(n_rk), {name: np.empty(len(u)) for name in names}
-        for n in np.unique(resolution).tolist():
+        for n in distinct(resolution):
             at = np.flatnonzero(resolution == n)
             steps = u[at].reshape(len(at) * n_steps, -1)
             each = self.of_steps(n, steps, np.repeat(params[at], n_steps, axis=0), names)

@@ -27,6 +27,7 @@ from numpy.typing import NDArray
 from stridemap.solver.branches import cubics
 from stridemap.solver.branches.stops import Stops
 from stridemap.solver.cycles.solver import Solver
+from stridemap.solver.kernels.resolution import distinct
 from stridemap.solver.linear import solved
 from stridemap.solver.model.scales import Scales
 from stridemap.solver.options import IN_SWEEPS, ContinuationOptions
@@ -366,7 +367,7 @@ class _Lines:
     ) -> list[Array]:
         """A kernel at points of branches, each at its own resolution."""
         params = self._point(at, s)
-        groups = [np.flatnonzero(n_rk == n) for n in np.unique(n_rk)]
+        groups = [np.flatnonzero(n_rk == n) for n in distinct(n_rk)]
         if len(groups) == 1:
             return list(kernel(int(n_rk[0]), u, params))
         parts = [kernel(n_rk[rows[0]].item(), u[rows], params[rows]) for rows in groups]

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from stridemap.solver.cycles.chain import Chain
 from stridemap.solver.cycles.errors import differences, size
+from stridemap.solver.kernels.resolution import distinct
 from stridemap.solver.linear import solved
 from stridemap.solver.model.scales import Scales
 from stridemap.solver.observables.events import Trace
@@ -38,7 +39,7 @@ def chain_measures(
     """
     resolution, model, n = np.asarray(n_rk), chain.kernels.model, chain.n_steps
     parts, places = [], []
-    for each in np.unique(resolution).tolist():
+    for each in distinct(resolution):
         at = np.flatnonzero(resolution == each)
         steps = u[at].reshape(len(at) * n, -1)
         point = np.repeat(params[at], n, axis=0)

@@ -91,7 +91,7 @@ def find_all(solver: Solver, points: Array, options: SearchOptions | None = None
         at = np.repeat(open_, batch)
         found.add(solver, at, np.tile(guesses, (len(open_), 1)), points, options.period_range)
         made += batch
-        open_ = np.intersect1d(open_, found.unsettled)
+        open_ = open_[np.isin(open_, found.unsettled)]
         batch = min(made, options.most_starts - made)
         if batch <= 0:
             break
@@ -153,9 +153,9 @@ class _Found:
 
     @property
     def unsettled(self) -> Index:
-        """Points at which a limit cycle was reached from one start alone, ascending."""
+        """Points at which a limit cycle was reached from one start alone, once for each such cycle."""
         rows, reached = self._gaits
-        return np.unique(self.cell[rows[reached < TWICE]])
+        return self.cell[rows[reached < TWICE]]
 
     @property
     def point(self) -> Index:

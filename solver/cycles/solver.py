@@ -13,7 +13,7 @@ from stridemap.solver.cycles.duplicates import first_of_each
 from stridemap.solver.cycles.orbits import Orbits
 from stridemap.solver.kernels.catalogue import CYCLE_N_RK, FINE_N_RK
 from stridemap.solver.kernels.dormand_prince import ORDER
-from stridemap.solver.kernels.resolution import Resolution, coarsest
+from stridemap.solver.kernels.resolution import Resolution, coarsest, distinct
 from stridemap.solver.linear import solved
 from stridemap.solver.model.model import Model
 from stridemap.solver.model.scales import Scales
@@ -96,7 +96,7 @@ class Solver:
         promising = np.zeros(len(guesses), dtype=bool)
         n_rk = self.resolution.search_n_rk(guesses[:, -1], params)
         scale = Scales.of(self.model).residual
-        for n in np.unique(n_rk).tolist():
+        for n in distinct(n_rk):
             at = np.flatnonzero(n_rk == n)
             u[at], residual = self.kernels.search(n, guesses[at], params[at])
             size[at] = np.abs(residual / scale).max(axis=1)
@@ -139,7 +139,7 @@ class Solver:
         u, scale = guesses.copy(), Scales.of(self.model).unknowns
         n_rk = self.resolution.branch_n_rk(u[:, -1], self.resolution.fastest_mode(params))
         last = np.full(len(u), np.inf)
-        for n in np.unique(n_rk).tolist():
+        for n in distinct(n_rk):
             open_ = np.flatnonzero(n_rk == n)
             for turn in range(POLISHES):
                 if turn % 2:  # one derivative is good for two steps

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from stridemap.errors import InputError
 from stridemap.solver.backends.base import Backend
 from stridemap.solver.backends.selection import load_kernels
-from stridemap.solver.kernels.resolution import Resolution
+from stridemap.solver.kernels.resolution import Resolution, distinct
 from stridemap.solver.model.model import Model
 from stridemap.solver.observables.events import Trace
 
@@ -160,7 +160,7 @@ def _sampled(
     n_rk = 2 * Resolution(model).cycle_n_rk(u[:, -1], params)
     t = u[:, -1:] * np.linspace(0, 1, samples)
     states = np.empty((m, samples, 2 * len(model.coordinates) + len(model.actuated)))
-    for n in np.unique(n_rk).tolist():
+    for n in distinct(n_rk):
         at = np.flatnonzero(n_rk == n)
         trace = Trace.of(kernels, u[at], params[at], kernels.trace(n, u[at], params[at]))
         orbit = np.repeat(np.arange(len(at)), samples)
