@@ -25,7 +25,7 @@ from numpy.typing import NDArray
 from stridemap.errors import InputError, short
 from stridemap.solver.backends.base import Backend
 from stridemap.solver.backends.selection import load_kernels, named_backend
-from stridemap.solver.cycles.degenerate import why_no_cycle
+from stridemap.solver.cycles.degenerate import have_no_cycle, why_no_cycle
 from stridemap.solver.cycles.status import Status
 from stridemap.sweeps.cluster import cluster, scheduler_address
 from stridemap.sweeps.config import MAX_COUNT, SweepConfig, load_config
@@ -323,12 +323,28 @@ class _Run:
         )
         points = self.grid.points(self.model, self.config.params)
         found = np.bincount(orbits["cell"].to_numpy(), minlength=self.grid.n_cells)
-        status, reason = zip(*(self._cell(cell, n) for cell, n in enumerate(found.tolist())), strict=True)
+        status, reason = self._outcomes(points, found)
         cells = cell_table(self.model, points, orbits, status, reason)
         self.store.finish(orbits, cells, special)
         return self._summary(cells, special)
 
-    def _cell(self, cell: int, found: int) -> tuple[str, str | None]:
+    def _outcomes(self, points: Floats, found: Ints) -> tuple[list[str], list[str | None]]:
+        """Status of each cell, and why it is failed or empty, or lacks something."""
+        # Where a parameter is at an end of its allowed range, equations may degenerate.
+        ends = np.array([[one.lower, one.upper] for one in self.model.parameters], dtype=float).T
+        at_end = (points[:, None, :] == ends).any(axis=(1, 2))
+        asked = np.flatnonzero(at_end & (found == 0))
+        degenerate = set(asked[have_no_cycle(self.model, points[asked])].tolist())
+        status, reason = [], []
+        for cell, n in enumerate(found.tolist()):
+            one, why = self._outcome(cell, n)
+            if cell in degenerate and one == "empty":
+                why = f"{why}; {why_no_cycle(self.model, points[cell])}"
+            status.append(one)
+            reason.append(why)
+        return status, reason
+
+    def _outcome(self, cell: int, found: int) -> tuple[str, str | None]:
         if cell in self.failures:
             return "failed", self.failures[cell]
         thrown = self.discarded.get(cell, Counter())
@@ -340,20 +356,7 @@ class _Run:
             f"no limit cycle with {lower:g} < period <= {upper:g} was found, from the starts or from "
             "neighbouring cells"
         )
-        if thrown:
-            why += f"; thrown away: {_thrown_away(thrown)}"
-        degenerate = why_no_cycle(self.model, self._point(cell)) if self._at_an_end(cell) else None
-        return "empty", why if degenerate is None else f"{why}; {degenerate}"
-
-    def _point(self, cell: int) -> Floats:
-        """The parameters of a cell."""
-        point: Floats = self.grid.points(self.model, self.config.params, [cell])[0]
-        return point
-
-    def _at_an_end(self, cell: int) -> bool:
-        """Whether a parameter of a cell is at an end of its allowed range, where equations degenerate."""
-        values = zip(self.model.parameters, self._point(cell).tolist(), strict=True)
-        return any(value in (one.lower, one.upper) for one, value in values)
+        return "empty", f"{why}; thrown away: {_thrown_away(thrown)}" if thrown else why
 
     def summary_of_finished(self) -> Summary:
         """Read the summary of a sweep that was finished before."""

@@ -7,7 +7,7 @@ import pandas as pd
 import pytest
 
 import stridemap
-from stridemap.solver.cycles.degenerate import why_no_cycle
+from stridemap.solver.cycles.degenerate import have_no_cycle, why_no_cycle
 from stridemap.solver.model.loading import available, load
 from stridemap.sweeps.config import parse_config
 from stridemap.sweeps.run import sweep
@@ -41,6 +41,19 @@ def test_what_vanishes_at_an_end_of_a_range_is_named(name, params, begin):
     model = load(name)
     said = why_no_cycle(model, model.point(params))
     assert said is None if begin is None else said.startswith(begin)
+
+
+@pytest.mark.parametrize("name", ["wobbling", "goswami_compass", "rimless_wheel"])
+def test_many_points_at_once_are_judged_as_each_by_itself(name):
+    """At random points, some of whose parameters are at an end of their range."""
+    model, rng = load(name), np.random.default_rng(3)
+    points = model.point({}) * rng.uniform(0.5, 1.5, (60, len(model.parameters)))
+    ends = np.array([p.default if p.lower is None else p.lower for p in model.parameters])
+    points = np.where(rng.uniform(size=points.shape) < 0.3, ends, points)
+    each = [why_no_cycle(model, point) is not None for point in points]
+    assert have_no_cycle(model, points).tolist() == each
+    if name != "rimless_wheel":
+        assert 5 < sum(each) < 55
 
 
 def test_a_free_mass_can_be_shifted_in_a_walk_and_a_held_one_cannot():
