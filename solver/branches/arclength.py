@@ -40,7 +40,8 @@ class EndReason(StrEnum):
     REGION = "region"
     """A section coordinate is far outside the box in which cycles are searched for."""
     BRANCH_POINT = "branch_point"
-    """It begins at another branch."""
+    """It begins or ends at another branch: beyond a cycle that closes after half of its steps already, the
+    same cycles come again, with their halves exchanged."""
     STEPS = "max_steps"
     """The largest number of arclength steps was taken."""
 
@@ -261,6 +262,8 @@ def _ended(curve: ZeroCurve, points: list[CurvePoint], window: Window) -> EndRea
         return EndReason.REGION
     if curve.beyond(x):
         return EndReason.DOUBLE
+    if len(curve.values(x)) == 1 and _halves_exchange(steps, curve.equations.steps(points[-2].x), curve):
+        return EndReason.BRANCH_POINT
     if len(points) > 3:
         first, across = points[0], points[0].tangent
         ahead = curve.dot(x - first.x, across)
@@ -269,6 +272,16 @@ def _ended(curve: ZeroCurve, points: list[CurvePoint], window: Window) -> EndRea
         if before < 0 <= ahead and near:
             return EndReason.CLOSED
     return None
+
+
+def _halves_exchange(steps: Array, before: Array, curve: ZeroCurve) -> bool:
+    """Whether the difference of a cycle's halves has passed through zero since the point before."""
+    n = len(steps)
+    if n % 2:
+        return False
+    scale = curve.scale[: steps.size].reshape(steps.shape)
+    one, other = ((each[: n // 2] - each[n // 2 :]) / scale[: n // 2] for each in (steps, before))
+    return bool((one * other).sum() < 0)
 
 
 MAX_CORRECTION = 0.3

@@ -170,8 +170,14 @@ class Survey:
         reasons: tuple[EndReason, EndReason],
         origin: tuple[int, int] | None,
     ) -> Branch:
-        """A branch with its special points."""
+        """A branch with its special points.
+
+        Where it was followed through a cycle that closes after half of its steps, it ends at that.
+        """
         specials = list(special_points(curve, points, self.options))
+        for end in (0, -1):
+            if reasons[end] == EndReason.BRANCH_POINT and (end or origin is None):
+                points, specials = ending_there(curve, points, specials, end)
         values = conditions_along(curve, points, self.conditions)
         ends = list(gait_ends(curve, points, values, self.conditions, self.options))
         return Branch(curve, points, reasons, specials, ends, values, {}, origin)
@@ -210,6 +216,39 @@ class Survey:
                 switched = crossing(branch.curve, special, self.options, side)
                 if switched is not None:
                     yield switched
+
+
+def ending_there(
+    curve: Curve, points: list[CurvePoint], specials: list[tuple[int, Special]], end: int
+) -> tuple[list[CurvePoint], list[tuple[int, Special]]]:
+    """Points and bifurcations of a branch, without what lies beyond the branch point at one of its ends.
+
+    The branch point itself is a point of the branch, and is a doubling on the other one.
+
+    Parameters
+    ----------
+    curve : Curve
+    points : list of CurvePoint
+    specials : list of (int, Special)
+        Bifurcations, each with the number of the point before it.
+    end : {0, -1}
+        Whether the branch ends so at its first or at its last point.
+    """
+    interval, nearest = (0, points[1].x) if end == 0 else (len(points) - 2, points[-2].x)
+    kept = points[1:] if end == 0 else points[:-1]
+    there = [one.x for before, one in specials if before == interval and one.type == SpecialType.BP]
+    if not there:
+        return kept, [(before - (end == 0), one) for before, one in specials if before != interval]
+    x = min(there, key=lambda x: curve.norm(x - nearest))
+    # The branch turns back there, which is no fold of its own.
+    reach = curve.norm(x - nearest) - SAME
+    left = [
+        (before, one) for before, one in specials if before != interval or curve.norm(one.x - nearest) < reach
+    ]
+    n_rk = curve.n_rk(x)
+    matrix, _ = curve.linearised(x, n_rk)
+    last = CurvePoint(x, kept[end].tangent, matrix, curve.multipliers(matrix), n_rk)
+    return ([last, *kept] if end == 0 else [*kept, last]), left
 
 
 def on_branch(branch: Branch, x: Array) -> bool:

@@ -12,6 +12,7 @@ from stridemap.solver.branches.arclength import EndReason, Window, advanced, at_
 from stridemap.solver.branches.conditions import GaitEnd
 from stridemap.solver.branches.ends import conditions_along, gait_ends
 from stridemap.solver.branches.special import SpecialType, special_points
+from stridemap.solver.branches.survey import ending_there
 from stridemap.solver.branches.switching import crossing, doubled, supercritical
 from stridemap.solver.cycles.floquet import sorted_eigenvalues, step_map_derivative
 from stridemap.solver.options import ContinuationOptions
@@ -115,6 +116,31 @@ def test_a_doubling_is_supercritical_where_the_single_cycle_is_unstable(cubic, e
     assert one == pytest.approx(-other, abs=1e-12)
     assert one**2 == pytest.approx(-value / cubic, abs=1e-11)
     assert supercritical(doubling, begins) == expected
+
+
+def test_a_doubled_branch_ends_where_its_halves_are_one_cycle_again():
+    """-(1 + r) z + z^3 with r = p (1 - p) doubles at p = 0 and at p = 1; between them two is z^2 = r."""
+    on = curve(shifted(lambda z: -(1 + p * (1 - p)) * z + z**3))
+    points, _ = traced(on, 0.5, -0.4, -0.5, 1.5)
+    first, second = specials(on, points)
+    begins = doubled(on, first, OPTIONS)
+    there, reason = follow(begins.curve, begins.start, window(-0.5, 1.5), OPTIONS)
+    assert reason is EndReason.BRANCH_POINT
+    passed = specials(begins.curve, there)
+    assert SpecialType.BP in [one.type for one in passed]
+    numbered = list(special_points(begins.curve, there, OPTIONS))
+    kept, left = ending_there(begins.curve, there, numbered, -1)
+    assert left == []
+    x = np.array([point.x for point in kept])
+    np.testing.assert_allclose(x[-1], [*second.x[:-1], *second.x], rtol=0, atol=1e-10)
+    np.testing.assert_allclose((x[:, 0] - 0.5) ** 2, x[:, -1] * (1 - x[:, -1]), rtol=0, atol=1e-10)
+    assert (np.diff(x[:, -1]) > 0).all()
+    # The same from the other end.
+    back = [point.reversed() for point in reversed(there)]
+    kept, left = ending_there(begins.curve, back, list(special_points(begins.curve, back, OPTIONS)), 0)
+    assert left == []
+    np.testing.assert_allclose(kept[0].x, x[-1], rtol=0, atol=1e-10)
+    np.testing.assert_allclose(kept[-1].x, x[0], rtol=0, atol=1e-10)
 
 
 def test_the_torus_of_the_delayed_logistic_map():
