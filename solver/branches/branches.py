@@ -213,14 +213,41 @@ class Branches(Sequence[Branch]):
         return described(frame, self.model.spec, "points of branches")
 
     def special_frame(self) -> Any:
-        """All special points as a `pandas.DataFrame`, one row each."""
+        """All special points as a `pandas.DataFrame`, one row each.
+
+        Columns: ``branch, type, value, period, period_n, arclength, residual`` of the equations that define
+        it, ``gait, criticality, multiplier, crossing_slope``, the parameters, the section point at the start
+        of the first step, the multipliers, and every measured quantity over the whole cycle.
+        """
         import pandas as pd
 
         rows = [
-            point_row(one) | {"multiplier": None if one.multiplier is None else str(one.multiplier)}
+            {**point_row(one), "multiplier": None if one.multiplier is None else str(one.multiplier)}
             for one in self.special
         ]
-        return described(pd.DataFrame(rows), self.model.spec, "special points", {"value": self.vary})
+        frame = pd.DataFrame(rows).drop(columns="null", errors="ignore")
+        for name, values in self._measured_specials().items():
+            if name not in frame:
+                frame[name] = values
+        return described(frame, self.model.spec, "special points", {"value": self.vary})
+
+    def _measured_specials(self) -> dict[str, Any]:
+        """Every measured quantity at all special points, by column."""
+        parts: dict[str, list[Any]] = {}
+        for number, branch in enumerate(self.found):
+            points = [one for one in self.special if one.branch == number]
+            if not points:
+                continue
+            u = np.array([np.ravel(one.steps) for one in points])
+            params = np.array([list(one.params.values()) for one in points])
+            n_rk = [branch.curve.n_rk(np.append(x, one.value)) for x, one in zip(u, points, strict=True)]
+            with np.errstate(all="ignore"):  # multipliers are infinite at a grazing touchdown
+                measures = chain_measures(
+                    branch.curve.chain, n_rk, u, params, np.array([one.multipliers for one in points])
+                )
+            for name, values in measures.items():
+                parts.setdefault(name, []).append(column(self.model.measured[name], values, len(points)))
+        return {name: np.concatenate(each) for name, each in parts.items()}
 
     def _columns(self, number: int, branch: Branch) -> dict[str, Any]:
         x, m = branch.x, len(branch.points)

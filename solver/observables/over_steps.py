@@ -36,7 +36,9 @@ def over_steps(
         None where the model lacks a quantity, or where it is not defined for several steps.
     """
     lengths = np.asarray(steps["step_length"]).reshape(-1, n_steps)
-    weights = {"by_length": lengths, "by_time": periods}
+    # What is per unit of absolute length counts a step that leads back as well.
+    weights = {"by_length": np.abs(lengths), "by_time": periods}
+    whole = {"by_length": np.abs(lengths.sum(axis=1)), "by_time": periods.sum(axis=1)}
     out: dict[str, Array | None] = {}
     for name, values in steps.items():
         quantity = quantities[name]
@@ -45,10 +47,10 @@ def over_steps(
         if each is None:
             out[name] = None
         elif rule in weights:
-            out[name] = (each * weights[rule]).sum(axis=1) / weights[rule].sum(axis=1)
+            out[name] = (each * weights[rule]).sum(axis=1) / whole[rule]
         elif rule == "per_speed":
-            total = (each * lengths / periods).sum(axis=1)
-            out[name] = total * periods.sum(axis=1) / lengths.sum(axis=1)
+            total = (each * weights["by_length"] / periods).sum(axis=1)
+            out[name] = total * whole["by_time"] / whole["by_length"]
         else:
             out[name] = _PLAIN[rule](each)
     return out

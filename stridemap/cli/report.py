@@ -34,6 +34,13 @@ def report(
         Path | None,
         typer.Option(metavar="FILE", help="Boundaries to draw: what `stridemap boundary --out` wrote."),
     ] = None,
+    branches: Annotated[
+        list[Path] | None,
+        typer.Option(
+            metavar="FILE",
+            help="Branches to draw in slices: what `stridemap branch --out` wrote; several times for several.",
+        ),
+    ] = None,
     sweeps: SweepsOption = None,
     workers: WorkersOption = None,
     set_: SetOption = None,
@@ -58,7 +65,7 @@ def report(
                 "sweeps; leave it out, or leave the folder out"
             )
         with shown("writing the report"):
-            summary = write_report(folder, out, claims, model, curves)
+            summary = write_report(folder, out, claims, model, curves, branches=branches or ())
     elif curves is not None:
         raise InputError(
             "--curves is for the sweep in SWEEP_DIR; give that folder, or leave --curves out: the paper's "
@@ -74,6 +81,7 @@ def report(
                 summary = report_paper(
                     out,
                     claims=claims,
+                    branches=branches or (),
                     sweeps=where,
                     params=params,
                     thin=thin,

@@ -1,6 +1,6 @@
 """The paper's map as a page to explore, with the verdicts on its statements."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import Executor
 from pathlib import Path
 from typing import Any
@@ -11,6 +11,7 @@ from stridemap.paper.map_boundaries import map_boundaries
 from stridemap.paper.sweeps import paper_sweeps
 from stridemap.services import shown
 from stridemap.sweeps.run import Progress
+from stridemap.views.report.branches import Given
 from stridemap.views.report.references import references_of
 from stridemap.views.report.write import ReportSummary, check_out, write_report
 
@@ -19,6 +20,7 @@ def report(
     out: str | Path,
     *,
     claims: str | Path | None = None,
+    branches: Sequence[Given] = (),
     sweeps: str | Path | None = None,
     params: Mapping[str, Any] | None = None,
     thin: int = 1,
@@ -38,6 +40,8 @@ def report(
     claims : path, optional
         A file of verdicts that ``stridemap claims --json`` printed; by default the statements are decided
         from the sweeps.
+    branches : sequence of path or Branches, optional
+        As for `stridemap.views.write_report`.
     sweeps, params, thin, workers, executor, progress
         As for `claims`: sweeps that are not finished are run.
     say : callable, optional
@@ -55,4 +59,6 @@ def report(
     references = references_of(paper.gaits("compass"), "compass", ["omega"])
     drawn = None if curves.empty else curves
     with shown("writing the report"):
-        return write_report(paper.run("map"), out, verdicts, curves=drawn, references=references)
+        return write_report(
+            paper.run("map"), out, verdicts, curves=drawn, references=references, branches=branches
+        )

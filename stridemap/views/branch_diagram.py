@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from stridemap.errors import InputError
 from stridemap.solver.branches.branches import Branches, SpecialPoint
 from stridemap.solver.model.model import Model
+from stridemap.views.branch_lines import NO_GAIT, STABLE, UNSTABLE, kinds_of, looks_between, placed
 from stridemap.views.markers import MARKERS
 from stridemap.views.optional import require_pictures
 from stridemap.words import multiplier_columns
@@ -22,9 +23,6 @@ Array = NDArray[np.float64]
 
 SIZE = (5.2, 3.6)
 """Width and height in inches."""
-
-NO_GAIT, UNSTABLE, STABLE = range(3)
-"""Looks of a piece of a branch, from the least to the most."""
 
 
 def branch_diagram(branches: Branches, y: str = "period", *, gaits_only: bool = False) -> "Figure":
@@ -130,19 +128,14 @@ def _drawn(branches: Branches, number: int, y: str) -> _Drawn:
     else:
         frame = branches.to_frame()
         column = frame.loc[frame["branch"] == number, y].to_numpy(dtype=np.float64)
-        values = np.append(column, np.interp(lengths[n:], lengths[:n], column))[:, None]
-    order = np.argsort(lengths, kind="stable")
-    stable = np.array([np.abs(point.multipliers).max(initial=0.0) < 1.0 for point in branch.points])
-    kinds = np.where(branch.is_gait, np.where(stable, STABLE, UNSTABLE), NO_GAIT)
-    # A piece between two points without a special point between them looks as the less of both.
-    ordinary = order < n
-    before = np.maximum.accumulate(np.where(ordinary, order, 0))
-    after = np.minimum(before + 1, n - 1)
-    look = np.minimum(kinds[before], kinds[after])
-    look = np.where(ordinary & ~np.append(ordinary[1:], True), kinds[before], look)
-    look = np.where(~ordinary & np.append(ordinary[1:], False), kinds[after], look)
+        measured = branches.special_frame()
+        own = measured.loc[measured["branch"] == number, y] if special else ()
+        values = np.append(column, np.asarray(own, dtype=np.float64))[:, None]
+    order = placed(lengths[:n], lengths[n:])
+    largest = np.array([np.abs(point.multipliers).max(initial=0.0) for point in branch.points])
+    look = looks_between(order, kinds_of(branch.is_gait, largest))
     places = {int(np.flatnonzero(order == n + i)[0]): one for i, one in enumerate(special)}
-    return _Drawn(x[order], values[order], look[:-1], places)
+    return _Drawn(x[order], values[order], look, places)
 
 
 def _draw(axes: "Axes", drawn: _Drawn, gaits_only: bool) -> None:

@@ -22,6 +22,9 @@ STABLE, UNSTABLE, NONE = BLUE, GREY, WHITE
 UNSTABLE_LINE, COMPASS = DARK, BLACK
 """Lines of unstable limit cycles, and of the walker without a wobbling mass."""
 
+SEVERAL_STEPS = VERMILION
+"""Lines of limit cycles of several steps, which begin at doublings, of the same colour."""
+
 GROUPS = {"A": VERMILION, "B": GREEN, "C": BLUE, "D": PURPLE, "E": ORANGE, "F": SKY}
 """Groups of gaits; A to C have the colours that the paper gives to their typical solutions."""
 
@@ -50,6 +53,7 @@ _ON_THE_PAGE = {
     "map-stable": (STABLE, STABLE),
     "map-unstable": (UNSTABLE, "#555a60"),
     "open": (UNSTABLE_LINE, GREY),
+    "several-steps": (SEVERAL_STEPS, SEVERAL_STEPS),
     "compass": (COMPASS, WHITE),
     "group": (DARK, GREY),
     **{f"group-{letter}": (colour, colour) for letter, colour in GROUPS.items()},

@@ -181,9 +181,9 @@ MEASURED = (
     ),
     Mutation(
         "solver/observables/over_steps.py",
+        'weights = {"by_length": np.abs(lengths), "by_time": periods}',
         'weights = {"by_length": lengths, "by_time": periods}',
-        'weights = {"by_length": periods, "by_time": lengths}',
-        "the cost of a cycle of two steps weighs them by their periods",
+        "the cost of a cycle of two steps is less where one of them leads back",
         ("tests/solver/observables/test_over_steps.py",),
     ),
     Mutation(

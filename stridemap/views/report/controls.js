@@ -146,6 +146,7 @@ function buildCurves() {
     remember("push");
   };
   if (orbits.has("branch")) byId("slice-lines").textContent = " Lines join the cycles of one branch, dashed where they are unstable.";
+  if (branchTables.length) byId("slice-lines").textContent += " Where branches were followed, they are drawn instead, with their special points.";
   if (boundaries.length) byId("slice-lines").textContent += " Upright lines are where boundaries are crossed.";
 }
 

@@ -71,7 +71,7 @@ def curves(
             )
     fixed = {**model.preset, **configuration["params"]}
     for name in names:
-        if name not in configuration["grid"] and not _same(table[name], fixed[name]).all():
+        if name not in configuration["grid"] and not same(table[name], fixed[name]).all():
             raise InputError(
                 f"{source} are at {name} = {table[name].iloc[0]:g}, the sweep is at {fixed[name]:g}; "
                 "give boundaries that belong to it"
@@ -127,7 +127,7 @@ def _varying(table: pd.DataFrame, names: list[str], source: str) -> tuple[str, s
     return found[0], found[1]
 
 
-def _same(values: Any, value: float) -> Any:
+def same(values: Any, value: float) -> Any:
     return np.isclose(values.to_numpy(dtype=float), value, rtol=SAME, atol=0.0)
 
 

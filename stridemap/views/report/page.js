@@ -55,7 +55,10 @@ const map = new GridMap(byId("map"), curves, {
   },
 });
 
-const slice = new Slice(byId("slice"), (row) => choose(cellColumn[row], row), (row, event) => hover(row === null ? "" : rowText(row, [slice.quantity]), event));
+const slice = new Slice(byId("slice"), (row) => choose(cellColumn[row], row), (row, special, event) => {
+  const text = special ? specialText(special, axisQuantities[slice.across]) : row === null ? "" : rowText(row, [slice.quantity]);
+  hover(text, event);
+});
 
 const scatter = new Scatter(byId("scatter"), {
   onChoose: (row) => choose(cellColumn[row], row),
@@ -185,6 +188,9 @@ function showSlice() {
     crossings: state.up === null ? [] : curves.crossings(grid.axes[state.up].values[state.indices[state.up]]),
     view: state.view ? state.view.slice(0, 2) : [0, 1],
   });
+  const legend = branchLegend(slice.branches, axisQuantities[state.across]);
+  byId("branch-legend").hidden = legend.length === 0;
+  byId("branch-legend").replaceChildren(...legend);
 }
 
 // While it is out of sight the scatter is drawn when nothing else happens, so that nothing waits for it.

@@ -16,6 +16,8 @@ from stridemap.quantities import KINDS, QUANTITIES
 from stridemap.solver.model.model import Model
 from stridemap.spec import Parameter
 from stridemap.views.notation import printed, rate_symbol, symbol, units
+from stridemap.views.report.branches import Given, special_looks
+from stridemap.views.report.branches import branches as encoded_branches
 from stridemap.views.report.curves import looks
 from stridemap.views.report.encoding import Encoder
 from stridemap.views.report.references import Reference, checked
@@ -35,6 +37,7 @@ def payload(
     cells: pd.DataFrame,
     curves: Sequence[Mapping[str, Any]] = (),
     references: Sequence[Reference] = (),
+    branches: Sequence[Given] = (),
 ) -> Any:
     """Return plain values for JSON.
 
@@ -49,11 +52,13 @@ def payload(
         Boundaries, as from `stridemap.views.report.curves.curves`.
     references : sequence of Reference
         Values of quantities to compare with.
+    branches : sequence of path or Branches
+        Branches over one parameter each.
 
     Raises
     ------
     InputError
-        For a reference that does not belong to the sweep.
+        For a reference or branches that do not belong to the sweep.
     """
     encoder = Encoder()
     states = (*model.section, "period")
@@ -76,6 +81,8 @@ def payload(
         "fixed": configuration["params"],
         "cells": encoder.table(cells[["status", "reason"]]),
         "orbits": encoder.table(orbits[["cell", *(name for name in orbits if name not in hidden)]], states),
+        "branches": encoded_branches(model, configuration, orbits, branches, encoder),
+        "special": special_looks() if branches else {},
         "bytes": encoder.packed(),
         "measures": _measures(model, orbits, hidden),
         "curves": list(curves),

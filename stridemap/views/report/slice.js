@@ -1,11 +1,12 @@
 // The slice: a quantity of all cycles along the map's horizontal axis, through the chosen cell. Filled marks are
-// stable cycles, open ones unstable; lines join the cycles of one branch, and are dashed where they are unstable.
+// stable cycles, open ones unstable; lines join the cycles of one branch, and are dashed where they are unstable. Where
+// branches were followed along the slice, the lines are these, with their special points.
 
 const SLICE = { top: 12, bottom: 46 };
 
 class Slice {
-  // `onChoose(row)` is called when the reader presses near a cycle, or goes to it by keyboard; `onPoint(row, event)`
-  // when one is pointed at.
+  // `onChoose(row)` is called when the reader presses near a cycle, or goes to it by keyboard; `onPoint(row, special,
+  // event)` when a cycle or a special point is pointed at.
   constructor(canvas, onChoose, onPoint) {
     this.canvas = canvas;
     this.onChoose = onChoose;
@@ -13,8 +14,8 @@ class Slice {
       const row = this.near(event);
       if (row !== null) onChoose(row);
     });
-    canvas.addEventListener("pointermove", (event) => onPoint(this.near(event), event));
-    canvas.addEventListener("pointerleave", () => onPoint(null));
+    canvas.addEventListener("pointermove", (event) => onPoint(this.near(event), this.nearSpecial(event), event));
+    canvas.addEventListener("pointerleave", () => onPoint(null, null));
     canvas.addEventListener("keydown", (event) => this.key(event));
   }
 
@@ -34,7 +35,10 @@ class Slice {
       if (value !== null) this.compared.push([column, value]);
     }
     const values = quantity.numbers();
-    this.scale = scaleOf(this.rows.map(([, row]) => values[row]), this.compared.map(([, value]) => value));
+    this.branches = branchesAlong(across, indices);
+    this.special = specialPoints(this.branches).filter(({ table }) => table.has(quantity.name));
+    const shown = [...this.rows.map(([, row]) => values[row]), ...branchValues(this.branches, quantity.name)];
+    this.scale = scaleOf(shown, this.compared.map(([, value]) => value));
     this.joined = joined(this.rows);
     this.draw();
   }
@@ -45,6 +49,27 @@ class Slice {
     const x = INSET.left + this.columns.position(column) * (width - INSET.left - INSET.right);
     const y = height - SLICE.bottom - Math.max(0, Math.min(1, unit)) * (height - SLICE.top - SLICE.bottom);
     return { x, y, beyond: unit > 1 ? 1 : unit < 0 ? -1 : 0, missing: Number.isNaN(value) };
+  }
+
+  // Where a value of the parameter and one of the quantity are.
+  placeOf(value, y, width, height) {
+    return [
+      INSET.left + this.columns.unitOf(value) * (width - INSET.left - INSET.right),
+      height - SLICE.bottom - this.scale.unit(y) * (height - SLICE.top - SLICE.bottom),
+    ];
+  }
+
+  // The special point that is pointed at, or null.
+  nearSpecial(event) {
+    if (!this.rows || !this.special.length) return null;
+    const { width, height, left, top } = this.canvas.getBoundingClientRect();
+    let [best, least] = [null, 9];
+    for (const one of this.special) {
+      const [x, y] = this.placeOf(one.value, one.table.numbers(this.quantity.name)[one.row], width, height);
+      const distance = Math.hypot(event.clientX - left - x, event.clientY - top - y);
+      if (distance < least) [best, least] = [one, distance];
+    }
+    return best;
   }
 
   near(event) {
@@ -119,8 +144,10 @@ class Slice {
     this.size = (right - INSET.left) / this.columns.values.length < 6 ? 1.6 : 3;
     this.boundaries(pen, right, bottom);
     this.compare(pen, right, bottom);
-    this.lines(pen, width, height);
+    const followed = this.branches.some(({ table }) => table.has(this.quantity.name));
+    if (!followed) this.lines(pen, width, height);
     this.dots(pen, width, height);
+    if (followed) this.followed(pen, width, height, { x: INSET.left, y: SLICE.top, width: right - INSET.left, height: bottom - SLICE.top });
     nameBelow(pen, axisQuantities[this.across].title, INSET.left, right, bottom);
     nameBeside(pen, this.quantity.unit ? `[${this.quantity.unit}]` : "", SLICE.top, bottom);
   }
@@ -166,6 +193,16 @@ class Slice {
       segment(pen, x, SLICE.top, x, bottom);
     }
     pen.setLineDash([]);
+  }
+
+  // Branches that were followed, and their special points within the box.
+  followed(pen, width, height, box) {
+    drawBranches(pen, this.branches, this.quantity.name, (value, y) => this.placeOf(value, y, width, height), box);
+    for (const { table, row, type, words, value } of this.special) {
+      const [x, y] = this.placeOf(value, table.numbers(this.quantity.name)[row], width, height);
+      const inside = x >= box.x && x <= box.x + box.width && y >= box.y - 1 && y <= box.y + box.height + 1;
+      if (inside) drawMarker(pen, type, words === "subcritical", x, y, 4);
+    }
   }
 
   // Branches: half of each line between two cycles looks as the cycle that it begins at.

@@ -20,6 +20,7 @@ from stridemap.solver.model.model import Model
 from stridemap.sweeps.reading import read_sweep
 from stridemap.views import palette
 from stridemap.views.report import sections
+from stridemap.views.report.branches import Given
 from stridemap.views.report.claims import claims as verdict_list
 from stridemap.views.report.claims import read_claims
 from stridemap.views.report.curves import curves as encoded
@@ -43,6 +44,7 @@ SCRIPTS = (
     "map.js",
     "patches.js",
     "joining.js",
+    "branches.js",
     "slice.js",
     "scatter.js",
     "charts.js",
@@ -99,6 +101,7 @@ def write_report(
     model: str | Path | None = None,
     curves: str | Path | pd.DataFrame | None = None,
     references: Sequence[Reference] = (),
+    branches: Sequence[Given] = (),
 ) -> ReportSummary:
     """Write a sweep as one HTML file that needs no other file and no network.
 
@@ -119,13 +122,16 @@ def write_report(
     references : sequence of Reference, optional
         Values to compare with, such as those of another model: lines in slices, colours of the map, words of
         filters.
+    branches : sequence of path or Branches, optional
+        Branches over one parameter of the grid each, drawn in slices along it with their special points: what
+        `stridemap.branches` gives, or the path that ``stridemap branch --out`` was given.
 
     Raises
     ------
     InputError
         When the folder does not hold a finished sweep, the sweep found nothing, is of another version of the
-        model or of one that is neither built in nor given, when the claims or the boundaries cannot be read
-        or do not belong to it, or the file cannot be written.
+        model or of one that is neither built in nor given, when the claims, boundaries or branches cannot
+        be read or do not belong to it, or the file cannot be written.
     """
     sweep = read_sweep(folder, model)
     loaded, provenance, orbits, cells = sweep.model, sweep.provenance, sweep.orbits, sweep.cells
@@ -133,7 +139,7 @@ def write_report(
     if orbits.empty:
         raise InputError(f"the sweep in {folder} found no limit cycle, so there is nothing to show")
     lines = _curves(loaded, provenance["configuration"], curves)
-    data = payload(loaded, provenance["configuration"], orbits, cells, lines, references)
+    data = payload(loaded, provenance["configuration"], orbits, cells, lines, references, branches)
     verdicts = read_claims(claims) if isinstance(claims, str | Path) else claims
     page = _page(
         title=sections.text(f"Limit cycles: {loaded.title}"),

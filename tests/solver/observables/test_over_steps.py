@@ -12,25 +12,29 @@ LENGTH, TIME, ENERGY, WEIGHT = np.array([0.2, 0.5]), np.array([1.0, 1.6]), np.ar
 """Of a short and a long step of one cycle."""
 
 
-def of_cycle(**steps):
+def of_cycle(length=LENGTH, **steps):
     """Measures of the cycle of both steps."""
-    columns = {"step_length": LENGTH, **steps}
+    columns = {"step_length": length, **steps}
     found = over_steps(QUANTITIES, columns, TIME[None, :], 2)
     return {name: None if value is None else value[0] for name, value in found.items()}
 
 
-def test_costs_and_speed_are_those_of_the_whole_way():
+@pytest.mark.parametrize("length", [LENGTH, LENGTH * [-1, 1], LENGTH * [1, -1], LENGTH * [-1e-14, 1]])
+def test_costs_and_speed_are_those_of_the_whole_way(length):
+    """Also where a step leads back, or hardly leads anywhere: its cost by itself is then enormous."""
     found = of_cycle(
-        speed=LENGTH / TIME,
-        cot=ENERGY / (WEIGHT * LENGTH),
-        cot_per_speed=ENERGY * TIME / (WEIGHT * LENGTH),
+        length,
+        speed=length / TIME,
+        cot=ENERGY / (WEIGHT * np.abs(length)),
+        cot_per_speed=ENERGY * TIME / (WEIGHT * np.abs(length)),
         work=ENERGY,
     )
-    assert found["step_length"] == pytest.approx(LENGTH.sum())
-    assert found["speed"] == pytest.approx(LENGTH.sum() / TIME.sum())
+    way = np.abs(length.sum())
+    assert found["step_length"] == pytest.approx(length.sum())
+    assert found["speed"] == pytest.approx(length.sum() / TIME.sum())
     assert found["work"] == pytest.approx(ENERGY.sum())
-    assert found["cot"] == pytest.approx(ENERGY.sum() / (WEIGHT * LENGTH.sum()))
-    assert found["cot_per_speed"] == pytest.approx(ENERGY.sum() * TIME.sum() / (WEIGHT * LENGTH.sum()))
+    assert found["cot"] == pytest.approx(ENERGY.sum() / (WEIGHT * way))
+    assert found["cot_per_speed"] == pytest.approx(ENERGY.sum() * TIME.sum() / (WEIGHT * way))
 
 
 def test_extremes_are_those_of_the_worst_step():
