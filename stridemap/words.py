@@ -78,7 +78,7 @@ ATTRIBUTES = frozenset(
 
 OPTION_WORDS = frozenset(
     # options of the command line
-    "acceptance backend by cascade check claims color colour config continuation csv curves cycle "
+    "acceptance backend branches by cascade check claims color colour config continuation csv curves cycle "
     "dask derive_timeout folder fps from friction_limit group header help json lines magnify model name only "
     "out period_n plot quiet range rate resume search search_box seeds set shell show size start starts "
     "state steps sweeps table target thin to trajectory units vary verbose where workers "

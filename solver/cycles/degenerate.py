@@ -146,8 +146,8 @@ def _without_inertia(model: Model, points: Array) -> Mask:
     matrices = model.evaluate("mass_matrix", q=q, p=points[..., None, :])["M"]
     finite = np.isfinite(matrices).all(axis=(-3, -2, -1))
     root = np.sqrt(np.abs(np.diagonal(matrices, axis1=-2, axis2=-1)))
-    massless = ~(root > 0).all(axis=(-2, -1))
-    usable = finite & ~massless
+    massless = np.asarray(~(root > 0).all(axis=(-2, -1)))
+    usable = np.asarray(finite & ~massless)
     scaled = np.where(usable[..., None, None, None], matrices, np.eye(matrices.shape[-1]))
     root = np.where(usable[..., None, None], root, 1.0)
     values = np.linalg.eigvalsh(scaled / root[..., :, None] / root[..., None, :])

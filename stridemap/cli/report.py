@@ -38,7 +38,7 @@ def report(
         list[Path] | None,
         typer.Option(
             metavar="FILE",
-            help="Branches to draw in slices: what `stridemap branch --out` wrote; several times for several.",
+            help="Branches to draw in slices: what `stridemap branch --out` wrote; may be repeated.",
         ),
     ] = None,
     sweeps: SweepsOption = None,

@@ -74,7 +74,8 @@ def branches(
     Raises
     ------
     InputError
-        When a table cannot be read, lacks a column, holds what is not allowed or does not belong to the sweep.
+        When a table cannot be read, lacks a column, holds what is not allowed or does not belong to the
+        sweep.
     """
     return [_encoded(model, configuration, orbits, *read_branches(one), encoder) for one in given]
 
@@ -108,8 +109,8 @@ def _encoded(
     fixed = {**model.preset, **configuration["params"]}
     if varies not in configuration["grid"]:
         raise InputError(
-            f"{source} are over {varies}, which the sweep does not vary; give branches over a parameter of its "
-            f"grid: {', '.join(configuration['grid'])}"
+            f"{source} are over {varies}, which the sweep does not vary; give branches over a parameter of "
+            f"its grid: {', '.join(configuration['grid'])}"
         )
     for name in names:
         if name not in configuration["grid"] and not same(points[name], fixed[name]).all():
@@ -183,13 +184,11 @@ def _drawable(points: pd.DataFrame, special: pd.DataFrame, orbits: pd.DataFrame)
     ]
 
 
-def _lines(
-    points: pd.DataFrame, special: pd.DataFrame, varies: str, columns: Sequence[str]
-) -> pd.DataFrame:
+def _lines(points: pd.DataFrame, special: pd.DataFrame, varies: str, columns: Sequence[str]) -> pd.DataFrame:
     """Points of branches with their special points where they lie, along each branch.
 
-    The column ``look`` is that of the piece after a row: 0 where there is no gait or the branch ends, 1 unstable,
-    2 stable. ``type`` is that of a special point, ``words`` what is to be said of it.
+    The column ``look`` is that of the piece after a row: 0 where there is no gait or the branch ends, 1
+    unstable, 2 stable. ``type`` is that of a special point, ``words`` what is to be said of it.
     """
     parts = []
     columns = [name for name in columns if name not in (varies, "period_n")]
@@ -227,5 +226,5 @@ def _types(met: pd.DataFrame, n: int) -> NDArray[Any]:
 
 def _words(met: pd.DataFrame, n: int) -> NDArray[Any]:
     """Supercritical or subcritical, after n points of which neither is said."""
-    own = met["criticality"].fillna("") if len(met) and "criticality" in met else [""] * len(met)
-    return np.concatenate([np.full(n, "", dtype=object), np.asarray(own, dtype=object)])
+    said = met["criticality"].fillna("").tolist() if "criticality" in met else [""] * len(met)
+    return np.concatenate([np.full(n, "", dtype=object), np.asarray(said, dtype=object)])

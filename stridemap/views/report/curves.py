@@ -128,6 +128,7 @@ def _varying(table: pd.DataFrame, names: list[str], source: str) -> tuple[str, s
 
 
 def same(values: Any, value: float) -> Any:
+    """Which values of a column are one that a sweep has."""
     return np.isclose(values.to_numpy(dtype=float), value, rtol=SAME, atol=0.0)
 
 
