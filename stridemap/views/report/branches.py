@@ -220,8 +220,8 @@ def _lines(points: pd.DataFrame, special: pd.DataFrame, varies: str, columns: Se
 
 def _types(met: pd.DataFrame, n: int) -> NDArray[Any]:
     """Types of special points that are of gaits, after n points that are none."""
-    own = np.where(met["gait"].astype(bool), met["type"], "") if len(met) else []
-    return np.concatenate([np.full(n, "", dtype=object), np.asarray(own, dtype=object)])
+    types = met["type"].where(met["gait"].astype(bool), "").tolist() if len(met) else []
+    return np.concatenate([np.full(n, "", dtype=object), np.asarray(types, dtype=object)])
 
 
 def _words(met: pd.DataFrame, n: int) -> NDArray[Any]:
