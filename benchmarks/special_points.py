@@ -1,4 +1,4 @@
-"""Whether special points are what they are called, on random branches: ``python -m benchmarks.special_points``.
+"""Whether special points are what they are called: ``python -m benchmarks.special_points``.
 
 Branches over a random parameter are followed from random parameters of each built-in model. Each of their
 special points is asked for the residual of the equations that define it, and for being truly crossed: on the
@@ -38,8 +38,11 @@ APART = (0.003, 0.01, 0.03, 0.1)
 CLEAR = 0.02
 """Least distance of the largest modulus from 1 on either side."""
 
-DISPLACED = 1e-5
+DISPLACED = 1e-6
 """Of the section's scales: what a walk begins beside its cycle."""
+
+SETTLING = 10
+"""Cycles after which only the largest multipliers are left of a displacement."""
 
 
 @dataclass
@@ -115,16 +118,18 @@ def rate(model: Model, branch: Branch, point: CurvePoint, rng: np.random.Generat
     """By how much a displacement grows per cycle, in a logarithm: as it is walked, and as multipliers say."""
     largest = float(np.log(np.abs(point.multipliers).max()))
     n, scales = branch.period_n, np.asarray(model.spec.scales)
-    cycles = int(min(np.ceil(2.5 / abs(largest)), 120)) + 8
+    cycles = int(min(np.ceil(5 / abs(largest)), 200)) + SETTLING
     state = branch.curve.equations.steps(point.x)[0, :-1]
     params = dict(zip(model.spec.names, branch.curve.equations.point(point.x[-1]).tolist(), strict=True))
     names = model.section
     begin = state + DISPLACED * scales * rng.standard_normal(len(names))
     walk = stridemap.simulate(model, dict(zip(names, begin, strict=True)), steps=cycles * n, params=params)
     states = np.array([[step.state[name] for name in names] for step in walk.steps])[n - 1 :: n]
-    away = np.sqrt((((states - state) / scales) ** 2).sum(axis=1))
-    first = 8 if len(away) > 16 else len(away) // 2
-    slope = np.polyfit(np.arange(first, len(away)), np.log(away[first:]), 1)[0]
+    if len(states) < cycles:
+        return np.inf, largest  # it fell
+    # A pair of complex multipliers turns the displacement round while it grows or shrinks.
+    away = np.log(np.sqrt((((states - state) / scales) ** 2).sum(axis=1)))[SETTLING:]
+    slope = np.polyfit(np.arange(len(away)), away, 1)[0]
     return float(slope), largest
 
 
