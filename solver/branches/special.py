@@ -129,7 +129,7 @@ def _between(
     # Two doublings leave the sign of their test as it was: what the count of multipliers says must add up.
     if len(crossed) < 2 and change <= explained and (explained - change) % 2 == 0:
         return specials
-    middle = _middle(curve, one, other, options) if depth else None
+    middle = point_between(curve, one, other, options) if depth else None
     if middle is not None:
         return [
             *_between(curve, one, middle, options, depth - 1),
@@ -154,7 +154,7 @@ CHANGES = {SpecialType.FOLD: 1, SpecialType.PD: 1, SpecialType.NS: 2, SpecialTyp
 """By how much each changes the number of multipliers outside the unit circle."""
 
 
-def _middle(
+def point_between(
     curve: Curve, one: CurvePoint, other: CurvePoint, options: ContinuationOptions, part: float = 0.5
 ) -> CurvePoint | None:
     """A point of the curve between two."""
@@ -184,7 +184,7 @@ def located(
         special = _SOLVERS[kind](curve, guess)
         if special is not None and _within(curve, one, other, special.x):
             return _refined(curve, special, guess)
-        middle = _middle(curve, one, other, options)
+        middle = point_between(curve, one, other, options)
         if middle is None:
             return None
         largest = max(abs(tests(curve, one)[kind]), abs(tests(curve, other)[kind]))

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from stridemap.solver.branches.arclength import CurvePoint, EndReason, Window, at_value, both_ways, follow
 from stridemap.solver.branches.conditions import GaitConditions, GaitEnd
 from stridemap.solver.branches.curve import Curve
+from stridemap.solver.branches.dips import with_dips
 from stridemap.solver.branches.ends import End, conditions_along, gait_ends
 from stridemap.solver.branches.special import Special, SpecialType, special_points
 from stridemap.solver.branches.switching import Switched, crossing, doubled, supercritical
@@ -174,6 +175,7 @@ class Survey:
 
         Where it was followed through a cycle that closes after half of its steps, it ends at that.
         """
+        points = with_dips(curve, points, self.conditions, self.options)
         specials = list(special_points(curve, points, self.options))
         for end in (0, -1):
             if reasons[end] == EndReason.BRANCH_POINT and (end or origin is None):

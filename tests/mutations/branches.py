@@ -14,6 +14,20 @@ CONTINUATION = "tests/solver/branches/test_continuation.py"
 
 CURVES = (
     Mutation(
+        "solver/branches/dips.py",
+        "if value * before < 0:",
+        "if value * before > 0:",
+        "points are added where nothing changes, and not where two doublings are",
+        (f"{MAPS}::test_a_multiplier_that_goes_beyond_minus_one_and_back_within_a_step_is_seen",),
+    ),
+    Mutation(
+        "solver/branches/arclength.py",
+        "return bool((one * other).sum() < 0)",
+        "return False",
+        "a doubled branch goes on through the same cycles with their halves exchanged",
+        (f"{MAPS}::test_a_doubled_branch_ends_where_its_halves_are_one_cycle_again",),
+    ),
+    Mutation(
         "solver/branches/equations.py",
         "out[step, :, size:] = mixed[width:, step].T",
         "out[step, :, size:] = 0 * mixed[width:, step].T",

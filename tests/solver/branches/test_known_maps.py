@@ -10,6 +10,7 @@ from scipy.optimize import brentq
 
 from stridemap.solver.branches.arclength import EndReason, Window, advanced, at_value, both_ways, follow
 from stridemap.solver.branches.conditions import GaitEnd
+from stridemap.solver.branches.dips import with_dips
 from stridemap.solver.branches.ends import conditions_along, gait_ends
 from stridemap.solver.branches.special import SpecialType, special_points
 from stridemap.solver.branches.survey import ending_there
@@ -446,3 +447,40 @@ def test_a_condition_that_jumps_has_no_end_on_the_branch():
     conditions = Conditions(contact=lambda z, _: 1.0 if z < 0.5 else -1.0)
     points, _ = traced(on, 0.11, 0.11, 0.0, 1.0)
     assert list(gait_ends(on, points, conditions_along(on, points, conditions), conditions, OPTIONS)) == []
+
+
+WITHIN_ONE_STEP = [(apart, ds) for apart in (0.03, 0.008, 0.002) for ds in (0.03, 0.047, 0.05, 0.07, 0.1)]
+
+
+@pytest.mark.parametrize(("apart", "ds"), WITHIN_ONE_STEP)
+def test_a_multiplier_that_goes_beyond_minus_one_and_back_within_a_step_is_seen(apart, ds):
+    """It is -(1 + apart^2 - p^2), and so -1 at p = -apart and p = apart."""
+    on = curve(shifted(lambda z: -(1 + apart**2 - p**2) * z))
+    coarse = ContinuationOptions(ds=ds, ds_max=ds)
+    points, _ = traced(on, 0.5, -0.413, -0.5, 0.5, coarse)
+    points = with_dips(on, points, Conditions(contact=lambda z, _: 1.0), coarse)
+    found = specials(on, points, coarse)
+    assert [special.type for special in found] == [SpecialType.PD] * 2
+    np.testing.assert_allclose([special.x[-1] for special in found], [-apart, apart], rtol=0, atol=1e-10)
+
+
+@pytest.mark.parametrize(("apart", "ds"), WITHIN_ONE_STEP)
+def test_a_gait_that_ends_and_begins_again_within_a_step_is_seen(apart, ds):
+    """Along x = p the force is (p - 1/2)^2 - apart^2."""
+    on = curve(x + x - p)
+    coarse = ContinuationOptions(ds=ds, ds_max=ds)
+    points, _ = traced(on, 0.113, 0.113, 0.0, 1.0, coarse)
+    conditions = Conditions(contact=lambda z, _: (z - 0.5) ** 2 - apart**2)
+    points = with_dips(on, points, conditions, coarse)
+    ends = list(gait_ends(on, points, conditions_along(on, points, conditions), conditions, coarse))
+    assert [end.type for _, end in ends] == [GaitEnd.CONTACT] * 2
+    places = [end.point.x[0] for _, end in ends]
+    np.testing.assert_allclose(places, [0.5 - apart, 0.5 + apart], rtol=0, atol=1e-8)
+
+
+def test_what_only_comes_near_zero_adds_no_point():
+    on = curve(shifted(lambda z: -(1 - 1e-4 - p**2) * z))
+    coarse = ContinuationOptions(ds=0.05, ds_max=0.05)
+    points, _ = traced(on, 0.5, -0.413, -0.5, 0.5, coarse)
+    assert with_dips(on, points, Conditions(contact=lambda z, _: 1.0), coarse) == points
+    assert with_dips(on, points[:2], Conditions(contact=lambda z, _: 1.0), coarse) == points[:2]
