@@ -81,6 +81,28 @@ def result_of(model: Model, round_: int, tile: int, part: pa.Table) -> Result:
     )
 
 
+def orbits_of(model: Model, part: pa.Table) -> pa.Table:
+    """The limit cycles of a part, as a table of `orbit_schema`, from at least `orbit_columns`."""
+    schema = orbit_schema(model)
+    return part.filter(pc.equal(part[KIND], ORBIT)).select(schema.names).cast(schema)
+
+
+def orbit_columns(model: Model) -> list[str]:
+    """The columns of a part that limit cycles have, and the one that says which rows these are."""
+    return [*orbit_schema(model).names, KIND]
+
+
+def known_of(model: Model, part: pa.Table) -> tuple[Solutions, Solutions]:
+    """Cycles of a part, and what the search gave before it converged, from at least `known_columns`."""
+    cycles, seen = (solutions_of(model, part.filter(pc.equal(part[KIND], kind))) for kind in (ORBIT, SEEN))
+    return cycles, seen
+
+
+def known_columns(model: Model) -> list[str]:
+    """The columns of a part that `known_of` needs."""
+    return ["cell", "branch", *model.section, "period", KIND]
+
+
 def columns_of(table: pa.Table) -> dict[str, pa.ChunkedArray]:
     """The columns of a table by name."""
     return dict(zip(table.column_names, table.columns, strict=True))

@@ -5,8 +5,9 @@ stridemap or one that the reader names. No file of the folder is ever run.
 """
 
 import hashlib
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -18,17 +19,17 @@ from stridemap.errors import InputError
 from stridemap.solver.cycles.status import Status
 from stridemap.solver.model.loading import available, load
 from stridemap.solver.model.model import Model
+from stridemap.sweeps import files
 from stridemap.sweeps.config import canonical_json
 from stridemap.sweeps.grid import Grid
 from stridemap.sweeps.store import (
     CELLS,
     ORBITS,
     SPECIAL,
-    read_cells,
-    read_orbits,
+    check_columns,
     read_provenance,
     read_special,
-    table_shape,
+    table_path,
 )
 from stridemap.sweeps.tables import FORMAT, cell_schema, orbit_schema, special_schema
 from stridemap.words import multiplier_columns
@@ -114,8 +115,144 @@ class FinishedSweep:
     special: "pd.DataFrame"
 
 
-def read_sweep(folder: str | Path, model: str | Path | Model | None = None) -> FinishedSweep:
-    """Read a finished sweep after checking all that it says of itself.
+@dataclass(frozen=True)
+class OpenedSweep:
+    """A finished sweep whose account of itself is in order; its rows are checked as they are read.
+
+    Parameters
+    ----------
+    folder : path
+    model : Model
+    provenance : mapping
+    names : mapping of str to tuple of str
+        The columns of each table, by the name of its file.
+    """
+
+    folder: str | Path
+    model: Model
+    provenance: Mapping[str, Any]
+    names: Mapping[str, tuple[str, ...]]
+
+    @cached_property
+    def grid(self) -> Grid:
+        """The grid, its axes in the model's order of parameters."""
+        axes = self.provenance["configuration"]["grid"]
+        return Grid.from_mapping({name: axes[name] for name in self.model.spec.names if name in axes})
+
+    def frames(self, table: str = ORBITS, columns: Sequence[str] | None = None) -> "Iterator[pd.DataFrame]":
+        """Rows of limit cycles or of cells, some ten thousand at a time, in order.
+
+        Parameters
+        ----------
+        table : {ORBITS, CELLS}
+        columns : sequence of str, optional
+            By default all. What says where rows belong is read and checked with them.
+
+        Raises
+        ------
+        InputError
+            For a column that there is not, a damaged file, and rows that no sweep writes.
+        """
+        for wanted, frame in self._checked_frames(table, columns):
+            yield frame[wanted]
+
+    def frame(
+        self,
+        table: str = ORBITS,
+        columns: Sequence[str] | None = None,
+        where: "Callable[[pd.DataFrame], Any] | None" = None,
+        needed: Sequence[str] = (),
+    ) -> "pd.DataFrame":
+        """Limit cycles or cells; what is not selected never is in memory as a whole.
+
+        Parameters
+        ----------
+        table, columns
+            As for `frames`.
+        where : callable, optional
+            For which of some rows a condition holds, as an array of bool; by default all are read.
+        needed : sequence of str
+            Columns that `where` needs, beside ``cell``.
+        """
+        wanted = list(self.names[table] if columns is None else columns)
+        check_columns(wanted, self.names[table])
+        looked = wanted if where is None else list(dict.fromkeys([*wanted, *needed]))
+        masks = []
+        for _, frame in self._checked_frames(table, looked):
+            kept = np.ones(len(frame), dtype=bool) if where is None else np.asarray(where(frame), dtype=bool)
+            masks.append(kept)
+        path = table_path(self.folder, table)
+        return files.frame(path, wanted, None if where is None else masks)
+
+    def _checked_frames(
+        self, table: str, columns: Sequence[str] | None
+    ) -> "Iterator[tuple[list[str], pd.DataFrame]]":
+        """The columns that are wanted, and rows of these and of what says where they belong."""
+        wanted = list(self.names[table] if columns is None else columns)
+        check_columns(wanted, self.names[table])
+        places = ["cell", *self.model.spec.names, *(["status"] if table == CELLS else [])]
+        last = -1
+        for frame in files.frames(table_path(self.folder, table), list(dict.fromkeys([*places, *wanted]))):
+            if table == CELLS:
+                self._check_cells(frame, last + 1)
+                last += len(frame)
+            else:
+                self._check_orbits(frame, last)
+                last = int(frame["cell"].iloc[-1]) if len(frame) else last
+            yield wanted, frame
+
+    def _check_cells(self, frame: "pd.DataFrame", first: int) -> None:
+        """Refuse cells that no sweep writes."""
+        cells = np.arange(first, first + len(frame))
+        self._refuse(
+            {
+                "the cells are not those of the grid": not np.array_equal(frame["cell"].to_numpy(), cells)
+                or not np.array_equal(self._own(frame), self._points(cells)),
+                "a cell has a status that is not one": not frame["status"].isin(CELL_STATUSES).all(),
+            }
+        )
+
+    def _check_orbits(self, frame: "pd.DataFrame", last: int) -> None:
+        """Refuse limit cycles that no sweep writes, behind those of a cell; only what was read is looked at."""
+        model, cell = self.model, frame["cell"].to_numpy()
+        unknowns = [name for name in (*model.section, "period") if name in frame]
+        multipliers = [
+            name for i in range(len(model.section)) for name in multiplier_columns(i) if name in frame
+        ]
+        statuses = [status.value for status in Status if status.found]
+        in_range = bool(((cell >= 0) & (cell < self.grid.n_cells)).all())
+        in_range = in_range and bool((np.diff(cell, prepend=last) >= 0).all())
+        self._refuse(
+            {
+                "the limit cycles are not in the order of their cells": not in_range,
+                "a limit cycle is not at its cell's parameters": in_range
+                and not np.array_equal(self._own(frame), self._points(cell)),
+                "a limit cycle has a status that is not one": "status" in frame
+                and not frame["status"].isin(statuses).all(),
+                "a state or a period is not a finite number": not np.isfinite(
+                    frame[unknowns].to_numpy(dtype=np.float64)
+                ).all(),
+                "a period is not above 0": "period" in frame and not (frame["period"].to_numpy() > 0).all(),
+                "a multiplier is not a number": bool(
+                    np.isnan(frame[multipliers].to_numpy(dtype=np.float64)).any()
+                ),
+            }
+        )
+
+    def _own(self, frame: "pd.DataFrame") -> Any:
+        return frame[list(self.model.spec.names)].to_numpy()
+
+    def _points(self, cells: Any) -> Any:
+        return self.grid.points(self.model, self.provenance["configuration"]["params"], cells)
+
+    def _refuse(self, faults: Mapping[str, bool]) -> None:
+        for fault, found in faults.items():
+            if found:
+                raise _foreign(self.folder, fault)
+
+
+def open_sweep(folder: str | Path, model: str | Path | Model | None = None) -> OpenedSweep:
+    """Open a finished sweep after checking all that it says of itself; no row is read yet.
 
     Parameters
     ----------
@@ -134,10 +271,25 @@ def read_sweep(folder: str | Path, model: str | Path | Model | None = None) -> F
     provenance = _checked(read_provenance(folder), folder)
     loaded = load(model) if model is not None else _builtin(provenance["model"], folder)
     _check_model(folder, provenance, loaded)
-    _check_columns(folder, provenance, loaded)
-    orbits, cells = read_orbits(folder), read_cells(folder)
-    _check_values(folder, provenance["configuration"], loaded, orbits, cells)
-    return FinishedSweep(loaded, provenance, orbits, cells, read_special(folder))
+    return OpenedSweep(folder, loaded, provenance, _check_columns(folder, provenance, loaded))
+
+
+def read_sweep(folder: str | Path, model: str | Path | Model | None = None) -> FinishedSweep:
+    """Read a finished sweep after checking all that it says of itself.
+
+    Parameters
+    ----------
+    folder, model
+        As for `open_sweep`.
+
+    Raises
+    ------
+    InputError
+        As `open_sweep`, and when rows are not those of a sweep.
+    """
+    opened = open_sweep(folder, model)
+    cells, orbits = opened.frame(CELLS), opened.frame(ORBITS)
+    return FinishedSweep(opened.model, opened.provenance, orbits, cells, read_special(folder))
 
 
 def _checked(found: dict[str, Any], folder: str | Path) -> dict[str, Any]:
@@ -196,8 +348,10 @@ def _check_model(folder: str | Path, provenance: Mapping[str, Any], model: Model
         raise _foreign(folder, "the values of their grid do not ascend")
 
 
-def _check_columns(folder: str | Path, provenance: Mapping[str, Any], model: Model) -> None:
-    """Refuse tables that have other columns than those of a sweep, or more rows than a sweep can have."""
+def _check_columns(
+    folder: str | Path, provenance: Mapping[str, Any], model: Model
+) -> dict[str, tuple[str, ...]]:
+    """The columns of each table; refuses other ones than those of a sweep, and more rows than it can have."""
     measures = provenance["measures"]
     if unknown := sorted(set(measures) - set(model.measured)):
         raise InputError(
@@ -209,13 +363,16 @@ def _check_columns(folder: str | Path, provenance: Mapping[str, Any], model: Mod
     wanted = [field for field in orbit_schema(model) if field.name not in set(model.measured) - set(measures)]
     n_cells = int(np.prod([len(axis) for axis in provenance["configuration"]["grid"].values()], dtype=object))
     tables = {ORBITS: wanted, CELLS: list(cell_schema(model)), SPECIAL: list(special_schema(model))}
+    names = {}
     for name, fields in tables.items():
-        schema, rows = table_shape(folder, name)
+        schema, rows = files.shape_of(table_path(folder, name))
         _check_schema(folder, name, schema, fields)
         if name == CELLS and rows != n_cells:
             raise _foreign(folder, f"{CELLS} has {rows:,} rows for a grid of {n_cells:,} cells")
         if name in (ORBITS, SPECIAL) and rows > MOST_CYCLES * n_cells:
             raise _foreign(folder, f"{name} has {rows:,} rows for {n_cells:,} cells")
+        names[name] = tuple(schema.names)
+    return names
 
 
 def _check_schema(folder: str | Path, table: str, schema: pa.Schema, fields: Iterable[pa.Field]) -> None:
@@ -229,41 +386,6 @@ def _check_schema(folder: str | Path, table: str, schema: pa.Schema, fields: Ite
             raise _foreign(folder, f"the column {name} of {table} is {schema.field(name).type}, not {kind}")
     if more := sorted(set(schema.names) - set(wanted)):
         raise _foreign(folder, f"{table} has a column {_short(more[0])}")
-
-
-def _check_values(
-    folder: str | Path,
-    configuration: Mapping[str, Any],
-    model: Model,
-    orbits: "pd.DataFrame",
-    cells: "pd.DataFrame",
-) -> None:
-    """Refuse entries that no sweep writes; whatever follows may rely on the others."""
-    grid = Grid.from_mapping(
-        {n: configuration["grid"][n] for n in model.spec.names if n in configuration["grid"]}
-    )
-    points, own = grid.points(model, configuration["params"]), list(model.spec.names)
-    unknowns = [*model.section, "period"]
-    multipliers = [name for i in range(len(model.section)) for name in multiplier_columns(i)]
-    cell = orbits["cell"].to_numpy()
-    in_range = ((cell >= 0) & (cell < len(cells))).all() and (np.diff(cell) >= 0).all()
-    faults = {
-        "the cells are not those of the grid": not np.array_equal(cells[own].to_numpy(), points)
-        or not np.array_equal(cells["cell"].to_numpy(), np.arange(len(cells))),
-        "a cell has a status that is not one": not cells["status"].isin(CELL_STATUSES).all(),
-        "the limit cycles are not in the order of their cells": not in_range,
-        "a limit cycle is not at its cell's parameters": in_range
-        and not np.array_equal(orbits[own].to_numpy(), points[cell]),
-        "a limit cycle has a status that is not one": not orbits["status"]
-        .isin([status.value for status in Status if status.found])
-        .all(),
-        "a state or a period is not a finite number": not np.isfinite(orbits[unknowns].to_numpy()).all(),
-        "a period is not above 0": not (orbits["period"].to_numpy() > 0).all(),
-        "a multiplier is not a number": bool(np.isnan(orbits[multipliers].to_numpy()).any()),
-    }
-    for fault, found in faults.items():
-        if found:
-            raise _foreign(folder, fault)
 
 
 def _foreign(folder: str | Path, fault: str) -> InputError:
