@@ -27,8 +27,8 @@ if TYPE_CHECKING:
 
 Mask = NDArray[np.bool_]
 
-GROUP_ROWS = 65_536
-"""Rows of a row group: the piece of a file that is in memory at a time, some 25 MB of limit cycles."""
+GROUP_ROWS = 32_768
+"""Rows of a row group: the piece of a file that is in memory at a time, some 12 MB of limit cycles."""
 
 # Keys of the schema metadata: the provenance, the name that the file was written under, and the digest of
 # both with columns and number of rows: Parquet has checksums for its pages, but none for its footer.
@@ -83,6 +83,7 @@ def write(file: Any, name: str, provenance: Mapping[str, Any], pieces: Pieces) -
         for group in _row_groups(pieces):
             writer.write_table(group.replace_schema_metadata(metadata), row_group_size=GROUP_ROWS)
             written += group.num_rows
+            pa.default_memory_pool().release_unused()
     if written != pieces.rows:
         raise AssertionError(f"{written} rows of {name} were written, and {pieces.rows} announced")
 

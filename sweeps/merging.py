@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 Ints = NDArray[np.int64]
 Floats = NDArray[np.float64]
 
-RANGE_ROWS = 65_536
+RANGE_ROWS = 32_768
 """About so many rows are in memory at a time."""
 
 MOST_RANGES = 100

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import numpy as np
 import pyarrow as pa
+from numpy.typing import NDArray
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationError
 
 from stridemap.errors import InputError
@@ -36,6 +37,8 @@ from stridemap.words import multiplier_columns
 
 if TYPE_CHECKING:
     import pandas as pd
+
+Floats = NDArray[np.float64]
 
 CELL_STATUSES = ("found", "empty", "failed")
 """What can have become of a cell."""
@@ -136,8 +139,18 @@ class OpenedSweep:
     @cached_property
     def grid(self) -> Grid:
         """The grid, its axes in the model's order of parameters."""
+        return Grid.from_mapping(self.axes)
+
+    @property
+    def axes(self) -> dict[str, Floats]:
+        """The values of each axis of the grid, in the model's order of parameters."""
         axes = self.provenance["configuration"]["grid"]
-        return Grid.from_mapping({name: axes[name] for name in self.model.spec.names if name in axes})
+        return {name: np.array(axes[name]) for name in self.model.spec.names if name in axes}
+
+    def empty(self, table: str = ORBITS) -> "pd.DataFrame":
+        """All columns of limit cycles or of cells, without a row."""
+        schema, _ = files.shape_of(table_path(self.folder, table))
+        return files.frame_of(schema.remove_metadata().empty_table())
 
     def frames(self, table: str = ORBITS, columns: Sequence[str] | None = None) -> "Iterator[pd.DataFrame]":
         """Rows of limit cycles or of cells, some ten thousand at a time, in order.
@@ -176,7 +189,9 @@ class OpenedSweep:
         """
         wanted = list(self.names[table] if columns is None else columns)
         check_columns(wanted, self.names[table])
-        looked = wanted if where is None else list(dict.fromkeys([*wanted, *needed]))
+        judged = {"status", "period", *self.model.section}
+        judged |= {name for i in range(len(self.model.section)) for name in multiplier_columns(i)}
+        looked = list(dict.fromkeys(["cell", *(name for name in wanted if name in judged), *needed]))
         masks = []
         for _, frame in self._checked_frames(table, looked):
             kept = np.ones(len(frame), dtype=bool) if where is None else np.asarray(where(frame), dtype=bool)
@@ -213,7 +228,7 @@ class OpenedSweep:
         )
 
     def _check_orbits(self, frame: "pd.DataFrame", last: int) -> None:
-        """Refuse limit cycles that no sweep writes, behind those of a cell; only what was read is looked at."""
+        """Refuse limit cycles that no sweep writes, by the columns that were read; they follow a cell."""
         model, cell = self.model, frame["cell"].to_numpy()
         unknowns = [name for name in (*model.section, "period") if name in frame]
         multipliers = [

@@ -13,7 +13,7 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
 from dataclasses import dataclass, field
-from itertools import count, islice
+from itertools import count
 from pathlib import Path
 from typing import Any
 
@@ -34,6 +34,8 @@ from stridemap.sweeps.found import Found
 from stridemap.sweeps.grid import Grid, tile_size, tiles
 from stridemap.sweeps.lock import held, refuse_if_held
 from stridemap.sweeps.parts import (
+    guess_columns,
+    guesses_of,
     known_columns,
     known_of,
     part_table,
@@ -51,9 +53,12 @@ Ints = NDArray[np.int64]
 MOST_WORKERS = 1024
 """Processes of one sweep: each takes some 200 MB, and no machine has as many cores."""
 
-AHEAD, AHEAD_ELSEWHERE = 4, 512
-"""How many tiles are submitted at a time: for each process of our own, and to any other executor, of which
-it is not known how many workers it has. Each that waits takes up to some MB."""
+AHEAD = 4
+"""How many tiles are submitted at a time for each worker of this machine."""
+
+AHEAD_ELSEWHERE, AHEAD_BYTES = 64, 64_000_000
+"""How many are submitted to an executor that does not say how many workers it has: so many, and more as long
+as what they carry takes less memory than this."""
 
 
 @dataclass(frozen=True)
@@ -168,8 +173,8 @@ def sweep(
     software = {**provenance(kernels), "tile_cells": tile_cells}
     store = Store.resume(out, config, software) if resume else Store.create(out, config, software)
     workers = workers or os.cpu_count() or 1
-    own = executor is None and dask is None
-    ahead = AHEAD * workers if own else AHEAD_ELSEWHERE
+    known = workers if executor is None and dask is None else getattr(executor, "_max_workers", None)
+    ahead = (AHEAD * known, 0) if isinstance(known, int) else (AHEAD_ELSEWHERE, AHEAD_BYTES)
     run = _Run(config, kernels.backend, tile_cells, store, progress or (lambda _: None), ahead)
     if store.finished:
         return run.summary_of_finished()
@@ -205,7 +210,7 @@ class _Run:
         tile_cells: int,
         store: Store,
         progress: Callable[[Progress], None],
-        ahead: int,
+        ahead: tuple[int, int],
     ) -> None:
         self.config, self.backend, self.store, self.progress = config, backend, store, progress
         self.ahead = ahead
@@ -214,28 +219,33 @@ class _Run:
         self.tiles = tiles(self.grid, tile_cells)
         self.options = config.search.options
         self.found = Found(config, self.grid)
+        self.width = len(self.model.section) + 1
 
     def all_rounds(self, pool: Executor) -> Summary:
         """Work until nothing new appears, then write the tables."""
         seeds = self.grid.subgrid(self.config.strides)
         owner = self.tiles.tile_of(seeds)
-        begun = {tile: seeds[owner == tile] for tile in np.unique(owner).tolist()}
-        incoming = dict.fromkeys(begun, self._guesses([]))
+        given: dict[int, Ints] = {tile: seeds[owner == tile] for tile in np.unique(owner).tolist()}
+        senders: dict[int, list[int]] = {}
         for round_ in count(1):
-            given = {tile: (begun.get(tile, seeds[:0]), incoming[tile]) for tile in sorted(incoming)}
-            incoming = self._run_round(pool, round_, given)
-            begun = {}
-            if not incoming:
+            senders = self._run_round(pool, round_, given, senders)
+            given = dict.fromkeys(sorted(senders), seeds[:0])
+            if not given:
                 return self._finish()
         raise AssertionError("count has no end")
 
-    def _task(self, round_: int, tile: int, seeds: Ints, incoming: Guesses) -> Task:
+    def _task(self, round_: int, tile: int, seeds: Ints, senders: Sequence[int]) -> Task:
+        """What a worker needs, read from the parts that earlier rounds have left."""
         columns, known, seen = known_columns(self.model), [], []
         for one in self.found.parts:
             if one[1] == tile:
                 cycles, solutions = known_of(self.model, self.store.read_part(*one, columns))
                 known.append(cycles)
                 seen.append(solutions)
+        incoming = []
+        for sender in senders:
+            sent = guesses_of(self.model, self.store.read_part(round_ - 1, sender, guess_columns(self.model)))
+            incoming.append(sent.take(self.tiles.tile_of(sent.cell) == tile))
         return Task(
             model=self.model,
             grid=self.grid,
@@ -249,22 +259,34 @@ class _Run:
             tile=tile,
             cells=self.tiles[tile],
             seeds=seeds,
-            incoming=incoming,
-            known=self._all(known),
-            seen=self._all(seen),
+            incoming=Guesses.concatenate(incoming, self.width),
+            known=Solutions.concatenate(known, self.width),
+            seen=Solutions.concatenate(seen, self.width),
         )
 
     def _run_round(
-        self, pool: Executor, round_: int, given: Mapping[int, tuple[Ints, Guesses]]
-    ) -> dict[int, Guesses]:
-        """Compute the tiles of a round that no earlier run finished, from their seeds and incoming guesses.
+        self, pool: Executor, round_: int, given: Mapping[int, Ints], senders: Mapping[int, list[int]]
+    ) -> dict[int, list[int]]:
+        """Compute the tiles of a round that no earlier run finished.
 
-        Returns the guesses for each tile of the next round.
+        Parameters
+        ----------
+        pool : Executor
+        round_ : int
+        given : mapping of int to ndarray of int
+            The tiles, ascending, and the cells of each that get many starts.
+        senders : mapping of int to list of int
+            The tiles that have sent guesses to a tile in the round before.
+
+        Returns
+        -------
+        dict of int to list of int
+            The senders of the next round.
         """
         open_ = [tile for tile in given if not self.store.has_part(round_, tile)]
         finished, found = len(given) - len(open_), 0
         self._report(round_, finished, len(given))
-        tasks = (self._task(round_, tile, *given[tile]) for tile in open_)
+        tasks = (self._task(round_, tile, given[tile], senders.get(tile, [])) for tile in open_)
         with contextlib.closing(self._computed(pool, tasks)) as results:
             for result in results:
                 self.store.write_part(result.round, result.tile, part_table(self.model, result))
@@ -277,22 +299,27 @@ class _Run:
 
     def _computed(self, pool: Executor, tasks: Iterator[Task]) -> Iterator[Result]:
         """Results as they are finished; only so many tasks are made ahead of them."""
-        futures: list[Future[Result]] = []
+        sizes: dict[Future[Result], int] = {}
+        count_, size = self.ahead
         try:
             while True:
-                for task in islice(tasks, self.ahead - len(futures)):
+                while len(sizes) < count_ or sum(sizes.values()) < size:
+                    if (task := next(tasks, None)) is None:
+                        break
                     with interrupts_held():  # processes are started where tasks are submitted
-                        futures.append(pool.submit(work, task))
-                if not futures:
+                        sizes[pool.submit(work, task)] = task.size
+                if not sizes:
                     return
-                done, _ = wait(futures, return_when=FIRST_COMPLETED)
-                ended = [future for future in futures if future in done]
-                futures = [future for future in futures if future not in done]
+                done, _ = wait(list(sizes), return_when=FIRST_COMPLETED)
+                ended = [future for future in sizes if future in done]
                 done = set()  # a result is kept no longer than it takes to write it
                 while ended:
-                    yield ended.pop(0).result()
+                    future = ended.pop(0)
+                    del sizes[future]
+                    yield future.result()
+                    del future
         except BaseException as error:
-            for future in futures:
+            for future in sizes:
                 future.cancel()
             if (reason := explained(error)) is not None:
                 raise reason from None
@@ -301,21 +328,14 @@ class _Run:
     def _report(self, round_: int, done: int, total: int, found: int = 0) -> None:
         self.progress(Progress(round_, done, total, self.found.n_orbits + found))
 
-    def _absorb(self, results: Iterable[Result]) -> dict[int, Guesses]:
-        """Take up the results of a round, in the order of tiles; returns the guesses for each tile."""
-        outgoing = []
+    def _absorb(self, results: Iterable[Result]) -> dict[int, list[int]]:
+        """Take up the results of a round, in the order of tiles; returns who sends guesses to each tile."""
+        senders: dict[int, list[int]] = {}
         for result in results:
             self.found.add(result)
-            outgoing.append(result.outgoing)
-        every = self._guesses(outgoing)
-        owner = self.tiles.tile_of(every.cell)
-        return {tile: every.take(owner == tile) for tile in np.unique(owner).tolist()}
-
-    def _all(self, parts: Sequence[Solutions]) -> Solutions:
-        return Solutions.concatenate(parts, len(self.model.section) + 1)
-
-    def _guesses(self, parts: list[Guesses]) -> Guesses:
-        return Guesses.concatenate(parts, len(self.model.section) + 1)
+            for tile in np.unique(self.tiles.tile_of(result.outgoing.cell)).tolist():
+                senders.setdefault(tile, []).append(result.tile)
+        return senders
 
     def _finish(self) -> Summary:
         found = self.found

@@ -258,17 +258,17 @@ def option_values(option: str, assignments: list[str] | None) -> dict[str, Any]:
     return pairs
 
 
-def box(ranges: list[str] | None) -> dict[str, tuple[float, float]]:
-    """A search box from words ``NAME=LOW:HIGH``."""
+def box(ranges: list[str] | None, option: str = "--search-box") -> dict[str, tuple[float, float]]:
+    """Ranges of values, such as a search box, from words ``NAME=LOW:HIGH``."""
     out: dict[str, tuple[float, float]] = {}
     for word in ranges or ():
-        name, text = split(word, "--search-box")
+        name, text = split(word, option)
         low, _, high = text.partition(":")
         try:
             ends = (float(low), float(high))
         except ValueError:
             raise InputError(
-                f"--search-box {word!r} is not understood; write --search-box NAME=LOW:HIGH with two numbers"
+                f"{option} {word!r} is not understood; write {option} NAME=LOW:HIGH with two numbers"
             ) from None
         if name in out:
             raise InputError(f"{name} is given twice")

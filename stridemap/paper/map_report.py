@@ -8,6 +8,7 @@ from typing import Any
 from stridemap.paper.cycle_tables import cycle_tables
 from stridemap.paper.evaluate import evaluate
 from stridemap.paper.map_boundaries import map_boundaries
+from stridemap.paper.points import KEPT
 from stridemap.paper.sweeps import paper_sweeps
 from stridemap.services import shown
 from stridemap.sweeps.run import Progress
@@ -55,4 +56,4 @@ def report(
     references = references_of(paper.gaits("compass"), "compass", ["omega"])
     drawn = None if curves.empty else curves
     with shown("writing the report"):
-        return write_report(paper.run("map"), out, verdicts, curves=drawn, references=references)
+        return write_report(paper.run("map"), out, verdicts, curves=drawn, references=references, kept=KEPT)
