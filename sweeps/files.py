@@ -27,8 +27,8 @@ if TYPE_CHECKING:
 
 Mask = NDArray[np.bool_]
 
-GROUP_ROWS = 32_768
-"""Rows of a row group: the piece of a file that is in memory at a time, some 12 MB of limit cycles."""
+GROUP_ROWS = 16_384
+"""Rows of a row group: the piece of a file that is in memory at a time, some 6 MB of limit cycles."""
 
 # Keys of the schema metadata: the provenance, the name that the file was written under, and the digest of
 # both with columns and number of rows: Parquet has checksums for its pages, but none for its footer.
@@ -90,20 +90,18 @@ def write(file: Any, name: str, provenance: Mapping[str, Any], pieces: Pieces) -
 
 def _row_groups(pieces: Pieces) -> Iterator[pa.Table]:
     """Tables of `GROUP_ROWS` rows each, the last of fewer; one without rows where there is none."""
-    waiting, count = [pieces.schema.empty_table()], 0
+    waiting = pieces.schema.empty_table()
     for table in pieces.tables:
-        waiting.append(table)
-        count += table.num_rows
-        if count < GROUP_ROWS:
-            continue
-        whole, at = pa.concat_tables(waiting), 0
-        while count - at >= GROUP_ROWS:
+        waiting, at = pa.concat_tables([waiting, table]), 0
+        del table  # what was written is not kept
+        while waiting.num_rows - at >= GROUP_ROWS:
             # One chunk, so that how the table was put together leaves no trace in the pages.
-            yield whole.slice(at, GROUP_ROWS).combine_chunks()
+            yield waiting.slice(at, GROUP_ROWS).combine_chunks()
             at += GROUP_ROWS
-        waiting, count = [whole.slice(at)], count - at
-    if count or not pieces.rows:
-        yield pa.concat_tables(waiting).combine_chunks()
+        if at:
+            waiting = waiting.slice(at).combine_chunks()
+    if waiting.num_rows or not pieces.rows:
+        yield waiting.combine_chunks()
 
 
 def digest(schema: pa.Schema, rows: int, metadata: Mapping[bytes, bytes]) -> bytes:

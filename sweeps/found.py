@@ -106,9 +106,12 @@ class Found:
         parts = (orbits_of(self.model, store.read_part(*one, columns)) for one in self.parts)
         counted = (part.filter(pa.array(self._counts(part["period"].to_numpy()))) for part in parts)
         order = np.argsort(branches)
+        sorted_ = branches[order]
         for table in store.by_cells(counted, ranges(self.orbits)):
-            at = order[np.searchsorted(branches[order], table["branch"].to_numpy())]
-            yield _numbered(table, families_[at])
+            at = order[np.searchsorted(sorted_, table["branch"].to_numpy())]
+            numbered = [_numbered(table, families_[at])]
+            del table  # what is written need not stay here
+            yield numbered.pop()
 
     def _cell_table(self, first: int) -> pa.Table:
         """The table of so many cells as are written at a time."""

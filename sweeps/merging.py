@@ -16,10 +16,10 @@ from numpy.typing import NDArray
 Ints = NDArray[np.int64]
 Floats = NDArray[np.float64]
 
-RANGE_ROWS = 32_768
+RANGE_ROWS = 16_384
 """About so many rows are in memory at a time."""
 
-MOST_RANGES = 100
+MOST_RANGES = 150
 """Files that are open at a time: systems allow a process some hundred."""
 
 
@@ -58,9 +58,9 @@ def by_cells(parts: Iterable[pa.Table], begins: Ints, stem: Path) -> Iterator[pa
         _sort_into(parts, begins, paths)
         for path in paths:
             with pa.OSFile(str(path)) as file, pa.ipc.open_stream(file) as reader:
-                table = reader.read_all()
+                rows = [reader.read_all()]
             path.unlink()
-            yield table
+            yield rows.pop()  # nothing of them is kept here
     finally:
         for path in paths:
             with contextlib.suppress(OSError):

@@ -14,6 +14,7 @@ import os
 import uuid
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from operator import methodcaller
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -165,7 +166,7 @@ class Store:
         # The other columns break ties, so that the order of the rows given never shows.
         rows = Pieces.of(orbits)
         keys = [(key, "ascending") for key in dict.fromkeys(["cell", "period", *rows.schema.names])]
-        in_order = (table.sort_by(keys) for table in rows.tables)
+        in_order = map(methodcaller("sort_by", keys), rows.tables)
         self._write(self.folder / ORBITS, Pieces(rows.schema, rows.rows, in_order))
         self._write(self.folder / CELLS, cells)
         self._write(self.folder / SPECIAL, special)

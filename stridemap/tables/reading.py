@@ -13,7 +13,8 @@ from stridemap.errors import InputError, short
 from stridemap.solver.model.loading import available, load
 from stridemap.spec import ModelSpec
 from stridemap.sweeps.files import GROUP_ROWS
-from stridemap.sweeps.reading import OpenedSweep, open_sweep
+from stridemap.sweeps.opened import OpenedSweep
+from stridemap.sweeps.reading import open_sweep
 from stridemap.sweeps.store import CELLS, ORBITS, check_columns
 from stridemap.tables.conversion import check, converted
 from stridemap.tables.table import SWEPT, Table
@@ -228,15 +229,15 @@ class _Swept:
 
 def _as_given(table: Table) -> Table:
     """The table of a sweep in the SI units that its file was written in, with the parameters that it gave."""
-    converted = table.to_si(Units.from_mapping(table.units))
+    in_si = converted(table, Units.from_mapping(table.units))
     # 3,500 N/m became a number without a unit and comes back: its last bit may differ then.
     names = table.parameters
     frames = [
         None if frame is None else frame.assign(**{n: _rounded(frame[n]) for n in names if n in frame})
-        for frame in (converted.frame, converted.cells)
+        for frame in (in_si.frame, in_si.cells)
     ]
-    grid = {name: tuple(_rounded(values).tolist()) for name, values in converted.grid.items()}
-    return replace(converted, frame=frames[0], cells=frames[1], grid=grid)
+    grid = {name: tuple(_rounded(values).tolist()) for name, values in in_si.grid.items()}
+    return replace(in_si, frame=frames[0], cells=frames[1], grid=grid)
 
 
 def _rounded(values: Any) -> Any:

@@ -3,7 +3,6 @@
 import html
 import json
 from collections.abc import Mapping, Sequence
-from pathlib import Path
 from typing import Any
 
 from stridemap.solver.model.model import Model
@@ -22,14 +21,14 @@ def text(value: Any) -> str:
     return html.escape(str(value).encode("utf-8", "replace").decode("utf-8"))
 
 
-def lead(shown: Shown, folder: str | Path) -> str:
-    """Say what the page shows of the sweep in a folder."""
+def lead(shown: Shown) -> str:
+    """Say what the page shows."""
     model, orbits, cells = shown.model, shown.orbits, shown.cells
     varied = [
         f"<i>{text(symbol(axis.name))}</i> ({text(axis.meaning.split(';')[0])})"
         for axis in axes(model, shown.configuration)
     ]
-    part = what_is_shown(shown, folder, {name: f"<i>{text(symbol(name))}</i>" for name in shown.grid})
+    part = what_is_shown(shown, {name: f"<i>{text(symbol(name))}</i>" for name in shown.grid})
     named = [f"{kind} {text(units(model.spec.units)[kind])}" for kind in ("mass", "length", "time")]
     return (
         f"<p>{'L' if part else 'All l'}imit cycles found in a sweep over {_listed(varied)}: "

@@ -1,6 +1,5 @@
 """What a page shows of a sweep: all of it, a part, or of a large one a thinned-out view."""
 
-import shlex
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from html import escape
@@ -109,14 +108,12 @@ def read_shown(
     )
 
 
-def what_is_shown(shown: Shown, folder: str | Path, words: Mapping[str, str]) -> str:
+def what_is_shown(shown: Shown, words: Mapping[str, str]) -> str:
     """One sentence of HTML that says how much of a sweep is shown, and how to see the rest; or nothing.
 
     Parameters
     ----------
     shown : Shown
-    folder : path
-        Of the sweep, for the command that shows more.
     words : mapping of str to str
         What each axis is called in it, as HTML.
     """
@@ -128,7 +125,7 @@ def what_is_shown(shown: Shown, folder: str | Path, words: Mapping[str, str]) ->
     kind = "a thinned-out view" if view.thin else "a part"
     which = ", ".join([*(["every " + " and every ".join(taken)] if taken else []), *limited])
     parts = " ".join(f"--part {name}={low!r}:{high!r}" for name, (low, high) in view.full.items())
-    command = f"stridemap report {shlex.quote(str(folder))}"
+    command = "stridemap report SWEEP_DIR"  # no path in a file: equal sweeps give equal pages
     rest = (
         f"<code>{escape(f'{command} {parts} --out part.html')}</code> shows a part in full"
         if view.thin

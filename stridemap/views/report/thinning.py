@@ -16,8 +16,9 @@ Floats = NDArray[np.float64]
 MOST_CYCLES = 100_000
 """Limit cycles of a page that is not thinned out: it stays below 20 MB, and a press below 60 ms."""
 
-LOST = 3.0
-"""What leaving out a value that should be kept costs, in squares of the logarithm of a stride."""
+LOST = 20.0
+"""What leaving out a value that should be kept costs, in squares of the logarithm of a stride: more than a
+stride of 80."""
 
 FEW_VALUES = 3
 """An axis of so few values is not thinned out, as long as others can be."""
@@ -117,10 +118,11 @@ def thinned(
             name: _every(within[name], stride, anchors[name])
             for name, stride in zip(axes, strides, strict=True)
         }
-        if counts[np.ix_(*places.values())].sum() <= most:
+        if 0 < counts[np.ix_(*places.values())].sum() <= most:
             return Thinned(axes, places, dict(zip(axes, strides, strict=True)), ends, full)
-    # One cell has more than that: it alone is shown.
-    first = {name: places[:1] for name, places in within.items()}
+    # Single cells have more than that: one is shown.
+    fullest = np.unravel_index(counts[np.ix_(*within.values())].argmax(), [len(p) for p in within.values()])
+    first = {name: within[name][[at]] for name, at in zip(axes, fullest, strict=True)}
     return Thinned(axes, first, {name: len(places) for name, places in within.items()}, ends, full)
 
 

@@ -155,7 +155,7 @@ def write_report(
     page = _page(
         title=sections.text(f"Limit cycles: {loaded.title}"),
         heading=sections.text(loaded.title),
-        lead=sections.lead(shown, folder),
+        lead=sections.lead(shown),
         keys=sections.keys(loaded),
         claims=(verdict_section := verdict_list(loaded, verdicts)),
         claims_link='<a href="#claims">Statements of the paper</a>' if verdict_section else "",

@@ -44,7 +44,7 @@ def test_small_grids_are_shown_whole():
 
 @pytest.mark.quick
 @pytest.mark.parametrize("sizes", [(1000,), (100, 100, 100), (120, 36, 4, 3), (2, 2, 2, 2, 2), (7, 1, 300)])
-@pytest.mark.parametrize("most", [1, 50, 1000, 20_000])
+@pytest.mark.parametrize("most", [10, 50, 1000, 20_000])
 def test_whole_lines_of_every_nth_value(sizes, most):
     counts = np.random.default_rng(1).integers(0, 6, int(np.prod(sizes)))
     found = thinned(axes(*sizes), counts, {}, most)
@@ -62,9 +62,16 @@ def test_whole_lines_of_every_nth_value(sizes, most):
 
 def test_strides_are_alike_and_few_values_stay():
     found = thinned(axes(100, 100, 100), np.full(10**6, 3), {}, 100_000)
-    assert sorted(found.strides.values()) == [3, 3, 4]
+    assert max(found.strides.values()) <= 4
+    assert 80_000 < 3 * len(found.cells) <= 100_000
     found = thinned(axes(400, 400, 2), np.full(320_000, 3), {}, 100_000)
     assert found.strides["c"] == 1
+
+
+def test_of_cells_with_more_cycles_than_a_page_bears_one_is_shown():
+    counts = np.array([0, 7, 9, 8])
+    found = thinned({"k": np.arange(4.0)}, counts, {}, 5)
+    assert (found.cells.tolist(), found.thin) == ([2], True)
 
 
 @pytest.mark.parametrize(("start", "step"), [(0.5, 0.5), (0.25, 0.25)])
@@ -146,7 +153,8 @@ def test_the_page_says_what_it_shows_and_how_to_see_the_rest(swept, thin, tmp_pa
     assert said.startswith("This page shows a thinned-out view of the sweep, every ")
     assert f"{summary.orbits:,} of {orbits:,} limit cycles in {summary.cells:,} of 6,480 cells; " in said
     words = shlex.split(re.search("(stridemap report .*?) shows a part in full", said)[1])
-    assert words[:3] == ["stridemap", "report", str(swept)]
+    assert words[:3] == ["stridemap", "report", "SWEEP_DIR"]
+    assert str(swept) not in page.read_text("utf-8")
     # What it names is shown in full.
     part = box([words[i + 1] for i, word in enumerate(words) if word == "--part"])
     shown = read_shown(swept, part=part, most=MOST)
