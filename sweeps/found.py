@@ -58,8 +58,8 @@ class Found:
         """Take up a result that is stored as a part, in the order of rounds and of tiles."""
         self.parts.append((result.round, result.tile))
         self.failures |= result.failures
-        for (cell, status), n in result.discarded.items():
-            self.discarded[cell, CODES[Status(status)]] += n
+        for (where, status), n in result.discarded.items():
+            self.discarded[where, CODES[Status(status)]] += n
         self._joins.append(result.joins)
         if len(special := special_table_of(self.model, result.special)):
             self._special.append(special)

@@ -8,6 +8,7 @@ import contextlib
 from collections.abc import Iterable, Iterator
 from contextlib import ExitStack
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pyarrow as pa
@@ -23,7 +24,7 @@ MOST_RANGES = 150
 """Files that are open at a time: systems allow a process some hundred."""
 
 
-def ranges(per_cell: Ints) -> Ints:
+def ranges(per_cell: NDArray[np.integer[Any]]) -> Ints:
     """The first cell of each range of cells that have some `RANGE_ROWS` rows, ascending, from 0.
 
     Parameters

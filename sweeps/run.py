@@ -10,7 +10,7 @@ so neither do the tables.
 import contextlib
 import os
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Generator, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
 from dataclasses import dataclass, field
 from itertools import count
@@ -297,7 +297,7 @@ class _Run:
         parts = ((tile, self.store.read_part(round_, tile)) for tile in given)
         return self._absorb(result_of(self.model, round_, tile, part) for tile, part in parts)
 
-    def _computed(self, pool: Executor, tasks: Iterator[Task]) -> Iterator[Result]:
+    def _computed(self, pool: Executor, tasks: Iterator[Task]) -> Generator[Result, None, None]:
         """Results as they are finished; only so many tasks are made ahead of them."""
         sizes: dict[Future[Result], int] = {}
         count_, size = self.ahead

@@ -218,8 +218,8 @@ def parameters(extra: list[str], assignments: list[str] | None) -> dict[str, Any
         if name == "units":
             raise InputError(
                 "--units is not an option of this command, whose parameters are in the model's units; "
-                "stridemap orbit --units leg_length=...,mass=... shows a cycle in SI units, and stridemap.Units "
-                "converts numbers"
+                "stridemap orbit --units leg_length=...,mass=... shows a cycle in SI units, and "
+                "stridemap.Units converts numbers"
             )
         text = value if equals else next(rest, None)
         if text is None or (text.startswith("--") and not equals):
