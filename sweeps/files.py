@@ -30,6 +30,9 @@ Mask = NDArray[np.bool_]
 GROUP_ROWS = 16_384
 """Rows of a row group: the piece of a file that is in memory at a time, some 6 MB of limit cycles."""
 
+DICTIONARY = 16_384
+"""Bytes of the different values of a column in a row group above which they are written as they are."""
+
 # Keys of the schema metadata: the provenance, the name that the file was written under, and the digest of
 # both with columns and number of rows: Parquet has checksums for its pages, but none for its footer.
 _PROVENANCE, _FILE, _DIGEST = b"stridemap", b"stridemap.file", b"stridemap.digest"
@@ -77,8 +80,10 @@ def write(file: Any, name: str, provenance: Mapping[str, Any], pieces: Pieces) -
     metadata = {_PROVENANCE: canonical_json(provenance).encode(), _FILE: name.encode()}
     metadata[_DIGEST] = digest(pieces.schema, pieces.rows, metadata)
     schema = pieces.schema.with_metadata(metadata)
-    # Snappy, because MATLAB reads it; checksums, because footers alone show no flipped bit.
-    with pq.ParquetWriter(file, schema, compression="snappy", write_page_checksum=True) as writer:
+    # Snappy, because MATLAB reads it; checksums, because footers alone show no flipped bit. Dictionaries are
+    # for values that are repeated: where all differ, they would take a sixth more than the values.
+    kept = {"compression": "snappy", "write_page_checksum": True, "dictionary_pagesize_limit": DICTIONARY}
+    with pq.ParquetWriter(file, schema, **kept) as writer:
         written = 0
         for group in _row_groups(pieces):
             writer.write_table(group.replace_schema_metadata(metadata), row_group_size=GROUP_ROWS)
