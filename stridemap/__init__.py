@@ -55,7 +55,7 @@ if TYPE_CHECKING:
     from stridemap.sweeps.config import SweepConfig, load_config, parse_config
     from stridemap.sweeps.run import Progress, Summary, sweep
     from stridemap.sweeps.store import read_cells, read_orbits, read_provenance, read_special
-    from stridemap.tables.reading import read_table
+    from stridemap.tables.reading import read_batches, read_table
     from stridemap.tables.table import Table
     from stridemap.units import Units, critical_damping
     from stridemap.views.animation import animate

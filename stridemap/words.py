@@ -78,10 +78,11 @@ ATTRIBUTES = frozenset(
 
 OPTION_WORDS = frozenset(
     # options of the command line
-    "acceptance backend branches by cascade check claims color colour config continuation csv curves cycle "
-    "dask derive_timeout folder fps from friction_limit group header help json lines magnify model name only "
-    "out period_n plot quiet range rate resume search search_box seeds set shell show size start starts "
-    "state steps sweeps table target thin to trajectory units vary verbose where workers "
+    "acceptance backend branches by cascade check claims color colour columns config continuation csv curves "
+    "cycle dask derive_timeout folder fps from friction_limit group header help json lines magnify model "
+    "most_cycles name only out part period_n plot quiet range rate resume search search_box seeds set "
+    "shell show size start starts state steps sweeps table target thin to trajectory units vary verbose "
+    "where workers "
     # arguments of public functions
     "data executor options orbit orbits params path progress ranges samples source tile_cells "
     "titles".split()

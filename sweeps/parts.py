@@ -65,8 +65,7 @@ def result_of(model: Model, round_: int, tile: int, part: pa.Table) -> Result:
     def rows(kind: str) -> pa.Table:
         return part.filter(pc.equal(part[KIND], kind))
 
-    orbits, failed, thrown, guesses, joins = (rows(k) for k in (ORBIT, FAILURE, DISCARDED, GUESS, JOIN))
-    made = solutions_of(model, guesses)
+    orbits, failed, thrown, joins = (rows(k) for k in (ORBIT, FAILURE, DISCARDED, JOIN))
     lost = zip(*(thrown[name].to_pylist() for name in ("cell", REASON, NUMBER)), strict=True)
     return Result(
         round_,
@@ -74,11 +73,45 @@ def result_of(model: Model, round_: int, tile: int, part: pa.Table) -> Result:
         columns_of(orbits.select(orbit_schema(model).names).cast(orbit_schema(model))),
         dict(zip(failed["cell"].to_pylist(), failed[REASON].to_pylist(), strict=True)),
         solutions_of(model, rows(SEEN)),
-        Guesses(made.cell, made.u, made.branch, guesses[NUMBER].to_numpy()),
+        guesses_of(model, part),
         np.column_stack([joins[name].to_numpy() for name in ("branch", NUMBER)]),
         columns_of(rows(SPECIAL).select(special_schema(model).names).cast(special_schema(model))),
         {(cell, status): n for cell, status, n in lost},
     )
+
+
+def orbits_of(model: Model, part: pa.Table) -> pa.Table:
+    """The limit cycles of a part, as a table of `orbit_schema`, from at least `orbit_columns`."""
+    schema = orbit_schema(model)
+    return part.filter(pc.equal(part[KIND], ORBIT)).select(schema.names).cast(schema)
+
+
+def orbit_columns(model: Model) -> list[str]:
+    """The columns of a part that limit cycles have, and the one that says which rows these are."""
+    return [*orbit_schema(model).names, KIND]
+
+
+def known_of(model: Model, part: pa.Table) -> tuple[Solutions, Solutions]:
+    """Cycles of a part, and what the search gave before it converged, from at least `known_columns`."""
+    cycles, seen = (solutions_of(model, part.filter(pc.equal(part[KIND], kind))) for kind in (ORBIT, SEEN))
+    return cycles, seen
+
+
+def guesses_of(model: Model, part: pa.Table) -> Guesses:
+    """The guesses of a part for other tiles, from at least `guess_columns`."""
+    guesses = part.filter(pc.equal(part[KIND], GUESS))
+    made = solutions_of(model, guesses)
+    return Guesses(made.cell, made.u, made.branch, guesses[NUMBER].to_numpy())
+
+
+def guess_columns(model: Model) -> list[str]:
+    """The columns of a part that `guesses_of` needs."""
+    return [*known_columns(model), NUMBER]
+
+
+def known_columns(model: Model) -> list[str]:
+    """The columns of a part that `known_of` needs."""
+    return ["cell", "branch", *model.section, "period", KIND]
 
 
 def columns_of(table: pa.Table) -> dict[str, pa.ChunkedArray]:

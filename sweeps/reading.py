@@ -15,29 +15,23 @@ import pyarrow as pa
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationError
 
 from stridemap.errors import InputError
-from stridemap.solver.cycles.status import Status
 from stridemap.solver.model.loading import available, load
 from stridemap.solver.model.model import Model
+from stridemap.sweeps import files
 from stridemap.sweeps.config import canonical_json
-from stridemap.sweeps.grid import Grid
+from stridemap.sweeps.opened import OpenedSweep, foreign
 from stridemap.sweeps.store import (
     CELLS,
     ORBITS,
     SPECIAL,
-    read_cells,
-    read_orbits,
     read_provenance,
     read_special,
-    table_shape,
+    table_path,
 )
 from stridemap.sweeps.tables import FORMAT, cell_schema, orbit_schema, special_schema
-from stridemap.words import multiplier_columns
 
 if TYPE_CHECKING:
     import pandas as pd
-
-CELL_STATUSES = ("found", "empty", "failed")
-"""What can have become of a cell."""
 
 NEEDED = ("stable", "spectral_radius")
 """Measured quantities that every sweep has."""
@@ -114,8 +108,8 @@ class FinishedSweep:
     special: "pd.DataFrame"
 
 
-def read_sweep(folder: str | Path, model: str | Path | Model | None = None) -> FinishedSweep:
-    """Read a finished sweep after checking all that it says of itself.
+def open_sweep(folder: str | Path, model: str | Path | Model | None = None) -> OpenedSweep:
+    """Open a finished sweep after checking all that it says of itself; no row is read yet.
 
     Parameters
     ----------
@@ -134,10 +128,25 @@ def read_sweep(folder: str | Path, model: str | Path | Model | None = None) -> F
     provenance = _checked(read_provenance(folder), folder)
     loaded = load(model) if model is not None else _builtin(provenance["model"], folder)
     _check_model(folder, provenance, loaded)
-    _check_columns(folder, provenance, loaded)
-    orbits, cells = read_orbits(folder), read_cells(folder)
-    _check_values(folder, provenance["configuration"], loaded, orbits, cells)
-    return FinishedSweep(loaded, provenance, orbits, cells, read_special(folder))
+    return OpenedSweep(folder, loaded, provenance, _check_columns(folder, provenance, loaded))
+
+
+def read_sweep(folder: str | Path, model: str | Path | Model | None = None) -> FinishedSweep:
+    """Read a finished sweep after checking all that it says of itself.
+
+    Parameters
+    ----------
+    folder, model
+        As for `open_sweep`.
+
+    Raises
+    ------
+    InputError
+        As `open_sweep`, and when rows are not those of a sweep.
+    """
+    opened = open_sweep(folder, model)
+    cells, orbits = opened.frame(CELLS), opened.frame(ORBITS)
+    return FinishedSweep(opened.model, opened.provenance, orbits, cells, read_special(folder))
 
 
 def _checked(found: dict[str, Any], folder: str | Path) -> dict[str, Any]:
@@ -152,10 +161,10 @@ def _checked(found: dict[str, Any], folder: str | Path) -> dict[str, Any]:
     except ValidationError as error:
         first = error.errors(include_url=False)[0]
         entry = ".".join(map(str, first["loc"]))[:100] or "it"
-        raise _foreign(folder, f"{entry} in their metadata is {_short(first['input'])}") from None
+        raise foreign(folder, f"{entry} in their metadata is {_short(first['input'])}") from None
     configuration = found["configuration"]
     if hashlib.sha256(canonical_json(configuration).encode()).hexdigest() != found["configuration_hash"]:
-        raise _foreign(folder, "the configuration in their metadata does not have the hash that stands there")
+        raise foreign(folder, "the configuration in their metadata does not have the hash that stands there")
     return found
 
 
@@ -185,19 +194,21 @@ def _check_model(folder: str | Path, provenance: Mapping[str, Any], model: Model
     configuration = provenance["configuration"]
     grid, params = list(configuration["grid"]), list(configuration["params"])
     if sorted(grid + params) != sorted(model.spec.names):
-        raise _foreign(folder, f"their configuration does not have the parameters of {model.name}")
+        raise foreign(folder, f"their configuration does not have the parameters of {model.name}")
     for a in model.parameters:
         for value in configuration["grid"].get(a.name) or [configuration["params"][a.name]]:
             try:
                 a.check(value)
             except InputError as error:
-                raise _foreign(folder, str(error)) from None
+                raise foreign(folder, str(error)) from None
     if any((np.diff(values) <= 0).any() for values in configuration["grid"].values()):
-        raise _foreign(folder, "the values of their grid do not ascend")
+        raise foreign(folder, "the values of their grid do not ascend")
 
 
-def _check_columns(folder: str | Path, provenance: Mapping[str, Any], model: Model) -> None:
-    """Refuse tables that have other columns than those of a sweep, or more rows than a sweep can have."""
+def _check_columns(
+    folder: str | Path, provenance: Mapping[str, Any], model: Model
+) -> dict[str, tuple[str, ...]]:
+    """The columns of each table; refuses other ones than those of a sweep, and more rows than it can have."""
     measures = provenance["measures"]
     if unknown := sorted(set(measures) - set(model.measured)):
         raise InputError(
@@ -205,69 +216,33 @@ def _check_columns(folder: str | Path, provenance: Mapping[str, Any], model: Mod
             "know; sweep again, or use the stridemap that computed them"
         )
     if lacking := [name for name in NEEDED if name not in measures]:
-        raise _foreign(folder, f"they lack the column {lacking[0]}")
+        raise foreign(folder, f"they lack the column {lacking[0]}")
     wanted = [field for field in orbit_schema(model) if field.name not in set(model.measured) - set(measures)]
     n_cells = int(np.prod([len(axis) for axis in provenance["configuration"]["grid"].values()], dtype=object))
     tables = {ORBITS: wanted, CELLS: list(cell_schema(model)), SPECIAL: list(special_schema(model))}
+    names = {}
     for name, fields in tables.items():
-        schema, rows = table_shape(folder, name)
+        schema, rows = files.shape_of(table_path(folder, name))
         _check_schema(folder, name, schema, fields)
         if name == CELLS and rows != n_cells:
-            raise _foreign(folder, f"{CELLS} has {rows:,} rows for a grid of {n_cells:,} cells")
+            raise foreign(folder, f"{CELLS} has {rows:,} rows for a grid of {n_cells:,} cells")
         if name in (ORBITS, SPECIAL) and rows > MOST_CYCLES * n_cells:
-            raise _foreign(folder, f"{name} has {rows:,} rows for {n_cells:,} cells")
+            raise foreign(folder, f"{name} has {rows:,} rows for {n_cells:,} cells")
+        names[name] = tuple(schema.names)
+    return names
 
 
 def _check_schema(folder: str | Path, table: str, schema: pa.Schema, fields: Iterable[pa.Field]) -> None:
     wanted = {field.name: field.type for field in fields}
     if twice := [name for name in schema.names if schema.names.count(name) > 1]:
-        raise _foreign(folder, f"{table} has two columns {_short(twice[0])}")
+        raise foreign(folder, f"{table} has two columns {_short(twice[0])}")
     for name, kind in wanted.items():
         if name not in schema.names:
-            raise _foreign(folder, f"{table} lacks the column {name}")
+            raise foreign(folder, f"{table} lacks the column {name}")
         if schema.field(name).type != kind:
-            raise _foreign(folder, f"the column {name} of {table} is {schema.field(name).type}, not {kind}")
+            raise foreign(folder, f"the column {name} of {table} is {schema.field(name).type}, not {kind}")
     if more := sorted(set(schema.names) - set(wanted)):
-        raise _foreign(folder, f"{table} has a column {_short(more[0])}")
-
-
-def _check_values(
-    folder: str | Path,
-    configuration: Mapping[str, Any],
-    model: Model,
-    orbits: "pd.DataFrame",
-    cells: "pd.DataFrame",
-) -> None:
-    """Refuse entries that no sweep writes; whatever follows may rely on the others."""
-    grid = Grid.from_mapping(
-        {n: configuration["grid"][n] for n in model.spec.names if n in configuration["grid"]}
-    )
-    points, own = grid.points(model, configuration["params"]), list(model.spec.names)
-    unknowns = [*model.section, "period"]
-    multipliers = [name for i in range(len(model.section)) for name in multiplier_columns(i)]
-    cell = orbits["cell"].to_numpy()
-    in_range = ((cell >= 0) & (cell < len(cells))).all() and (np.diff(cell) >= 0).all()
-    faults = {
-        "the cells are not those of the grid": not np.array_equal(cells[own].to_numpy(), points)
-        or not np.array_equal(cells["cell"].to_numpy(), np.arange(len(cells))),
-        "a cell has a status that is not one": not cells["status"].isin(CELL_STATUSES).all(),
-        "the limit cycles are not in the order of their cells": not in_range,
-        "a limit cycle is not at its cell's parameters": in_range
-        and not np.array_equal(orbits[own].to_numpy(), points[cell]),
-        "a limit cycle has a status that is not one": not orbits["status"]
-        .isin([status.value for status in Status if status.found])
-        .all(),
-        "a state or a period is not a finite number": not np.isfinite(orbits[unknowns].to_numpy()).all(),
-        "a period is not above 0": not (orbits["period"].to_numpy() > 0).all(),
-        "a multiplier is not a number": bool(np.isnan(orbits[multipliers].to_numpy()).any()),
-    }
-    for fault, found in faults.items():
-        if found:
-            raise _foreign(folder, fault)
-
-
-def _foreign(folder: str | Path, fault: str) -> InputError:
-    return InputError(f"the tables in {folder} are not those of a sweep: {fault}; sweep again")
+        raise foreign(folder, f"{table} has a column {_short(more[0])}")
 
 
 def _short(value: Any) -> str:

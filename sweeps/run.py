@@ -9,9 +9,9 @@ so neither do the tables.
 
 import contextlib
 import os
-from collections import Counter, defaultdict
-from collections.abc import Callable, Mapping
-from concurrent.futures import Executor, Future, as_completed
+from collections import Counter
+from collections.abc import Callable, Generator, Iterable, Iterator, Mapping, Sequence
+from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
 from dataclasses import dataclass, field
 from itertools import count
 from pathlib import Path
@@ -25,21 +25,25 @@ from numpy.typing import NDArray
 from stridemap.errors import InputError, short
 from stridemap.solver.backends.base import Backend
 from stridemap.solver.backends.selection import load_kernels, named_backend
-from stridemap.solver.cycles.degenerate import have_no_cycle, why_no_cycle
-from stridemap.solver.cycles.status import Status
 from stridemap.sweeps.cluster import cluster, scheduler_address
 from stridemap.sweeps.config import MAX_COUNT, SweepConfig, load_config
 from stridemap.sweeps.executors import interrupts_held, processes
 from stridemap.sweeps.failures import explained, no_workers
-from stridemap.sweeps.families import families
+from stridemap.sweeps.files import read
+from stridemap.sweeps.found import Found
 from stridemap.sweeps.grid import Grid, tile_size, tiles
 from stridemap.sweeps.lock import held, refuse_if_held
-from stridemap.sweeps.parts import part_table, result_of, solutions_of
+from stridemap.sweeps.parts import (
+    guess_columns,
+    guesses_of,
+    known_columns,
+    known_of,
+    part_table,
+    result_of,
+)
 from stridemap.sweeps.provenance import provenance
 from stridemap.sweeps.solutions import Guesses, Solutions
-from stridemap.sweeps.special_tables import in_order, special_table_of
-from stridemap.sweeps.store import CELLS, SPECIAL, Store, read_table
-from stridemap.sweeps.tables import cell_table, orbit_schema, table_of
+from stridemap.sweeps.store import CELLS, SPECIAL, Store, table_path
 from stridemap.sweeps.tasks import Result, Task
 from stridemap.sweeps.tiles import work
 
@@ -48,6 +52,13 @@ Ints = NDArray[np.int64]
 
 MOST_WORKERS = 1024
 """Processes of one sweep: each takes some 200 MB, and no machine has as many cores."""
+
+AHEAD = 4
+"""How many tiles are submitted at a time for each worker of this machine."""
+
+AHEAD_ELSEWHERE, AHEAD_BYTES = 64, 64_000_000
+"""How many are submitted to an executor that does not say how many workers it has: so many, and more as long
+as what they carry takes less memory than this."""
 
 
 @dataclass(frozen=True)
@@ -161,7 +172,10 @@ def sweep(
     kernels = load_kernels(config.loaded, named_backend(backend))
     software = {**provenance(kernels), "tile_cells": tile_cells}
     store = Store.resume(out, config, software) if resume else Store.create(out, config, software)
-    run = _Run(config, kernels.backend, tile_cells, store, progress or (lambda _: None))
+    workers = workers or os.cpu_count() or 1
+    known = workers if executor is None and dask is None else getattr(executor, "_max_workers", None)
+    ahead = (AHEAD * known, 0) if isinstance(known, int) else (AHEAD_ELSEWHERE, AHEAD_BYTES)
+    run = _Run(config, kernels.backend, tile_cells, store, progress or (lambda _: None), ahead)
     if store.finished:
         return run.summary_of_finished()
     with contextlib.ExitStack() as stack:
@@ -171,7 +185,7 @@ def sweep(
         if dask is not None:
             return run.all_rounds(stack.enter_context(cluster(dask)))
         try:
-            pool = stack.enter_context(processes(workers or os.cpu_count() or 1))
+            pool = stack.enter_context(processes(workers))
         except OSError as error:
             raise no_workers(error) from None
         return run.all_rounds(pool)
@@ -187,7 +201,7 @@ def _check_count(name: str, value: Any, most: int) -> None:
 
 
 class _Run:
-    """The rounds of one sweep."""
+    """The rounds of one sweep. The limit cycles that were found are in the parts, and not in memory."""
 
     def __init__(
         self,
@@ -196,37 +210,42 @@ class _Run:
         tile_cells: int,
         store: Store,
         progress: Callable[[Progress], None],
+        ahead: tuple[int, int],
     ) -> None:
         self.config, self.backend, self.store, self.progress = config, backend, store, progress
+        self.ahead = ahead
         self.model = config.loaded
         self.grid = Grid.from_mapping(config.grid)
         self.tiles = tiles(self.grid, tile_cells)
         self.options = config.search.options
-        self.orbits: list[pa.Table] = []
-        self.failures: dict[int, str] = {}
-        self.discarded: dict[int, Counter[Status]] = defaultdict(Counter)
-        self.orbits_found = 0
-        # For each tile what its cells have: cycles, and what the search gave before it converged.
-        self.known: dict[int, list[Solutions]] = defaultdict(list)
-        self.seen: dict[int, list[Solutions]] = defaultdict(list)
-        self.joins: list[Ints] = []
-        self.special: list[pa.Table] = []
+        self.found = Found(config, self.grid)
+        self.width = len(self.model.section) + 1
 
     def all_rounds(self, pool: Executor) -> Summary:
         """Work until nothing new appears, then write the tables."""
         seeds = self.grid.subgrid(self.config.strides)
         owner = self.tiles.tile_of(seeds)
-        tasks = [
-            self._task(1, tile, seeds[owner == tile], self._guesses([])) for tile in np.unique(owner).tolist()
-        ]
+        given: dict[int, Ints] = {tile: seeds[owner == tile] for tile in np.unique(owner).tolist()}
+        senders: dict[int, list[int]] = {}
         for round_ in count(1):
-            incoming = self._run_round(pool, round_, tasks)
-            tasks = [self._task(round_ + 1, tile, seeds[:0], incoming[tile]) for tile in sorted(incoming)]
-            if not tasks:
+            senders = self._run_round(pool, round_, given, senders)
+            given = dict.fromkeys(sorted(senders), seeds[:0])
+            if not given:
                 return self._finish()
         raise AssertionError("count has no end")
 
-    def _task(self, round_: int, tile: int, seeds: Ints, incoming: Guesses) -> Task:
+    def _task(self, round_: int, tile: int, seeds: Ints, senders: Sequence[int]) -> Task:
+        """What a worker needs, read from the parts that earlier rounds have left."""
+        columns, known, seen = known_columns(self.model), [], []
+        for one in self.found.parts:
+            if one[1] == tile:
+                cycles, solutions = known_of(self.model, self.store.read_part(*one, columns))
+                known.append(cycles)
+                seen.append(solutions)
+        incoming = []
+        for sender in senders:
+            sent = guesses_of(self.model, self.store.read_part(round_ - 1, sender, guess_columns(self.model)))
+            incoming.append(sent.take(self.tiles.tile_of(sent.cell) == tile))
         return Task(
             model=self.model,
             grid=self.grid,
@@ -240,150 +259,110 @@ class _Run:
             tile=tile,
             cells=self.tiles[tile],
             seeds=seeds,
-            incoming=incoming,
-            known=self._all(self.known[tile]),
-            seen=self._all(self.seen[tile]),
+            incoming=Guesses.concatenate(incoming, self.width),
+            known=Solutions.concatenate(known, self.width),
+            seen=Solutions.concatenate(seen, self.width),
         )
 
-    def _run_round(self, pool: Executor, round_: int, tasks: list[Task]) -> dict[int, Guesses]:
-        """Compute the tiles of a round that no earlier run finished; returns the guesses for each tile."""
-        done = [task for task in tasks if self.store.has_part(round_, task.tile)]
-        finished = len(done)
-        self._report(round_, finished, len(tasks))
-        open_tasks = [task for task in tasks if not self.store.has_part(round_, task.tile)]
-        futures: list[Future[Result]] = []
-        found = 0
-        try:
-            with interrupts_held():  # processes are started where tasks are submitted
-                futures += [pool.submit(work, task) for task in open_tasks]
-            for future in as_completed(futures):
-                result = future.result()
+    def _run_round(
+        self, pool: Executor, round_: int, given: Mapping[int, Ints], senders: Mapping[int, list[int]]
+    ) -> dict[int, list[int]]:
+        """Compute the tiles of a round that no earlier run finished.
+
+        Parameters
+        ----------
+        pool : Executor
+        round_ : int
+        given : mapping of int to ndarray of int
+            The tiles, ascending, and the cells of each that get many starts.
+        senders : mapping of int to list of int
+            The tiles that have sent guesses to a tile in the round before.
+
+        Returns
+        -------
+        dict of int to list of int
+            The senders of the next round.
+        """
+        open_ = [tile for tile in given if not self.store.has_part(round_, tile)]
+        finished, found = len(given) - len(open_), 0
+        self._report(round_, finished, len(given))
+        tasks = (self._task(round_, tile, given[tile], senders.get(tile, [])) for tile in open_)
+        with contextlib.closing(self._computed(pool, tasks)) as results:
+            for result in results:
                 self.store.write_part(result.round, result.tile, part_table(self.model, result))
                 finished += 1
-                found += self._counted(result)
-                self._report(round_, finished, len(tasks), found)
+                found += self.found.counted(result)
+                self._report(round_, finished, len(given), found)
+        # Read back in the order of tiles, whatever the order in which they were finished.
+        parts = ((tile, self.store.read_part(round_, tile)) for tile in given)
+        return self._absorb(result_of(self.model, round_, tile, part) for tile, part in parts)
+
+    def _computed(self, pool: Executor, tasks: Iterator[Task]) -> Generator[Result, None, None]:
+        """Results as they are finished; only so many tasks are made ahead of them."""
+        sizes: dict[Future[Result], int] = {}
+        count_, size = self.ahead
+        try:
+            while True:
+                while len(sizes) < count_ or sum(sizes.values()) < size:
+                    if (task := next(tasks, None)) is None:
+                        break
+                    with interrupts_held():  # processes are started where tasks are submitted
+                        sizes[pool.submit(work, task)] = task.size
+                if not sizes:
+                    return
+                done, _ = wait(list(sizes), return_when=FIRST_COMPLETED)
+                ended = [future for future in sizes if future in done]
+                done = set()  # a result is kept no longer than it takes to write it
+                while ended:
+                    future = ended.pop(0)
+                    del sizes[future]
+                    yield future.result()
+                    del future
         except BaseException as error:
-            for future in futures:
+            for future in sizes:
                 future.cancel()
             if (reason := explained(error)) is not None:
                 raise reason from None
             raise
-        # Read back in the order of tiles, whatever the order in which they were finished.
-        parts = ((task.tile, self.store.read_part(round_, task.tile)) for task in tasks)
-        return self._absorb([result_of(self.model, round_, tile, part) for tile, part in parts])
 
     def _report(self, round_: int, done: int, total: int, found: int = 0) -> None:
-        self.progress(Progress(round_, done, total, self.orbits_found + found))
+        self.progress(Progress(round_, done, total, self.found.n_orbits + found))
 
-    def _counts(self, period: Any) -> Any:
-        """Whether a period is in the range that was asked for, and not just near it."""
-        shortest, longest = self.options.period_range
-        return (period > shortest) & (period <= longest)
-
-    def _counted(self, result: Result) -> int:
-        """How many limit cycles of a result count."""
-        return int(np.count_nonzero(self._counts(np.asarray(result.orbits["period"]))))
-
-    def _absorb(self, results: list[Result]) -> dict[int, Guesses]:
-        """Take up the results of a round, in the order of tiles; returns the guesses for each tile."""
+    def _absorb(self, results: Iterable[Result]) -> dict[int, list[int]]:
+        """Take up the results of a round, in the order of tiles; returns who sends guesses to each tile."""
+        senders: dict[int, list[int]] = {}
         for result in results:
-            self.failures |= result.failures
-            for (cell, status), n in result.discarded.items():
-                self.discarded[cell][Status(status)] += n
-            self.orbits.append(table_of(self.model, result.orbits))
-            self.orbits_found += self._counted(result)
-            self.known[result.tile].append(solutions_of(self.model, result.orbits))
-            self.seen[result.tile].append(result.seen)
-            self.joins.append(result.joins)
-            self.special.append(special_table_of(self.model, result.special))
-        every = self._guesses([result.outgoing for result in results])
-        owner = self.tiles.tile_of(every.cell)
-        return {tile: every.take(owner == tile) for tile in np.unique(owner).tolist()}
-
-    def _all(self, parts: list[Solutions]) -> Solutions:
-        return Solutions.concatenate(parts, len(self.model.section) + 1)
-
-    def _guesses(self, parts: list[Guesses]) -> Guesses:
-        return Guesses.concatenate(parts, len(self.model.section) + 1)
+            self.found.add(result)
+            for tile in np.unique(self.tiles.tile_of(result.outgoing.cell)).tolist():
+                senders.setdefault(tile, []).append(result.tile)
+        return senders
 
     def _finish(self) -> Summary:
-        schema = orbit_schema(self.model)
-        orbits = pa.concat_tables(self.orbits) if self.orbits else schema.empty_table()
-        orbits = orbits.filter(self._counts(orbits["period"].to_numpy()))
-        orbits = orbits.sort_by([("cell", "ascending"), ("period", "ascending")])
-        special = pa.concat_tables(self.special)
-        # Cycles come first: families of which there is none in a cell get the numbers after theirs.
-        branches = [table["branch"].to_numpy() for table in (orbits, special)]
-        numbers = families(np.concatenate(branches), np.concatenate(self.joins))
-        orbits = _numbered(orbits, numbers[: len(orbits)])
-        axis = self.grid.longest_axis
-        width = float(np.ptp(self.grid.axes[axis])) or 1.0
-        special = in_order(
-            self.model, self.grid.names[axis], width, _numbered(special, numbers[len(orbits) :])
-        )
-        points = self.grid.points(self.model, self.config.params)
-        found = np.bincount(orbits["cell"].to_numpy(), minlength=self.grid.n_cells)
-        status, reason = self._outcomes(points, found)
-        cells = cell_table(self.model, points, orbits, status, reason)
+        found = self.found
+        orbits, cells, special = found.tables(self.store)
         self.store.finish(orbits, cells, special)
-        return self._summary(cells, special)
-
-    def _outcomes(self, points: Floats, found: Ints) -> tuple[list[str], list[str | None]]:
-        """Status of each cell, and why it is failed or empty, or lacks something."""
-        # Where a parameter is at an end of its allowed range, equations may degenerate.
-        ends = np.array([[one.lower, one.upper] for one in self.model.parameters], dtype=float).T
-        at_end = (points[:, None, :] == ends).any(axis=(1, 2))
-        asked = np.flatnonzero(at_end & (found == 0))
-        degenerate = set(asked[have_no_cycle(self.model, points[asked])].tolist())
-        status, reason = [], []
-        for cell, n in enumerate(found.tolist()):
-            one, why = self._outcome(cell, n)
-            if cell in degenerate and one == "empty":
-                why = f"{why}; {why_no_cycle(self.model, points[cell])}"
-            status.append(one)
-            reason.append(why)
-        return status, reason
-
-    def _outcome(self, cell: int, found: int) -> tuple[str, str | None]:
-        if cell in self.failures:
-            return "failed", self.failures[cell]
-        thrown = self.discarded.get(cell, Counter())
-        if found:
-            lost = thrown[Status.UNRESOLVED]
-            return "found", f"not all: {_thrown_away({Status.UNRESOLVED: lost})}" if lost else None
-        lower, upper = self.options.period_range
-        why = (
-            f"no limit cycle with {lower:g} < period <= {upper:g} was found, from the starts or from "
-            "neighbouring cells"
-        )
-        return "empty", f"{why}; thrown away: {_thrown_away(thrown)}" if thrown else why
+        return self._summary(found.n_orbits, int(found.stable.sum()), len(found.failures), special)
 
     def summary_of_finished(self) -> Summary:
         """Read the summary of a sweep that was finished before."""
         folder = self.store.folder
-        return self._summary(read_table(folder, CELLS), read_table(folder, SPECIAL), already_finished=True)
+        cells = read(table_path(folder, CELLS), ["orbits", "stable_orbits", "status"])
+        special = read(table_path(folder, SPECIAL), ["type", "reason"])
+        orbits, stable = (pc.sum(cells[name]).as_py() for name in ("orbits", "stable_orbits"))
+        failed = pc.sum(pc.equal(cells["status"], "failed")).as_py()
+        return self._summary(orbits, stable, failed, special, already_finished=True)
 
-    def _summary(self, cells: pa.Table, special: pa.Table, already_finished: bool = False) -> Summary:
+    def _summary(
+        self, orbits: int, stable: int, failed: int, special: pa.Table, already_finished: bool = False
+    ) -> Summary:
         located = special.filter(pc.is_null(special["reason"]))
         return Summary(
             self.store.folder,
-            cells=len(cells),
-            orbits=pc.sum(cells["orbits"]).as_py(),
-            stable_orbits=pc.sum(cells["stable_orbits"]).as_py(),
-            failed_cells=pc.sum(pc.equal(cells["status"], "failed")).as_py(),
+            cells=self.grid.n_cells,
+            orbits=orbits,
+            stable_orbits=stable,
+            failed_cells=failed,
             already_finished=already_finished,
             special=dict(sorted(Counter(located["type"].to_pylist()).items())),
             special_not_located=len(special) - len(located),
         )
-
-
-def _numbered(table: pa.Table, branch: Ints) -> pa.Table:
-    """A table with other numbers of branches."""
-    column = table.schema.get_field_index("branch")
-    return table.set_column(column, table.schema.field("branch"), pa.array(branch))
-
-
-def _thrown_away(counts: Mapping[Status, int]) -> str:
-    """How many solutions were no limit cycle, and why."""
-    known = (status for status in Status if counts.get(status))
-    return ", ".join(f"{counts[one]} solution{'' if counts[one] == 1 else 's'} {one.reason}" for one in known)

@@ -9,22 +9,24 @@ mixed with another sweep's. No time, host or number of workers enters a file.
 """
 
 import contextlib
-import hashlib
 import json
 import os
-import stat
 import uuid
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from operator import methodcaller
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import pyarrow as pa
-import pyarrow.parquet as pq
 
-from stridemap.errors import InputError, StorageError
+from stridemap.errors import InputError, StorageError, short
+from stridemap.sweeps import files
 from stridemap.sweeps.config import SweepConfig, canonical_json
+from stridemap.sweeps.files import Pieces
+from stridemap.sweeps.merging import Ints, by_cells
 from stridemap.sweeps.provenance import DECIDING
+from stridemap.words import hint
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -33,10 +35,6 @@ ORBITS, CELLS, SPECIAL, PARTS = "orbits.parquet", "cells.parquet", "special.parq
 
 TABLES = (ORBITS, CELLS, SPECIAL)
 """What is in the folder of a finished sweep."""
-
-# Keys of the schema metadata: the provenance, the name that the file was written under, and the digest of
-# both with columns and number of rows: Parquet has checksums for its pages, but none for its footer.
-_PROVENANCE, _FILE, _DIGEST = b"stridemap", b"stridemap.file", b"stridemap.digest"
 
 
 @dataclass(frozen=True)
@@ -75,7 +73,7 @@ class Store:
         for path in [*outputs, *parts]:
             store._check(path, same_software=False)
         whole = len(outputs) == len(TABLES) and not parts
-        if whole and all(_provenance(p) == store.provenance for p in outputs):
+        if whole and all(files.provenance_of(p) == store.provenance for p in outputs):
             return cls(store.folder, store.provenance, finished=True)
         if parts:
             raise InputError(
@@ -122,8 +120,8 @@ class Store:
         """
         self._write(self._part(round_, tile), data if isinstance(data, pa.Table) else pa.table(dict(data)))
 
-    def read_part(self, round_: int, tile: int) -> pa.Table:
-        """Return what `write_part` stored, as a table.
+    def read_part(self, round_: int, tile: int, columns: Sequence[str] | None = None) -> pa.Table:
+        """Return what `write_part` stored, or some columns of it, as a table.
 
         Raises
         ------
@@ -132,16 +130,30 @@ class Store:
         """
         path = self._part(round_, tile)
         self._check(path, same_software=True)
-        return _read(path)
+        return files.read(path, columns)
 
-    def finish(self, orbits: pa.Table, cells: pa.Table, special: pa.Table) -> None:
+    def by_cells(self, parts: Iterable[pa.Table], begins: Ints) -> Iterator[pa.Table]:
+        """Rows of parts in the order of ranges of cells: `stridemap.sweeps.merging.by_cells` in our folder.
+
+        Raises
+        ------
+        StorageError
+            When the disk is full.
+        """
+        try:
+            yield from by_cells(parts, begins, self.folder / PARTS / uuid.uuid4().hex)
+        except OSError as error:
+            raise _cannot_write(self.folder, error) from None
+
+    def finish(self, orbits: pa.Table | Pieces, cells: pa.Table | Pieces, special: pa.Table) -> None:
         """Write all tables, orbits ordered by cell and period, and then remove the parts.
 
         Parameters
         ----------
-        orbits : Table
-            All limit cycles, as from `orbit_table`, in any order.
-        cells : Table
+        orbits : Table or Pieces
+            All limit cycles, as from `orbit_table`: in any order, or in pieces of ascending cells, each in
+            any order. Of pieces, only those rows are in memory that are being written.
+        cells : Table or Pieces
             All cells, as from `cell_table`.
         special : Table
             All special points, as from `in_order`.
@@ -152,8 +164,10 @@ class Store:
             If a file cannot be written; the parts stay.
         """
         # The other columns break ties, so that the order of the rows given never shows.
-        keys = dict.fromkeys(["cell", "period", *orbits.column_names])
-        self._write(self.folder / ORBITS, orbits.sort_by([(key, "ascending") for key in keys]))
+        rows = Pieces.of(orbits)
+        keys = [(key, "ascending") for key in dict.fromkeys(["cell", "period", *rows.schema.names])]
+        in_order = map(methodcaller("sort_by", keys), rows.tables)
+        self._write(self.folder / ORBITS, Pieces(rows.schema, rows.rows, in_order))
         self._write(self.folder / CELLS, cells)
         self._write(self.folder / SPECIAL, special)
         # A kill in here leaves the first parts, as if the sweep had been killed after writing them.
@@ -175,7 +189,7 @@ class Store:
 
     def _check(self, path: Path, same_software: bool) -> None:
         """Refuse `path` if it is damaged, foreign or of another sweep."""
-        found = _provenance(path)
+        found = files.provenance_of(path)
         if found["configuration_hash"] != self.provenance["configuration_hash"]:
             difference = _difference(found["configuration"], self.provenance["configuration"])
             raise InputError(
@@ -202,51 +216,62 @@ class Store:
                 "written"
             ) from None
 
-    def _write(self, path: Path, table: pa.Table) -> None:
+    def _write(self, path: Path, table: pa.Table | Pieces) -> None:
         """Write `table` with the provenance to `path`, in one step as seen from outside."""
-        metadata = {_PROVENANCE: canonical_json(self.provenance).encode(), _FILE: path.name.encode()}
-        # One chunk, so that how the table was put together leaves no trace in the pages.
-        metadata[_DIGEST] = _digest(table.schema, table.num_rows, metadata)
-        table = table.replace_schema_metadata(metadata).combine_chunks()
         temporary = self.folder / PARTS / f"{uuid.uuid4().hex}.tmp"
         try:
             with temporary.open("xb") as file:
-                # Snappy, because MATLAB reads it; checksums, because footers alone show no flipped bit.
-                pq.write_table(table, file, compression="snappy", write_page_checksum=True)
+                files.write(file, path.name, self.provenance, Pieces.of(table))
                 file.flush()
                 os.fsync(file.fileno())
             temporary.replace(path)
             _sync(path.parent)
         except OSError as error:
-            raise StorageError(
-                f"cannot write {path} ({error.strerror or error}); make room or give a folder that can be "
-                "written, and continue with --resume"
-            ) from None
+            raise _cannot_write(path, error) from None
         finally:
             with contextlib.suppress(OSError):
                 temporary.unlink(missing_ok=True)
 
 
-def read_orbits(folder: str | Path) -> "pd.DataFrame":
+def _cannot_write(path: Path, error: OSError) -> StorageError:
+    return StorageError(
+        f"cannot write {path} ({error.strerror or error}); make room or give a folder that can be "
+        "written, and continue with --resume"
+    )
+
+
+def read_orbits(folder: str | Path, columns: Sequence[str] | None = None) -> "pd.DataFrame":
     """Return the limit cycles of a finished sweep, one row each, ordered by cell and period.
+
+    Parameters
+    ----------
+    folder : path
+        Output folder of a sweep.
+    columns : sequence of str, optional
+        The columns to read: only these take memory. By default all.
 
     Raises
     ------
     InputError
-        If there is no such table in `folder`, or it is damaged or foreign.
+        If there is no such table in `folder`, it is damaged or foreign, or lacks a column that is named.
     """
-    return _frame(folder, ORBITS)
+    return _frame(folder, ORBITS, columns)
 
 
-def read_cells(folder: str | Path) -> "pd.DataFrame":
+def read_cells(folder: str | Path, columns: Sequence[str] | None = None) -> "pd.DataFrame":
     """Return the grid cells of a finished sweep, one row each.
+
+    Parameters
+    ----------
+    folder, columns
+        As for `read_orbits`.
 
     Raises
     ------
     InputError
         As `read_orbits`.
     """
-    return _frame(folder, CELLS)
+    return _frame(folder, CELLS, columns)
 
 
 def read_special(folder: str | Path) -> "pd.DataFrame":
@@ -275,11 +300,11 @@ def read_provenance(folder: str | Path) -> dict[str, Any]:
     InputError
         As `read_orbits`, and if the tables are not of one sweep.
     """
-    orbits = _provenance(_output(folder, ORBITS))
+    orbits = files.provenance_of(_output(folder, ORBITS))
     for name in (CELLS, SPECIAL):
         if name == SPECIAL and not os.path.exists(Path(folder) / SPECIAL):
             continue  # earlier versions of stridemap did not write it
-        other = _provenance(_output(folder, name))
+        other = files.provenance_of(_output(folder, name))
         if orbits != other:
             raise InputError(
                 f"{ORBITS} and {name} in {folder} are not of one sweep ({_difference(orbits, other)}, in "
@@ -308,8 +333,8 @@ def _output(folder: str | Path, name: str) -> Path:
     return path
 
 
-def table_shape(folder: str | Path, name: str) -> tuple[pa.Schema, int]:
-    """Columns of a finished sweep's table and the number of its rows, as its footer says.
+def table_path(folder: str | Path, name: str) -> Path:
+    """The path of a table of a finished sweep, which is there and ours.
 
     Raises
     ------
@@ -317,87 +342,33 @@ def table_shape(folder: str | Path, name: str) -> tuple[pa.Schema, int]:
         As `read_orbits`.
     """
     path = _output(folder, name)
-    _provenance(path)
-    with _opened(path) as file:
-        return file.schema_arrow, file.metadata.num_rows
+    files.provenance_of(path)
+    return path
 
 
-@contextlib.contextmanager
-def _opened(path: Path) -> Iterator[pq.ParquetFile]:
-    """Open a Parquet file, and turn whatever shows that it is not one, there or later, into an InputError."""
-    try:
-        if not stat.S_ISREG(os.stat(path).st_mode):  # to open a pipe would wait for ever
-            raise InputError(f"cannot read {path} (it is not a file); move it away and sweep again")
-        with pq.ParquetFile(path, page_checksum_verification=True) as file:
-            yield file
-    except (pa.ArrowException, OSError, UnicodeDecodeError, MemoryError, RecursionError) as error:
-        if isinstance(error, OSError) and error.errno is not None:
-            raise InputError(f"cannot read {path} ({error.strerror or error})") from None
-        raise _damaged(path) from None
+def _frame(folder: str | Path, name: str, columns: Sequence[str] | None = None) -> "pd.DataFrame":
+    path = table_path(folder, name)
+    if columns is not None:
+        check_columns(columns, files.shape_of(path)[0].names)
+    return files.frame(path, columns)
 
 
-def _damaged(path: Path) -> InputError:
-    return InputError(
-        f"{path} is damaged or is not a Parquet file; restore it, or move it away and sweep again"
-    )
-
-
-def _digest(schema: pa.Schema, rows: int, metadata: Mapping[bytes, bytes]) -> bytes:
-    columns = [f"{field.name} {field.type} {field.nullable}" for field in schema]
-    text = [metadata.get(_PROVENANCE, b""), metadata.get(_FILE, b""), str(rows).encode()]
-    return hashlib.sha256(b"\n".join([*text, *(c.encode() for c in columns)])).hexdigest().encode()
-
-
-def _provenance(path: Path) -> dict[str, Any]:
-    """Return the provenance in a file of ours, after checking that it is one and bears its own name."""
-    with _opened(path) as file:
-        schema, rows = file.schema_arrow, file.metadata.num_rows
-    metadata = schema.metadata or {}
-    if _DIGEST in metadata and metadata[_DIGEST] != _digest(schema, rows, metadata):
-        raise _damaged(path)
-    try:
-        data: dict[str, Any] = json.loads(metadata[_PROVENANCE])
-        told = isinstance(data["configuration"], dict) and isinstance(data["configuration_hash"], str)
-        if metadata[_FILE] == path.name.encode() and metadata[_DIGEST] and told:
-            return data
-    except (KeyError, TypeError, ValueError, RecursionError):
-        pass  # reported below, as a file under another name is
-    raise InputError(
-        f"{path} is a Parquet file, but not one that a sweep wrote under this name; move it away or give "
-        "another folder"
-    )
-
-
-def _read(path: Path) -> pa.Table:
-    """Return the table in a file of ours, without the metadata."""
-    with _opened(path) as file:
-        table = file.read().replace_schema_metadata(None)
-        table.validate(full=True)  # texts in it are text
-        return table
-
-
-def read_table(folder: str | Path, name: str) -> pa.Table:
-    """Return a table of a finished sweep as Arrow has it.
+def check_columns(columns: Any, known: Sequence[str]) -> None:
+    """Refuse what is not a list of columns that a table has.
 
     Raises
     ------
     InputError
-        As `read_orbits`.
     """
-    path = _output(folder, name)
-    _provenance(path)
-    return _read(path)
-
-
-def _frame(folder: str | Path, name: str) -> "pd.DataFrame":
-    table = read_table(folder, name)
-    frame: pd.DataFrame = table.to_pandas()
-    for field in table.schema:
-        if field.nullable and pa.types.is_integer(field.type):  # pandas would make them floats
-            frame[field.name] = frame[field.name].astype("Int64")
-        if field.nullable and pa.types.is_boolean(field.type):  # or objects
-            frame[field.name] = frame[field.name].astype("boolean")
-    return frame
+    if isinstance(columns, str) or not isinstance(columns, Sequence) or not columns:
+        raise InputError(f"columns = {short(columns)} is not allowed; give a list of names, such as ['k']")
+    for name in columns:
+        if not isinstance(name, str) or name not in known:
+            raise InputError(
+                f"there is no column {name!r}{hint(str(name), known)}; columns are {', '.join(known)}"
+            )
+    if twice := [name for name in columns if columns.count(name) > 1]:
+        raise InputError(f"the column {twice[0]} is given twice; leave one of them out")
 
 
 def _difference(found: Any, own: Any, name: str = "") -> str:

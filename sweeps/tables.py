@@ -10,7 +10,6 @@ from typing import Any
 
 import numpy as np
 import pyarrow as pa
-import pyarrow.compute as pc
 from numpy.typing import ArrayLike, NDArray
 
 from stridemap.solver.cycles.orbits import Orbits
@@ -101,30 +100,33 @@ def table_of(model: Model, columns: Mapping[str, Any]) -> pa.Table:
 
 
 def cell_table(
-    model: Model, points: ArrayLike, orbits: pa.Table, status: Sequence[str], reason: Sequence[str | None]
+    model: Model,
+    points: ArrayLike,
+    counts: Mapping[str, NDArray[Any]],
+    status: Sequence[str],
+    reason: Sequence[str | None],
+    first: int = 0,
 ) -> pa.Table:
-    """The table of `cell_schema`, one row per cell from 0, with the orbits of each counted.
+    """A table of `cell_schema`, one row per cell.
 
     Parameters
     ----------
     model : Model
         The model.
     points : array_like, shape(n_cells, n_parameters)
-        The parameter points of all cells, as from `Grid.points`.
-    orbits : Table
-        All orbits found, as from `orbit_table`.
+        The parameter points of the cells, as from `Grid.points`.
+    counts : mapping of str to ndarray of int, shape(n_cells,)
+        For each cell how many ``orbits`` it has, and ``stable_orbits``.
     status, reason : sequence, length n_cells
         What became of each cell, and why if it failed (None if it did not).
+    first : int
+        Number of the first cell.
     """
     columns = np.asarray(points, dtype=np.float64).T
-    n_cells = columns.shape[1]
-    found = orbits["cell"].to_numpy()
-    stable = pc.fill_null(orbits["stable"], False).to_numpy()
     data = {
-        "cell": np.arange(n_cells),
+        "cell": np.arange(first, first + columns.shape[1]),
         **dict(zip(model.spec.names, columns, strict=True)),
-        "orbits": np.bincount(found, minlength=n_cells),
-        "stable_orbits": np.bincount(found[stable], minlength=n_cells),
+        **counts,
         "status": status,
         "reason": reason,
     }

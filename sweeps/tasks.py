@@ -69,6 +69,11 @@ class Task:
     special_points: bool = True
     software: dict[str, str] = field(default_factory=lambda: dict(software()))
 
+    @property
+    def size(self) -> int:
+        """Bytes of what it carries of cells and cycles."""
+        return sum(one.u.nbytes + one.cell.nbytes for one in (self.incoming, self.known, self.seen))
+
 
 @dataclass(frozen=True)
 class Result:

@@ -94,14 +94,28 @@ class Boundaries(Sequence[Boundary]):
         return self.found[index]
 
     def __repr__(self) -> str:
-        (first, second), ends = self.vary, self.ranges
+        return self.summary()
+
+    def summary(self, factors: tuple[float, float] = (1.0, 1.0), units: tuple[str, str] = ("", "")) -> str:
+        """What was found, in lines.
+
+        Parameters
+        ----------
+        factors : (float, float)
+            What 1 of each parameter is in the unit in which its values are shown.
+        units : (str, str)
+            What these units are called.
+        """
+        first, second = self.vary
         count = f"{len(self)} boundar{'y' if len(self) == 1 else 'ies'}"
         area = " and ".join(
-            f"{name} from {low:g} to {high:g}" for name, (low, high) in zip(self.vary, ends, strict=True)
+            f"{name} from {factor * low:g} to {factor * high:g}{unit and f' {unit}'}"
+            for name, (low, high), factor, unit in zip(self.vary, self.ranges, factors, units, strict=True)
         )
         lines = []
         for number, one in enumerate(self.found):
-            low, high = one.cycles[:, -2:].min(axis=0), one.cycles[:, -2:].max(axis=0)
+            plane = one.cycles[:, -2:] * factors
+            low, high = plane.min(axis=0), plane.max(axis=0)
             lines.append(
                 f"  {number}: {one.type}, {low[0]:.6g} <= {first} <= {high[0]:.6g}, "
                 f"{low[1]:.6g} <= {second} <= {high[1]:.6g}"

@@ -115,14 +115,26 @@ class Branches(Sequence[Branch]):
         return self.found[index]
 
     def __repr__(self) -> str:
-        low, high = self.range
+        return self.summary()
+
+    def summary(self, factor: float = 1.0, unit: str = "") -> str:
+        """What was found, in lines.
+
+        Parameters
+        ----------
+        factor : float
+            What 1 of the parameter is in the unit in which its values are shown.
+        unit : str
+            What that unit is called.
+        """
+        low, high = (end * factor for end in self.range)
         lines = [
             f"  {number}: {branch.period_n}-step cycles, {len(branch.points)} points, "
-            f"{branch.x[:, -1].min():.6g} <= {self.vary} <= {branch.x[:, -1].max():.6g}"
+            f"{factor * branch.x[:, -1].min():.6g} <= {self.vary} <= {factor * branch.x[:, -1].max():.6g}"
             for number, branch in enumerate(self.found)
         ]
         count = f"{len(self)} branch{'' if len(self) == 1 else 'es'}"
-        head = f"<{count} of {self.model.name} over {self.vary} from {low:g} to {high:g}"
+        head = f"<{count} of {self.model.name} over {self.vary} from {low:g} to {high:g}{unit and f' {unit}'}"
         return "\n".join([head, *lines, ">"]) if lines else f"{head}>"
 
     # -- special points ----------------------------------------------------------------------------------

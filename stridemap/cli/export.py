@@ -28,6 +28,10 @@ def export(
         str | None,
         typer.Option(metavar="CONDITION", help="Write these rows only, such as 'stable and k < 10'."),
     ] = None,
+    columns: Annotated[
+        str | None,
+        typer.Option(metavar="NAME,...", help="Write these columns only, such as k,alpha,cot."),
+    ] = None,
     by: Annotated[
         str, typer.Option(metavar="DIMENSION", help="Of a sweep in nc, behind its grid: cycle or branch.")
     ] = "cycle",
@@ -36,17 +40,17 @@ def export(
 ) -> int:
     """Write a table for other programs: of a sweep, a branch, limit cycles or a walk."""
     from stridemap.tables.export import check_ending
-    from stridemap.tables.export import export as export_
-    from stridemap.tables.reading import read_table
+    from stridemap.tables.streaming import export_file
 
     target = _target(table, to, out)
     check_ending(target)
-    read = read_table(table, model, table_units(units))
-    if where is not None:
-        read = read.where(where)
-    for path in export_(read, target, by):
+    names = None if columns is None else [name.strip() for name in columns.split(",")]
+    written, rows = export_file(
+        table, target, by, model=model, units=table_units(units), columns=names, where=where
+    )
+    for path in written:
         print(path)
-    return FOUND if len(read) else NOTHING
+    return FOUND if rows else NOTHING
 
 
 def _target(table: Path, to: str | None, out: Path | None) -> Path:

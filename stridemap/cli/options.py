@@ -217,8 +217,9 @@ def parameters(extra: list[str], assignments: list[str] | None) -> dict[str, Any
         name, equals, value = word[2:].partition("=")
         if name == "units":
             raise InputError(
-                "--units is not an option of this command, whose parameters are in the model's units; write "
-                "a table with --out and convert it: stridemap export TABLE --units leg_length=...,mass=..."
+                "--units is not an option of this command, whose parameters are in the model's units; "
+                "stridemap orbit --units leg_length=...,mass=... shows a cycle in SI units, and "
+                "stridemap.Units converts numbers"
             )
         text = value if equals else next(rest, None)
         if text is None or (text.startswith("--") and not equals):
@@ -258,17 +259,17 @@ def option_values(option: str, assignments: list[str] | None) -> dict[str, Any]:
     return pairs
 
 
-def box(ranges: list[str] | None) -> dict[str, tuple[float, float]]:
-    """A search box from words ``NAME=LOW:HIGH``."""
+def box(ranges: list[str] | None, option: str = "--search-box") -> dict[str, tuple[float, float]]:
+    """Ranges of values, such as a search box, from words ``NAME=LOW:HIGH``."""
     out: dict[str, tuple[float, float]] = {}
     for word in ranges or ():
-        name, text = split(word, "--search-box")
+        name, text = split(word, option)
         low, _, high = text.partition(":")
         try:
             ends = (float(low), float(high))
         except ValueError:
             raise InputError(
-                f"--search-box {word!r} is not understood; write --search-box NAME=LOW:HIGH with two numbers"
+                f"{option} {word!r} is not understood; write {option} NAME=LOW:HIGH with two numbers"
             ) from None
         if name in out:
             raise InputError(f"{name} is given twice")

@@ -27,13 +27,22 @@ def plot(
     units: TableUnitsOption = None,
 ) -> int:
     """Draw one column of a table over another: of a sweep, a branch, limit cycles or a walk."""
-    from stridemap.tables.reading import read_table
+    from stridemap.tables.reading import read_table, table_head
+    from stridemap.tables.where import names_in, selected
     from stridemap.views.branch_diagram import check_picture
-    from stridemap.views.scatter import plot_table
+    from stridemap.views.scatter import check_columns, plot_table
     from stridemap.views.style import save
 
     check_picture(out)
-    read = read_table(table, model, table_units(units))
+    head, names = table_head(table, model, table_units(units)), None
+    if head.grid:  # of a sweep, which may be large, only what is drawn is read
+        check_columns(head, x, y, colour)
+        wanted = {x, y, colour, "stable"}
+        if where is not None:
+            selected(head.frame, where)
+            wanted |= set(names_in(where))
+        names = [name for name in head.columns if name in wanted]
+    read = read_table(table, model, table_units(units), names)
     figure = plot_table(read, x, y, colour=colour, where=where)
     save(figure, out)
     print(out)

@@ -5,7 +5,7 @@ from typing import Annotated
 
 import typer
 
-from stridemap.cli.options import FOUND, INTERRUPTED, DeriveTimeoutOption, SetOption, parameters
+from stridemap.cli.options import FOUND, INTERRUPTED, DeriveTimeoutOption, SetOption, box, parameters, whole
 from stridemap.cli.paper_options import (
     SweepsOption,
     ThinOption,
@@ -41,6 +41,13 @@ def report(
             help="Branches to draw in slices: what `stridemap branch --out` wrote; may be repeated.",
         ),
     ] = None,
+    part: Annotated[
+        list[str] | None,
+        typer.Option(metavar="NAME=LOW:HIGH", help="Show the grid between two values of a parameter only."),
+    ] = None,
+    most_cycles: Annotated[
+        int, whole("Limit cycles above which every so many values of the grid are shown.")
+    ] = 100_000,
     sweeps: SweepsOption = None,
     workers: WorkersOption = None,
     set_: SetOption = None,
@@ -53,6 +60,7 @@ def report(
     not finished is swept first. --sweeps, --workers, --set and --thin are for these sweeps.
     """
     from stridemap.paper import report as report_paper
+    from stridemap.paper.points import KEPT
     from stridemap.paper.sweeps import default_folder
     from stridemap.views import write_report
 
@@ -65,7 +73,17 @@ def report(
                 "sweeps; leave it out, or leave the folder out"
             )
         with shown("writing the report"):
-            summary = write_report(folder, out, claims, model, curves, branches=branches or ())
+            summary = write_report(
+                folder,
+                out,
+                claims,
+                model,
+                curves,
+                branches=branches or (),
+                part=box(part, "--part"),
+                most_cycles=most_cycles,
+                kept=KEPT,
+            )
     elif curves is not None:
         raise InputError(
             "--curves is for the sweep in SWEEP_DIR; give that folder, or leave --curves out: the paper's "
@@ -73,6 +91,8 @@ def report(
         )
     elif model is not None:
         raise InputError("--model is for the sweep in SWEEP_DIR; give that folder, or leave --model out")
+    elif part is not None:
+        raise InputError("--part is for the sweep in SWEEP_DIR; give that folder, or leave --part out")
     else:
         params = parameters([], set_)
         where = default_folder(params, thin) if sweeps is None else sweeps
@@ -91,8 +111,9 @@ def report(
         except KeyboardInterrupt:
             say_interrupted(where)
             return INTERRUPTED
-    print(
-        f"report of {summary.orbits:,} limit cycles in {summary.cells:,} cells: {summary.path} "
-        f"({summary.size / 1e6:.1f} MB)"
-    )
+    of = [
+        f"{shown:,}" if shown == every else f"{shown:,} of {every:,}"
+        for shown, every in ((summary.orbits, summary.all_orbits), (summary.cells, summary.all_cells))
+    ]
+    print(f"report of {of[0]} limit cycles in {of[1]} cells: {summary.path} ({summary.size / 1e6:.1f} MB)")
     return FOUND

@@ -149,6 +149,23 @@ class Size:
                 out[name] = self.shown(name, value)
         return out
 
+    def ends(self, name: str, ends: Any) -> Any:
+        """Lowest and highest value of a parameter as the model has them."""
+        return tuple(self.own(name, end) for end in ends)
+
+    def unit(self, name: str) -> str:
+        """The SI unit of a number; empty for a pure number, and where no size is given."""
+        unit = "" if self.units is None else self.column(name).unit
+        return "" if unit == "1" else unit
+
+    def titled(self, name: str) -> str:
+        """The name of a number, with its unit where that is an SI unit."""
+        return f"{name} [{unit}]" if (unit := self.unit(name)) else name
+
+    def frame(self, frame: Any) -> Any:
+        """A data frame of the model's as it is printed and written."""
+        return frame if self.units is None or not len(frame.columns) else self.units.table_si(frame)
+
     @property
     def said(self) -> dict[str, Any]:
         """What JSON says of its units: nothing where they are the model's."""

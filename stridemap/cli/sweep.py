@@ -66,10 +66,9 @@ def sweep(
         return INTERRUPTED
     if csv:
         from stridemap.sweeps.config import load_config
-        from stridemap.tables.export import export
-        from stridemap.tables.reading import read_table
+        from stridemap.tables.streaming import export_file
 
-        export(read_table(out, load_config(config).model), out / "orbits.csv")
+        export_file(out, out / "orbits.csv", model=load_config(config).model)
     done = "was finished before" if summary.already_finished else "finished"
     failed = (
         f", {summary.failed_cells:,} cells failed (see the reasons in cells.parquet)"

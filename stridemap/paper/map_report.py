@@ -8,6 +8,7 @@ from typing import Any
 from stridemap.paper.cycle_tables import cycle_tables
 from stridemap.paper.evaluate import evaluate
 from stridemap.paper.map_boundaries import map_boundaries
+from stridemap.paper.points import KEPT
 from stridemap.paper.sweeps import paper_sweeps
 from stridemap.services import shown
 from stridemap.sweeps.run import Progress
@@ -60,5 +61,11 @@ def report(
     drawn = None if curves.empty else curves
     with shown("writing the report"):
         return write_report(
-            paper.run("map"), out, verdicts, curves=drawn, references=references, branches=branches
+            paper.run("map"),
+            out,
+            verdicts,
+            curves=drawn,
+            references=references,
+            branches=branches,
+            kept=KEPT,
         )

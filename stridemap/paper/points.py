@@ -12,6 +12,9 @@ TYPICAL = {"A": 0.5, "B": 6.0, "C": 22.5}
 PLANE = {"alpha": 0.25, "omega": 3.0}
 """Where the typical solutions are."""
 
+KEPT = {"k": tuple(TYPICAL.values()), "alpha": ALPHAS, "omega": OMEGAS}
+"""Values that a report leaves in where it leaves others out."""
+
 GROUPS_FOUND = "III-A, Obtained solution groups"
 PERFORMANCE = "III-B, Walking performances"
 DEPENDENCY = "IV-A, Parameter dependency of the model"

@@ -53,6 +53,11 @@ def in_si(table: Table, units: Units) -> Table:
         When it is in SI units already, or has columns whose units no size converts.
     """
     check(table.columns)
+    return converted(table, units)
+
+
+def converted(table: Table, units: Units) -> Table:
+    """A table in SI units, some of whose columns were found to be convertible."""
     frame = _converted(table.frame, table.columns, units)
     cells = None if table.cells is None else _converted(table.cells, table.columns, units)
     grid = {

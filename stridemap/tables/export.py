@@ -68,25 +68,30 @@ def check_ending(path: Path) -> None:
 
 
 def _csv(table: Table, path: Path, _by: str) -> dict[Path, bytes]:
-    import pandas as pd
-
-    about = pd.DataFrame(
-        [{"column": one.name, "meaning": one.label, "unit": one.unit} for one in table.columns.values()]
-    )
     return {
         path: csv_text(table.frame).encode(),
-        path.with_stem(f"{path.stem}_columns"): csv_text(about).encode(),
+        path.with_stem(f"{path.stem}_columns"): about_columns(table).encode(),
     }
 
 
-def csv_text(frame: Any) -> str:
+def about_columns(table: Table) -> str:
+    """What stands beside a table of comma-separated values: meaning and unit of each column."""
+    import pandas as pd
+
+    rows = [{"column": one.name, "meaning": one.label, "unit": one.unit} for one in table.columns.values()]
+    return csv_text(pd.DataFrame(rows))
+
+
+def csv_text(frame: Any, header: bool = True) -> str:
     """A data frame as comma-separated values, with all digits; what is missing is empty.
 
     Parameters
     ----------
     frame : pandas.DataFrame
+    header : bool
+        Whether the names of columns stand in the first line.
     """
-    text: str = frame.to_csv(index=False, lineterminator="\n")
+    text: str = frame.to_csv(index=False, lineterminator="\n", header=header)
     return text
 
 

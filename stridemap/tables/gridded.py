@@ -100,6 +100,11 @@ def gridded(table: Table, by: str = "cycle") -> Gridded:
             for name in table.columns
         }
         return Gridded(coordinates, variables, attrs)
+    needed = [*table.grid, "cell", *(["period"] if table.what != "grid cells" else [])]
+    needed += ["branch"] if by == "branch" else []
+    if lacking := [name for name in needed if name not in table.columns]:
+        columns = f"column{'s' if len(lacking) > 1 else ''} {', '.join(lacking)}"
+        raise InputError(f"arrays over the grid need the {columns}, which the table lacks; read all columns")
     axes = {name: np.array(values) for name, values in table.grid.items()}
     shape = tuple(map(len, axes.values()))
     coordinates = {name: Variable((name,), values, _attrs(table, name)) for name, values in axes.items()}

@@ -73,6 +73,14 @@ def selected(frame: "pd.DataFrame", condition: Any) -> "pd.Series":
     return found.fillna(False).astype(bool)
 
 
+def names_in(condition: str) -> list[str]:
+    """The names of columns in a condition that `selected` has understood."""
+    tree = ast.parse(_in_words(condition.strip()), mode="eval")
+    called = {id(node.func) for node in ast.walk(tree) if isinstance(node, ast.Call)}
+    names = [node.id for node in ast.walk(tree) if isinstance(node, ast.Name) and id(node) not in called]
+    return list(dict.fromkeys(names))
+
+
 _WORDS = {"&": " and ", "&&": " and ", "|": " or ", "||": " or ", "~": " not "}
 _SIGNS = re.compile(r"""('[^']*'|"[^"]*")|(&&?|\|\|?|~)""")
 

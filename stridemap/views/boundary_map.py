@@ -6,8 +6,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stridemap.solver.boundaries.boundaries import Boundaries
+from stridemap.units import Units
 from stridemap.views.markers import BOUNDARY_LINES, BOUNDARY_NAMES, MARKERS, POINTS
 from stridemap.views.optional import require_pictures
+from stridemap.views.sizes import in_units
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -16,7 +18,13 @@ SIZE = (6.2, 4.2)
 """Width and height in inches."""
 
 
-def boundary_map(boundaries: Boundaries, *, gaits_only: bool = True, stable_only: bool = False) -> "Figure":
+def boundary_map(
+    boundaries: Boundaries,
+    *,
+    gaits_only: bool = True,
+    stable_only: bool = False,
+    units: Units | None = None,
+) -> "Figure":
     """Draw boundaries in the plane of their two parameters.
 
     Where a boundary limits stable gaits it is thick; elsewhere thin.
@@ -28,6 +36,8 @@ def boundary_map(boundaries: Boundaries, *, gaits_only: bool = True, stable_only
         Whether parts and points at which cycles are not gaits are left out.
     stable_only : bool
         Whether parts that do not limit stable gaits are left out.
+    units : Units, optional
+        The size of a robot: values are in its SI units.
 
     Returns
     -------
@@ -46,8 +56,11 @@ def boundary_map(boundaries: Boundaries, *, gaits_only: bool = True, stable_only
         figure = style.new_figure(*SIZE)
         axes = figure.subplots()
         labelled: set[str] = set()
+        factors, words = zip(
+            *(in_units(boundaries.model, name, units) for name in boundaries.vary), strict=True
+        )
         for one in boundaries:
-            plane = one.cycles[:, -2:]
+            plane = one.cycles[:, -2:] * factors
             gait, stable = one.is_gait, one.borders_stable
             label = MARKERS[one.type][1] if one.type in MARKERS else BOUNDARY_NAMES[one.type]
             colour, dashes = BOUNDARY_LINES[one.type]
@@ -73,8 +86,8 @@ def boundary_map(boundaries: Boundaries, *, gaits_only: bool = True, stable_only
             if point.type != "corner" and (point.gait or not gaits_only):
                 first, second = boundaries.vary
                 axes.plot(
-                    [point.params[first]],
-                    [point.params[second]],
+                    [point.params[first] * factors[0]],
+                    [point.params[second] * factors[1]],
                     marker=marker,
                     linestyle="",
                     markersize=4.5,
@@ -82,8 +95,9 @@ def boundary_map(boundaries: Boundaries, *, gaits_only: bool = True, stable_only
                     label=None if name in labelled else name,
                 )
                 labelled.add(name)
-        axes.set(xlabel=boundaries.vary[0], ylabel=boundaries.vary[1])
-        axes.set(xlim=boundaries.ranges[0], ylim=boundaries.ranges[1])
+        across, up = (f"{name}{word}" for name, word in zip(boundaries.vary, words, strict=True))
+        ends = np.array(boundaries.ranges) * np.array(factors)[:, None]
+        axes.set(xlabel=across, ylabel=up, xlim=ends[0], ylim=ends[1])
         axes.set_title(boundaries.model.title)
         if labelled:
             axes.legend(loc="center left", bbox_to_anchor=(1.01, 0.5))

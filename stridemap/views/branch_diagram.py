@@ -1,6 +1,6 @@
 """Bifurcation diagrams: branches of limit cycles over a parameter, with their special points."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -10,9 +10,11 @@ from numpy.typing import NDArray
 from stridemap.errors import InputError
 from stridemap.solver.branches.branches import Branches, SpecialPoint
 from stridemap.solver.model.model import Model
+from stridemap.units import Units
 from stridemap.views.branch_lines import NO_GAIT, STABLE, UNSTABLE, kinds_of, looks_between, placed
 from stridemap.views.markers import MARKERS
 from stridemap.views.optional import require_pictures
+from stridemap.views.sizes import in_units
 from stridemap.words import multiplier_columns
 
 if TYPE_CHECKING:
@@ -25,7 +27,9 @@ SIZE = (5.2, 3.6)
 """Width and height in inches."""
 
 
-def branch_diagram(branches: Branches, y: str = "period", *, gaits_only: bool = False) -> "Figure":
+def branch_diagram(
+    branches: Branches, y: str = "period", *, gaits_only: bool = False, units: Units | None = None
+) -> "Figure":
     """Draw a bifurcation diagram.
 
     Stable cycles are solid, unstable ones dashed, and cycles that are not gaits thin and grey. Bifurcations
@@ -39,6 +43,8 @@ def branch_diagram(branches: Branches, y: str = "period", *, gaits_only: bool = 
         of a cycle; or any other column of ``branches.to_frame()``.
     gaits_only : bool
         Whether cycles that are not gaits are left out.
+    units : Units, optional
+        The size of a robot: values are in its SI units.
 
     Returns
     -------
@@ -57,11 +63,16 @@ def branch_diagram(branches: Branches, y: str = "period", *, gaits_only: bool = 
     with style.styled():
         figure = style.new_figure(*SIZE)
         axes = figure.subplots()
+        (across, along), (up, upwards) = (
+            in_units(branches.model, name, units) for name in (branches.vary, y)
+        )
         for number in range(len(branches)):
             drawn = _drawn(branches, number, y)
+            drawn = replace(drawn, x=drawn.x * across, y=drawn.y * up)
             _draw(axes, drawn, gaits_only)
             _mark(axes, drawn, gaits_only)
-        axes.set(xlabel=branches.vary, ylabel=_label(branches, y), xlim=branches.range)
+        axes.set(xlabel=f"{branches.vary}{along}", ylabel=f"{_label(branches, y)}{upwards}")
+        axes.set(xlim=[end * across for end in branches.range])
         axes.set_title(branches.model.title)
         if axes.get_legend_handles_labels()[1]:
             axes.legend(loc="best")
@@ -174,7 +185,9 @@ def _mark(axes: "Axes", drawn: _Drawn, gaits_only: bool) -> None:
         if one.criticality == "subcritical":
             look["markerfacecolor"] = style.WHITE
         values = drawn.y[at]
-        axes.plot(np.full(len(values), one.value), values, label=None if label in labelled else label, **look)
+        axes.plot(
+            np.full(len(values), drawn.x[at]), values, label=None if label in labelled else label, **look
+        )
         labelled.add(label)
 
 

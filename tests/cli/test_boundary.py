@@ -1,5 +1,6 @@
 """``stridemap boundary``: the curves, the double points, the files and what is refused."""
 
+import io
 import json
 import math
 
@@ -8,6 +9,7 @@ import pandas as pd
 import pytest
 
 import stridemap
+from stridemap.views.report.curves import read_curves
 
 LINE = (
     "boundary --model goswami_compass --vary slope --range 0.05 0.1 --vary mu --range 1 4 --lines 1 --seeds 2"
@@ -87,3 +89,63 @@ def test_arguments_of_another_kind_are_refused():
     for vary, ranges in (("slope", ((0, 1), (0, 1))), (("slope", "mu"), 3), (("slope",), ((0, 1),))):
         with pytest.raises(stridemap.InputError, match="not allowed"):
             stridemap.boundaries("goswami_compass", vary, ranges)
+
+
+# -- in SI units ---------------------------------------------------------------------------------------------
+
+LENGTH, MASS, GRAVITY = 0.8, 40.0, 9.81
+SECOND = math.sqrt(LENGTH / GRAVITY)
+OWN = {"vary": ("radius", "hip_mass"), "ranges": ((0.05, 0.2), (0.9, 1.1))}
+ROUND = ["boundary", *"--model round_feet --lines 1 --seeds 2 --starts 64 --slope 0.08".split()]
+for name, (low, high), factor in zip(OWN["vary"], OWN["ranges"], (LENGTH, MASS), strict=True):
+    ROUND += ["--vary", name, "--range", repr(low * factor), repr(high * factor)]
+ROUND += ["--units", f"leg_length={LENGTH},mass={MASS},gravity={GRAVITY}"]
+
+
+@pytest.fixture(scope="module")
+def own():
+    options = stridemap.SearchOptions(64)
+    return stridemap.boundaries("round_feet", **OWN, slope=0.08, lines=1, seeds=2, search=options)
+
+
+def test_boundaries_in_si_units(run, own, tmp_path):
+    words = [*ROUND, "--json", "--out", tmp_path / "b.parquet", "--plot", tmp_path / "b.svg"]
+    status, out, err = run(*words)
+    assert (status, err) == (0, "")
+    found, plain = json.loads(out), own.to_dict()
+    assert found["units"] == {"leg_length": LENGTH, "mass": MASS, "gravity": GRAVITY}
+    assert found["ranges"] == [[0.05 * LENGTH, 0.2 * LENGTH], [0.9 * MASS, 1.1 * MASS]]
+    assert found["params"]["leg_mass"] == pytest.approx(plain["params"]["leg_mass"] * MASS, rel=1e-14)
+    assert len(found["boundaries"]) == len(own) > 0
+    for one, other in zip(found["boundaries"], plain["boundaries"], strict=True):
+        np.testing.assert_allclose(one["curve"], np.array(other["curve"]) * [LENGTH, MASS], rtol=1e-6)
+    table, frame = stridemap.read_table(tmp_path / "b.parquet"), own.to_frame()
+    for name, factor in {"radius": LENGTH, "hip_mass": MASS, "period": SECOND, "arclength": 1}.items():
+        np.testing.assert_allclose(table.frame[name], frame[name] * factor, rtol=1e-6, atol=1e-9)
+    assert [table.columns[name].unit for name in ("radius", "hip_mass", "period")] == ["m", "kg", "s"]
+    picture = (tmp_path / "b.svg").read_text("utf-8")
+    assert "radius [m]" in picture and "hip_mass [kg]" in picture
+    with pytest.raises(stridemap.InputError, match="in SI units, and the report's in the model's"):
+        read_curves(tmp_path / "b.parquet")
+
+
+def test_boundaries_as_comma_separated_values(run, own):
+    status, out, _ = run(*ROUND)
+    assert status == 0
+    assert f"radius from {0.05 * LENGTH:g} to {0.2 * LENGTH:g} m and hip_mass from 36 to 44 kg" in out
+    status, text, err = run(*ROUND, "--csv")
+    assert (status, err) == (0, "")
+    rows, frame = pd.read_csv(io.StringIO(text)), own.to_frame()
+    assert list(rows) == list(frame)
+    np.testing.assert_allclose(rows["hip_mass"], frame["hip_mass"] * MASS, rtol=1e-6)
+
+
+def test_comma_separated_values_in_the_units_of_the_model(run, found):
+    status, text, _ = run(*LINE.split(), "--csv")
+    assert status == 0
+    pd.testing.assert_frame_equal(pd.read_csv(io.StringIO(text)), found.to_frame(), check_dtype=False)
+
+
+@pytest.mark.quick
+def test_two_formats_are_refused(refused):
+    refused(f"{LINE} --json --csv", "--json and --csv cannot be given together")

@@ -13,6 +13,7 @@ import stridemap
 from stridemap.cli.completion import SHELLS
 from stridemap.solver.model.loading import available, load
 from tests.oracles.states import need
+from tests.oracles.sweeping import Inline
 
 SIZE = ["--units", "leg_length=0.75,mass=32"]
 STIFFNESS = 32 * 9.80665 / 0.75
@@ -236,4 +237,43 @@ def test_points_of_branches_as_comma_separated_values(run, refused):
     assert (status, err) == (0, "")
     assert {"branch", "arclength", "slope", "period", "gait"} <= set(rows[0])
     assert all(0.18 <= float(row["slope"]) <= 0.2 for row in rows)
-    refused([*words, *SIZE], "--units is not an option of this command", "stridemap export TABLE --units")
+    refused(
+        ["derive", "compass", "--out", "c", "--cycle", "stable", *SIZE],
+        "--units is not an option of this command", "stridemap orbit --units",
+    )  # fmt: skip
+
+
+def test_exports_stream_what_a_whole_table_would_write(run, done, tmp_path, monkeypatch):
+    """Batch by batch the files are the same, also of a part and in SI units."""
+    from stridemap.sweeps import files
+
+    monkeypatch.setattr(files, "GROUP_ROWS", 1)
+    folder = tmp_path / "pieces"
+    stridemap.sweep(done / "small.toml", folder, executor=Inline())
+    assert len(list(stridemap.read_batches(folder))) == 2
+    table = stridemap.read_table(folder)
+    table.export(tmp_path / "whole.csv")
+    assert run("export", folder, "--out", tmp_path / "streamed.csv")[0] == 0
+    for ending in (".csv", "_columns.csv"):
+        assert (tmp_path / f"streamed{ending}").read_bytes() == (tmp_path / f"whole{ending}").read_bytes()
+    words = ["--columns", "omega,cot,group", "--where", "stable", *SIZE]
+    assert run("export", folder, *words, "--out", tmp_path / "part.parquet")[0] == 0
+    part = stridemap.read_table(tmp_path / "part.parquet")
+    wanted = stridemap.read_table(folder, units=stridemap.Units(0.75, 32.0)).where("stable")
+    assert list(part.columns) == ["omega", "cot", "group"]
+    assert part.columns["omega"].unit == "rad/s"
+    assert part.model == table.model
+    for name in part.columns:
+        assert part.frame[name].tolist() == wanted.frame[name].tolist()
+    assert run("export", folder, "--where", "omega > 9", "--out", tmp_path / "none.csv")[0] == 1
+    assert (tmp_path / "none.csv").read_text().splitlines() == [",".join(table.columns)]
+
+
+def test_an_export_that_fails_leaves_what_was_there(refused, done, tmp_path):
+    elsewhere = tmp_path / "elsewhere"
+    (elsewhere / "folder.csv").mkdir(parents=True)
+    (elsewhere / "o.csv").write_text("mine")
+    refused(["export", done / "out", "--out", elsewhere / "o.csv", "--columns", "cott"], "did you mean cot?")
+    assert (elsewhere / "o.csv").read_text() == "mine"
+    refused(["export", done / "out", "--out", elsewhere / "folder.csv"], "cannot write", "it is not a file")
+    assert sorted(path.name for path in elsewhere.iterdir()) == ["folder.csv", "o.csv"]

@@ -88,7 +88,7 @@ SWEEPS = (
         ("tests/sweeps/test_grid.py::test_cells_beside_are_one_step_along_one_axis_that_is_not_the_longest",),
     ),
     Mutation(
-        "sweeps/run.py",
+        "sweeps/found.py",
         "return (period > shortest) & (period <= longest)",
         "return (period > 0) & (period <= 2 * longest)",
         "cycles outside the range of periods are rows",
@@ -109,11 +109,11 @@ SWEEPS = (
         ("tests/sweeps/test_config.py::test_bad_file_is_told_in_one_sentence",),
     ),
     Mutation(
-        "sweeps/tables.py",
-        '"stable_orbits": np.bincount(found[stable], minlength=n_cells)',
-        '"stable_orbits": np.bincount(found, minlength=n_cells)',
+        "sweeps/found.py",
+        "np.add.at(self.stable, cell[counts & stable], 1)",
+        "np.add.at(self.stable, cell[counts], 1)",
         "all cycles of a cell are counted as stable",
-        ("tests/sweeps/test_store.py::test_cell_table_counts_orbits",),
+        ("tests/sweeps/test_run.py::test_cells_count_the_orbits_and_summary_adds_up",),
     ),
 )
 
@@ -161,8 +161,8 @@ POINTS = (
         (f"{SPECIAL}::test_a_line_has_the_special_points_of_the_branches_over_its_parameter",),
     ),
     Mutation(
-        "sweeps/run.py",
-        "_numbered(special, numbers[len(orbits) :])",
+        "sweeps/found.py",
+        "_numbered(special, numbers[len(met) :])",
         "_numbered(special, numbers[: len(special)])",
         "special points have the families of other cycles",
         (f"{SPECIAL}::test_no_cycle_vanishes_along_a_line_without_a_special_point",),

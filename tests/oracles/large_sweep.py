@@ -1,18 +1,17 @@
 """A sweep of a hundred thousand cycles that nobody computed, for the size and the speed of the page."""
 
-from types import SimpleNamespace
-
 import numpy as np
 import pandas as pd
 
 from stridemap.solver.model.loading import load
 from stridemap.sweeps.tables import FORMAT
+from stridemap.views.report.shown import Shown
 
 OMEGAS = 5
 
 
 def large_sweep(cycle, cycles=100_000, seed=1):
-    """What `read_sweep` gives, made up from one computed cycle of the walker: all of its digits are random.
+    """What `read_shown` gives, made up from one computed cycle of the walker: all of its digits are random.
 
     Parameters
     ----------
@@ -55,4 +54,4 @@ def large_sweep(cycle, cycles=100_000, seed=1):
         "model_hash": model.hash, "configuration_hash": "0" * 64, "commit": None, "compiler": None,
         "arithmetic": None,
     }  # fmt: skip
-    return SimpleNamespace(model=model, provenance=provenance, orbits=orbits, cells=cells)
+    return Shown(model, provenance, grid, orbits, cells, len(orbits), len(cells))

@@ -189,8 +189,8 @@ def test_public_names():
         "QUANTITIES", "Quantity", "ScalarC", "SearchOptions", "Status", "StorageError", "StridemapError",
         "Summary", "SweepConfig", "Units", "Verdict", "Walk", "WorkerError", "__version__", "animate",
         "available", "claims", "derive_model", "find_orbits", "is_physical_gait", "load", "load_config",
-        "motion", "parse_config", "read_cells", "read_orbits", "read_provenance", "read_special", "simulate",
-        "sweep",
+        "motion", "parse_config", "read_batches", "read_cells", "read_orbits", "read_provenance",
+        "read_special", "read_table", "simulate", "sweep",
     } <= set(stridemap.__all__)  # fmt: skip
     for name in stridemap.__all__:
         value = getattr(stridemap, name)

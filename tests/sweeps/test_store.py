@@ -68,7 +68,10 @@ SPECIAL = special_table_of(MODEL, {})
 def make_cells(orbits):
     status = ["ok", "failed", "ok", "ok", "ok", "ok"]
     reason = [None, "no start converged", None, None, None, None]
-    return cell_table(MODEL, POINTS, orbits, status, reason)
+    found, stable = orbits["cell"].to_numpy(), orbits["stable"].fill_null(False).to_numpy()
+    of_each = [np.bincount(cell, minlength=6) for cell in (found, found[stable])]
+    counts = dict(zip(("orbits", "stable_orbits"), of_each, strict=True))
+    return cell_table(MODEL, POINTS, counts, status, reason)
 
 
 def finished(folder, config=CONFIG, provenance=PROVENANCE):
@@ -130,15 +133,19 @@ def test_a_missing_value_is_refused_where_columns_must_be_full():
 
 
 @pytest.mark.quick
-def test_cell_table_counts_orbits():
+def test_a_table_of_cells_begins_at_any_cell():
     cells = make_cells(make_table()).to_pydict()
     assert cells["cell"] == [0, 1, 2, 3, 4, 5]
     assert cells["orbits"] == [2, 0, 1, 0, 0, 1]
     assert cells["stable_orbits"] == [2, 0, 0, 0, 0, 1]
     assert cells["k"] == [1.0, 1.0, 2.0, 2.0, 3.0, 3.0]
     assert cells["reason"][1] == "no start converged"
+    none = {"orbits": np.zeros(2, np.int32), "stable_orbits": np.zeros(2, np.int32)}
+    two = cell_table(MODEL, POINTS[4:], none, ["empty", "empty"], [None, None], first=4)
+    assert two["cell"].to_pylist() == [4, 5]
+    assert two.schema == cell_schema(MODEL)
     with pytest.raises(ValueError, match="status has missing"):
-        cell_table(MODEL, POINTS, NONE, [None] * 6, [None] * 6)
+        cell_table(MODEL, POINTS[4:], none, [None, None], [None, None])
 
 
 # Writing and reading

@@ -15,7 +15,7 @@ from stridemap.solver.model.model import Model
 from stridemap.views import palette
 from stridemap.views.branch_lines import kinds_of, looks_between, placed
 from stridemap.views.markers import BOUNDARY_LINES, BOUNDARY_NAMES, MARKERS
-from stridemap.views.report.curves import same
+from stridemap.views.report.curves import check_units, same
 from stridemap.views.report.encoding import Encoder
 
 Given = str | Path | Branches
@@ -49,6 +49,7 @@ def read_branches(given: Given) -> tuple[pd.DataFrame, pd.DataFrame, str]:
             f"cannot read branches from {path} ({error}); give what `stridemap branch --out` wrote, with the "
             f"file {path.stem}_special{path.suffix} beside it"
         ) from None
+    check_units(tables[0], f"the branches in {path}")
     return tables[0], tables[1], f"the branches in {path}"
 
 

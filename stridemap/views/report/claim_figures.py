@@ -16,6 +16,8 @@ WIDTH, HEIGHT, ROW = 300, 168, 17
 TOP, RIGHT, BOTTOM = 20, 12, 32
 LETTER = 5.9
 """Mean width of a letter."""
+APART = 13
+"""How far lines of text are apart, lest they touch."""
 
 
 def drawn(figure: SmallFigure) -> str:
@@ -199,7 +201,7 @@ def _marks(frame: _Frame) -> Iterable[str]:
         free = [
             (left, up)
             for left, up in _places(frame, x, y, width)
-            if all(abs(up - v) > 10 or left + width < u or left > u + w for u, v, w in taken)
+            if all(abs(up - v) > APART or left + width < u or left > u + w for u, v, w in taken)
         ]
         if free and mark.text:
             left, up = min(free, key=lambda place: _covered(points, place[0], place[1], width))
@@ -227,7 +229,8 @@ def _places(frame: _Frame, x: float, y: float, width: float) -> Iterable[tuple[f
     right, bottom = WIDTH - 2, frame.height - BOTTOM - 5
     sides = [(x + 8, y), (x - 8 - width, y)]
     if not frame.panel.y.rows:
-        sides += [(x - width / 2, y - 12), (x - width / 2, y + 13), (x + 4, y - 12), (x - width - 4, y + 13)]
+        up, down = y - APART - 2, y + APART + 2
+        sides += [(x - width / 2, up), (x - width / 2, down), (x + 4, up), (x - width - 4, down)]
     for left, up in sides:
         if left > frame.left + 1 and left + width < right and TOP + 5 <= up <= bottom + 3:
             yield left, up

@@ -40,6 +40,7 @@ function buildAxes() {
     state[one] = Number(value);
     if (state[other] === state[one]) state[other] = before;
     state.view = null;
+    if (referenceLabels.includes(state.about)) state.range = null; // it may have been one of differences
     buildAxes();
     buildSliders();
     buildAbout();
@@ -96,10 +97,7 @@ function buildControls() {
 function buildAbout() {
   const select = byId("about");
   const name = state.colour;
-  const labels = referenceLabels.filter((label) => {
-    const axes = references.filter((one) => one.quantity === name && one.label === label).flatMap(({ at }) => at.map(([axis]) => axis));
-    return hasReference(name, label) && !axes.includes(state.across) && !axes.includes(state.up);
-  });
+  const labels = referenceLabels.filter((label) => hasReference(name, label));
   const found = [
     ...(name in CENTRES ? [["", `about ${CENTRES[name]}`], ["plain", "from low to high"]] : [["", "from low to high"]]),
     ...labels.map((label) => [label, `about the ${label}'s value`]),

@@ -10,6 +10,7 @@ import numpy as np
 import pandas as pd
 import pyarrow as pa
 
+from stridemap.columns import description
 from stridemap.errors import InputError
 from stridemap.solver.model.model import Model
 from stridemap.views.markers import BOUNDARY_LINES, BOUNDARY_NAMES
@@ -33,11 +34,28 @@ def read_curves(path: str | Path) -> pd.DataFrame:
         When it cannot be read.
     """
     try:
-        return pd.read_csv(path) if str(path).endswith(".csv") else pd.read_parquet(path)
+        table = pd.read_csv(path) if str(path).endswith(".csv") else pd.read_parquet(path)
     except (OSError, ValueError, pa.ArrowException) as error:
         raise InputError(
             f"cannot read boundaries from {path} ({error}); give what `stridemap boundary --out` wrote"
         ) from None
+    check_units(table, f"the boundaries in {path}")
+    return table
+
+
+def check_units(table: pd.DataFrame, source: str) -> None:
+    """Refuse a table that says of itself that it is in SI units.
+
+    Raises
+    ------
+    InputError
+        For such a table.
+    """
+    known = description(table)[0].values()
+    if any(one.unit == one.si != "" and one.unit not in ("1", "rad") for one in known):
+        raise InputError(
+            f"{source} are in SI units, and the report's in the model's; write them without --units"
+        )
 
 
 def curves(

@@ -125,7 +125,7 @@ function redraw() {
   const key = drawnKey();
   if (looks?.key !== key) {
     const measured = state.colour !== STABILITY;
-    looks = { key, plain: { stable: styled("map-stable"), unstable: styled("map-unstable") }, scale: measured ? mapScale() : null, values: measured ? quantityOf(state.colour).numbers() : null };
+    looks = { key, plain: { stable: styled("map-stable"), unstable: styled("map-unstable") }, scale: measured ? mapScale() : null, values: measured ? mapQuantity().numbers() : null };
   }
   map.show({
     across: state.across, up: state.up, indices: state.indices, look, caption: caption(), chosen: state.cell,
@@ -143,7 +143,7 @@ function redraw() {
 // What the colours of the map mean, in a line that saved pictures bear as well.
 function caption() {
   const at = grid.axes.flatMap((axis, i) => (i === state.across || i === state.up ? [] : [`${axis.symbol} = ${axisQuantities[i].text(axis.values[state.indices[i]])}`]));
-  const quantity = quantityOf(state.colour);
+  const quantity = mapQuantity();
   const { scale } = looks;
   const colour = state.colour === STABILITY ? "blue: stable, hatched: unstable" : `${quantity.title}: dark to bright from ${quantity.text(scale.low, 4)} to ${quantity.text(scale.high, 4)}`;
   const diverging = scale && scale.centre !== null ? `${quantity.title}: blue below ${quantity.text(scale.centre, 4)}, brown above, from ${quantity.text(scale.low, 4)} to ${quantity.text(scale.high, 4)}` : colour;
@@ -280,17 +280,18 @@ function legend() {
     }
     const labels = { stable: "stable", unstable: "unstable only", none: "no cycle found", failed: "failed" };
     const shown = Object.keys(labels).filter((key) => counts[key] || key !== "failed");
-    box.replaceChildren(...shown.map((key) => swatch(key, `${labels[key]}: ${counts[key]} cells`)), ...lettered);
+    box.replaceChildren(...shown.map((key) => swatch(key, `${labels[key]}: ${counts[key].toLocaleString("en")} ${counts[key] === 1 ? "cell" : "cells"}`)), ...lettered);
     return;
   }
-  const quantity = quantityOf(state.colour);
+  const quantity = mapQuantity();
   const { scale } = looks;
   bar.show(scale, quantity);
   const beyond = [scale.below ? "below" : "", scale.above ? "above" : ""].filter(Boolean).join(" and ");
   const label = referenceLabels.includes(state.about) ? `${state.about}'s value` : "stability's limit";
+  const centre = differs(state.colour, state.about) ? `${label} in each cell` : `${label}: ${quantity.text(scale.centre ?? NaN, 4)}`;
   box.replaceChildren(
     ...(quantity.meaning ? [defined(`what is ${quantity.label}?`, quantity.meaning)] : []),
-    ...(scale.centre === null ? [] : [html("span", { class: "key" }, html("span", { class: "swatch", style: `background: ${colourAt(0.5, DIVERGING)}` }), `${label}: ${quantity.text(scale.centre, 4)}`)]),
+    ...(scale.centre === null ? [] : [html("span", { class: "key" }, html("span", { class: "swatch", style: `background: ${colourAt(0.5, DIVERGING)}` }), centre)]),
     ...(state.colour === COUNT ? [] : [swatch("unstable-only", "hatched: unstable")]),
     ...(beyond ? [html("span", { class: "key" }, `values ${beyond} have the colour of the end`)] : []),
     ...lettered,

@@ -5,12 +5,11 @@ import json
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-import pandas as pd
-
 from stridemap.solver.model.model import Model
 from stridemap.views import palette
 from stridemap.views.notation import symbol, units
 from stridemap.views.report.payload import axes
+from stridemap.views.report.shown import Shown, what_is_shown
 
 OF_THE_PAPER = ("wobbling", "compass")
 """The models that the paper's statements are about, and from which their preset was identified."""
@@ -22,17 +21,21 @@ def text(value: Any) -> str:
     return html.escape(str(value).encode("utf-8", "replace").decode("utf-8"))
 
 
-def lead(model: Model, provenance: Mapping[str, Any], orbits: pd.DataFrame, cells: pd.DataFrame) -> str:
+def lead(shown: Shown) -> str:
     """Say what the page shows."""
+    model, orbits, cells = shown.model, shown.orbits, shown.cells
     varied = [
         f"<i>{text(symbol(axis.name))}</i> ({text(axis.meaning.split(';')[0])})"
-        for axis in axes(model, provenance["configuration"])
+        for axis in axes(model, shown.configuration)
     ]
+    part = what_is_shown(shown, {name: f"<i>{text(symbol(name))}</i>" for name in shown.grid})
     named = [f"{kind} {text(units(model.spec.units)[kind])}" for kind in ("mass", "length", "time")]
     return (
-        f"<p>All limit cycles found in a sweep over {_listed(varied)}: <b>{len(orbits):,}</b> cycles, "
+        f"<p>{'L' if part else 'All l'}imit cycles found in a sweep over {_listed(varied)}: "
+        f"<b>{len(orbits):,}</b> cycles, "
         f"<b>{int(orbits['stable'].sum()):,}</b> of them stable, in <b>{len(cells):,}</b> grid cells. "
         "Choose a cell of the map to see its cycles walk.</p>"
+        f"{part and f'<p id=part-shown class=warning>{part}</p>'}"
         f'<p class="note">Units: {_listed(named)}. {text(model.spec.reference)}.</p>'
     )
 

@@ -135,9 +135,25 @@ function referenceHere(name, label = referenceLabels[0]) {
   return Number.isNaN(value) ? null : value;
 }
 
+// Whether a reference differs from cell to cell of the map: it depends on one of the map's axes.
+const differs = (name, label) => references.some((one) => one.quantity === name && one.label === label && one.at.some(([axis]) => axis === state.across || axis === state.up));
+
+// What the colours of the map show: a quantity; or where they diverge about a reference that differs from cell to
+// cell, by how much it differs from that of its cell.
+function mapQuantity() {
+  const quantity = quantityOf(state.colour);
+  if (!differs(state.colour, state.about)) return quantity;
+  return kept.get("difference", [state.colour, state.about].join("\u0000"), () => {
+    const there = referenceColumn(quantity.name, state.about);
+    const { name, label, ownUnit: unit, named: si, meaning } = quantity;
+    return new Quantity({ name, label: `${label}, less the ${state.about}'s`, unit, si, meaning }, Float64Array.from(quantity.numbers(), (value, row) => value - there[row]));
+  });
+}
+
 // From which value the scale of a quantity diverges, as the reader has it.
 function centreOf(name) {
   if (state.about === "plain") return null;
+  if (differs(name, state.about)) return 0;
   if (referenceLabels.includes(state.about)) return referenceHere(name, state.about) ?? CENTRES[name] ?? null;
   return CENTRES[name] ?? null;
 }
@@ -145,11 +161,11 @@ function centreOf(name) {
 // The scale of the map's colours: it spans the cells that are shown.
 function mapScale() {
   const { standing, counts } = representatives();
-  const quantity = quantityOf(state.colour);
+  const quantity = mapQuantity();
   const values = [];
   for (const cell of planeCells()) {
     if (state.colour === COUNT) values.push(counts[cell]);
     else if (standing[cell] >= 0) values.push(quantity.numbers()[standing[cell]]);
   }
-  return new ValueScale(values, { range: state.range, centre: centreOf(state.colour), most: MOST[state.colour], whole: quantity.whole, factor: quantity.factor });
+  return new ValueScale(values, { range: state.range, centre: centreOf(state.colour), most: differs(state.colour, state.about) ? undefined : MOST[state.colour], whole: quantity.whole, factor: quantity.factor });
 }

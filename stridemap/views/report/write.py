@@ -15,9 +15,8 @@ from typing import Any
 
 import pandas as pd
 
-from stridemap.errors import InputError
+from stridemap.errors import InputError, short
 from stridemap.solver.model.model import Model
-from stridemap.sweeps.reading import read_sweep
 from stridemap.views import palette
 from stridemap.views.report import sections
 from stridemap.views.report.branches import Given
@@ -27,6 +26,8 @@ from stridemap.views.report.curves import curves as encoded
 from stridemap.views.report.curves import read_curves
 from stridemap.views.report.payload import NEEDED, payload
 from stridemap.views.report.references import Reference
+from stridemap.views.report.shown import read_shown
+from stridemap.views.report.thinning import MOST_CYCLES
 
 SCRIPTS = (
     "numbers.js",
@@ -86,12 +87,16 @@ class ReportSummary:
         Bytes.
     orbits, cells : int
         Limit cycles and grid cells shown.
+    all_orbits, all_cells : int
+        Those of the sweep.
     """
 
     path: Path
     size: int
     orbits: int
     cells: int
+    all_orbits: int
+    all_cells: int
 
 
 def write_report(
@@ -102,8 +107,14 @@ def write_report(
     curves: str | Path | pd.DataFrame | None = None,
     references: Sequence[Reference] = (),
     branches: Sequence[Given] = (),
+    part: Mapping[str, tuple[float, float]] | None = None,
+    most_cycles: int = MOST_CYCLES,
+    kept: Mapping[str, Sequence[float]] | None = None,
 ) -> ReportSummary:
     """Write a sweep as one HTML file that needs no other file and no network.
+
+    Of a sweep with more limit cycles than a page bears, every so many values of each axis are shown, and the
+    page says so in its first lines.
 
     Parameters
     ----------
@@ -125,6 +136,12 @@ def write_report(
     branches : sequence of path or Branches, optional
         Branches over one parameter of the grid each, drawn in slices along it with their special points: what
         `stridemap.branches` gives, or the path that ``stridemap branch --out`` was given.
+    part : mapping of str to tuple of two floats, optional
+        Lowest and highest value of axes of the grid of which a part is shown: ``{"k": (0.5, 10.0)}``.
+    most_cycles : int
+        Limit cycles above which values of the grid are left out.
+    kept : mapping of str to sequence of float, optional
+        Values of axes that are left in if any are, such as those that a paper speaks of.
 
     Raises
     ------
@@ -133,18 +150,18 @@ def write_report(
         model or of one that is neither built in nor given, when the claims, boundaries or branches cannot
         be read or do not belong to it, or the file cannot be written.
     """
-    sweep = read_sweep(folder, model)
-    loaded, provenance, orbits, cells = sweep.model, sweep.provenance, sweep.orbits, sweep.cells
+    if isinstance(most_cycles, bool) or not isinstance(most_cycles, int) or most_cycles < 1:
+        raise InputError(f"most_cycles = {short(most_cycles)} is not allowed: at least 1 is needed")
+    shown = read_shown(folder, model, part, most_cycles, kept)
+    loaded, provenance, orbits, cells = shown.model, shown.provenance, shown.orbits, shown.cells
     _check_functions(loaded)
-    if orbits.empty:
-        raise InputError(f"the sweep in {folder} found no limit cycle, so there is nothing to show")
     lines = _curves(loaded, provenance["configuration"], curves)
-    data = payload(loaded, provenance["configuration"], orbits, cells, lines, references, branches)
+    data = payload(loaded, shown.configuration, orbits, cells, lines, references, branches)
     verdicts = read_claims(claims) if isinstance(claims, str | Path) else claims
     page = _page(
         title=sections.text(f"Limit cycles: {loaded.title}"),
         heading=sections.text(loaded.title),
-        lead=sections.lead(loaded, provenance, orbits, cells),
+        lead=sections.lead(shown),
         keys=sections.keys(loaded),
         claims=(verdict_section := verdict_list(loaded, verdicts)),
         claims_link='<a href="#claims">Statements of the paper</a>' if verdict_section else "",
@@ -156,11 +173,11 @@ def write_report(
     if len(page) > LARGEST:
         raise InputError(
             f"the page would be {len(page) / 1e6:,.0f} MB, more than the {LARGEST / 1e6:.0f} MB that "
-            "browsers open well; report a sweep of fewer cells"
+            "browsers open well; show fewer limit cycles, or a part of the grid"
         )
     path = Path(out)
     _write(path, page)
-    return ReportSummary(path, len(page), orbits=len(orbits), cells=len(cells))
+    return ReportSummary(path, len(page), len(orbits), len(cells), shown.all_orbits, shown.all_cells)
 
 
 def _curves(

@@ -127,6 +127,12 @@ def test_a_sweep_in_si_units_is_read_back_as_it_was_given(tmp_path):
     assert table.cells["Kp"].tolist() == given
     assert table.columns["Kp"].unit == "N m"
     np.testing.assert_allclose(table.frame["speed"], stored["speed"] * L / SECOND, rtol=1e-14)
+    # Some of it is that part: conditions are on the numbers of the file, and columns need not have units.
+    part = stridemap.read_table(tmp_path / "out", columns=["group", "Kp"], where="Kp == 2000")
+    assert set(part.frame["Kp"]) == {2000.0}
+    assert list(part.frame["group"]) == list(table.where("Kp == 2000").frame["group"])
+    assert stridemap.read_table(tmp_path / "out", columns=["group"]).grid == table.grid
+    assert [set(batch.frame["Kp"]) for batch in stridemap.read_batches(tmp_path / "out")] == [set(given)]
     own = stridemap.read_table(tmp_path / "out", units="model")
     pd.testing.assert_frame_equal(own.frame, stored)
     larger = stridemap.read_table(tmp_path / "out", units=stridemap.Units(1.0, 50.0))

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from stridemap.paper.evaluate import evaluate
-from stridemap.views.report.claim_figures import drawn, ticks
+from stridemap.views.report.claim_figures import LETTER, drawn, ticks
 from stridemap.views.report.claims import enough_digits
 from stridemap.views.small_figures import (
     Axis,
@@ -129,6 +129,21 @@ def test_things_lie_where_the_axes_say():
     assert parse_qs(unescape(link["href"])[1:]) == {"k": ["5"], "alpha": ["0.25"]}
     assert "middle" in link["aria-label"]
     assert "what it shows" in text
+
+
+@pytest.mark.parametrize("apart", [0.0, 0.01, 0.03, 0.1])
+def test_texts_of_marks_beside_each_other_are_a_line_apart(apart):
+    """As in C15, where d changes its sign in all typical solutions at nearly one time."""
+    marks = [Mark(0.5 + i * apart, 0.0, holds=True, text=f"{g} 0.5{i}") for i, g in enumerate("ABC")]
+    panel = Panel("", Axis("", 0.0, 1.0), Axis("", -1.0, 1.0), marks=marks)
+    text = drawn(SmallFigure("", [panel]))
+    places = [
+        (float(one["x"]), float(one["y"])) for one in place_of(text, "text") if one.get("class") == "halo"
+    ]
+    assert len(places) == 3
+    for i, (x, y) in enumerate(places):
+        for u, v in places[:i]:
+            assert abs(x - u) >= LETTER * 6 or abs(y - v) >= 13
 
 
 def test_what_lies_outside_is_left_out():

@@ -15,7 +15,7 @@ from stridemap.errors import InputError
 from stridemap.paper.sweeps import paper_sweeps
 from stridemap.quantities import QUANTITIES
 from stridemap.solver.model.loading import available, load
-from stridemap.sweeps import store
+from stridemap.sweeps import files
 from stridemap.sweeps.run import sweep
 from stridemap.sweeps.store import read_cells, read_provenance
 from stridemap.views.report.claims import read_claims
@@ -261,7 +261,7 @@ def altered(folder, change):
         provenance = json.loads(metadata[b"stridemap"])
         change(provenance)
         metadata[b"stridemap"] = json.dumps(provenance).encode()
-        metadata[b"stridemap.digest"] = store._digest(table.schema, table.num_rows, metadata)
+        metadata[b"stridemap.digest"] = files.digest(table.schema, table.num_rows, metadata)
         pq.write_table(table.replace_schema_metadata(metadata), folder / name)
 
 
@@ -337,4 +337,4 @@ def test_no_file_of_claims(tmp_path):
 
 def test_a_page_that_is_too_large(done, refused, monkeypatch):
     monkeypatch.setattr("stridemap.views.report.write.LARGEST", 1000)
-    refused(f"report {done}/out --out {done}/a.html", "report a sweep of fewer cells")
+    refused(f"report {done}/out --out {done}/a.html", "show fewer limit cycles, or a part of the grid")

@@ -130,6 +130,14 @@ def test_a_file_that_cannot_be_read_is_named(tmp_path, found):
         read_branches(tmp_path / "b.parquet")
 
 
+def test_branches_in_other_units_are_refused(run, tmp_path):
+    line = "branch --model goswami_compass --vary slope --range 0.05 0.06 --seeds 1 --starts 32"
+    status, _, _ = run(*line.split(), "--units", "leg_length=0.75,mass=32", "--out", tmp_path / "b.parquet")
+    assert status == 0
+    with pytest.raises(InputError, match="are in SI units"):
+        read_branches(tmp_path / "b.parquet")
+
+
 @pytest.fixture(scope="module")
 def looked(browser, folder):
     page = browser.new_page(viewport={"width": 1400, "height": 900})

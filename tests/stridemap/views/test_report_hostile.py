@@ -19,7 +19,7 @@ from stridemap.codegen import derive_model
 from stridemap.derive import Body, Line, Measured, UnitNames
 from stridemap.derive.models import rimless_wheel
 from stridemap.errors import InputError, StridemapError
-from stridemap.sweeps import store
+from stridemap.sweeps import files
 from stridemap.sweeps.config import canonical_json
 from stridemap.sweeps.run import sweep
 from stridemap.views.report.write import write_report
@@ -61,7 +61,7 @@ def forge(folder, change=None, tables=None):
                 table = table.set_column(where, pa.field(column, kind, field.nullable), made)
         metadata[b"stridemap"] = json.dumps(provenance).encode()
         table = table.replace_schema_metadata(None)
-        metadata[b"stridemap.digest"] = store._digest(table.schema, table.num_rows, metadata)
+        metadata[b"stridemap.digest"] = files.digest(table.schema, table.num_rows, metadata)
         pq.write_table(table.replace_schema_metadata(metadata), folder / name)
 
 
@@ -383,7 +383,7 @@ def test_metadata_that_is_nested_without_end(done, refused):
     table = pq.read_table(path)
     metadata = {**table.schema.metadata, b"stridemap": b"[" * 200_000}
     table = table.replace_schema_metadata(None)
-    metadata[b"stridemap.digest"] = store._digest(table.schema, table.num_rows, metadata)
+    metadata[b"stridemap.digest"] = files.digest(table.schema, table.num_rows, metadata)
     pq.write_table(table.replace_schema_metadata(metadata), path)
     refused(f"report {done}/out --out {done}/a.html", path, "not one that a sweep wrote")
 

@@ -18,7 +18,7 @@ def large(compared, tmp_path_factory):
     made = large_sweep(orbits[orbits.stable & (orbits.k == 6.0) & (orbits.omega == 3.0)].iloc[0])
     path = tmp_path_factory.mktemp("large") / "page.html"
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(write, "read_sweep", lambda *_: made)
+        patch.setattr(write, "read_shown", lambda *_: made)
         summary = write.write_report("made up", path)
     assert summary.orbits == 100_000
     return path, made.orbits

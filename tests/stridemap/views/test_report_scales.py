@@ -1,5 +1,7 @@
 """Scales of the report: they span what is shown, are moved by hand, and diverge about references."""
 
+import re
+
 import numpy as np
 import pytest
 
@@ -116,6 +118,44 @@ def test_the_compass_is_what_costs_are_compared_with(page, orbits):
                 assert abs(row.cot.iloc[0] - value) < 0.002 or (blue > red) == (row.cot.iloc[0] < value)
     page.select_option("#colour", "friction")  # nothing is known of the compass's
     assert page.is_hidden("#about")
+
+
+def test_cells_are_compared_with_the_compass_at_their_own_frequency(page, orbits):
+    at(page, "#k=6&alpha=0.25&omega=3&colour=cot&cycles=stable")
+    page.select_option("#up", label="ω (omega)")
+    assert page.is_visible("#about")
+    page.select_option("#about", "compass")
+    assert page.evaluate("stridemap.bar.scale.centre") == 0
+    assert "compass's value in each cell" in page.inner_text("#legend")
+    assert "cost of transport, less the compass's" in page.inner_text("#scale .name")
+    fills = page.evaluate(
+        """stridemap.map.looks.flatMap((line, r) =>
+        line.map((look, c) => [stridemap.map.cellAt(c, r), look.fill ?? null]))"""
+    )
+    compass, sides = {3.0: 0.308, 2.5: 0.25}, set()
+    for cell, fill in fills:
+        rows = orbits[(orbits.cell == cell) & orbits.stable]
+        assert (fill is None) == rows.empty
+        if fill:
+            row = rows.loc[rows.spectral_radius.idxmin()]
+            more = row.cot - compass[row.omega]
+            red, _, blue = channels(fill)
+            assert abs(more) < 0.002 or (blue > red) == (more < 0)
+            sides.add((row.omega, more < 0))
+    assert len(sides) > 2
+    # Both ends are ends of differences; on other axes they are those of costs again.
+    low, high = page.evaluate("[stridemap.bar.scale.low, stridemap.bar.scale.high]")
+    assert low < 0.1 and high < 0.5
+    page.select_option("#up", label="α (alpha)")
+    assert page.evaluate("stridemap.bar.scale.centre") in compass.values()
+    at(page, "#colour=friction")
+    assert page.is_hidden("#about")
+
+
+def test_one_cell_is_one_cell(page):
+    at(page, "#omega=3&colour=stability&filter=k=0.5+and+alpha=0.25")
+    assert re.search(r": 1 cell\n|: 1 cell ", page.inner_text("#legend") + "\n")
+    assert ": 1 cells" not in page.inner_text("#legend")
 
 
 def test_the_compass_is_a_line_of_the_slice(page):
