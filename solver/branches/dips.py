@@ -60,7 +60,8 @@ def with_dips(
     out = []
     for i, point in enumerate(points):
         between = added.get(i, [])
-        out += [point, *sorted(between, key=lambda one, here=point: curve.dot(one.x - here.x, here.tangent))]
+        along = [curve.dot(one.x - point.x, point.tangent) for one in between]
+        out += [point, *(between[j] for j in np.argsort(along))]
     return out
 
 
@@ -89,15 +90,13 @@ def dips(lengths: Array, values: Array) -> Iterator[tuple[int, float]]:
                 yield i, float(t)
 
 
-def _quantities(
-    curve: Curve, points: list[CurvePoint], conditions: GaitConditions
-) -> dict[SpecialType | str, Array]:
+def _quantities(curve: Curve, points: list[CurvePoint], conditions: GaitConditions) -> dict[str, Array]:
     """Tests of bifurcations and conditions of a gait at points, shape (m,) each."""
     found = [tests(curve, point) for point in points]
-    return {
-        **{name: np.array([one[name] for one in found]) for name in TESTS},
-        **conditions_along(curve, points, conditions),
-    }
+    out: dict[str, Array] = {name: np.array([one[name] for one in found]) for name in TESTS}
+    for name, values in conditions_along(curve, points, conditions).items():
+        out[name] = values
+    return out
 
 
 def _looked_for(
@@ -105,7 +104,7 @@ def _looked_for(
     ends: tuple[CurvePoint, CurvePoint],
     values: Array,
     part: float,
-    name: SpecialType | str,
+    name: str,
     conditions: GaitConditions,
     options: ContinuationOptions,
 ) -> CurvePoint | None:

@@ -66,8 +66,10 @@ def branch_diagram(
         (across, along), (up, upwards) = (
             in_units(branches.model, name, units) for name in (branches.vary, y)
         )
+        steps = y in (*branches.model.section, "period")
+        tables = None if steps else (branches.to_frame(), branches.special_frame())
         for number in range(len(branches)):
-            drawn = _drawn(branches, number, y)
+            drawn = _drawn(branches, number, y, tables)
             drawn = replace(drawn, x=drawn.x * across, y=drawn.y * up)
             _draw(axes, drawn, gaits_only)
             _mark(axes, drawn, gaits_only)
@@ -124,24 +126,24 @@ class _Drawn:
     """By their place among the points."""
 
 
-def _drawn(branches: Branches, number: int, y: str) -> _Drawn:
-    """A branch with its special points put where they lie, so that looks change there and not beside them."""
+def _drawn(branches: Branches, number: int, y: str, tables: tuple[Any, Any] | None) -> _Drawn:
+    """A branch with its special points put where they lie, so that looks change there and not beside them.
+
+    What is measured stands in the tables of points and of special points; without them each step is drawn.
+    """
     branch = branches[number]
     special = [one for one in branches.special if one.branch == number]
     lengths = np.array([*branch.arclength, *(one.arclength for one in special)])
     x = np.array([*branch.x[:, -1], *(one.value for one in special)])
     names = [*branches.model.section, "period"]
     n = len(branch.points)
-    if y in names:
+    if tables is None:
         steps = branch.x[:, :-1].reshape(n, branch.period_n, -1)
         at_special = [[step[names.index(y)] for step in one.steps] for one in special]
         values = np.concatenate([steps[:, :, names.index(y)], np.reshape(at_special, (-1, branch.period_n))])
     else:
-        frame = branches.to_frame()
-        column = frame.loc[frame["branch"] == number, y].to_numpy(dtype=np.float64)
-        measured = branches.special_frame()
-        own = measured.loc[measured["branch"] == number, y] if special else ()
-        values = np.append(column, np.asarray(own, dtype=np.float64))[:, None]
+        parts = [table.loc[table["branch"] == number, y] for table in tables if len(table)]
+        values = np.concatenate([np.asarray(part, dtype=np.float64) for part in parts])[:, None]
     order = placed(lengths[:n], lengths[n:])
     largest = np.array([np.abs(point.multipliers).max(initial=0.0) for point in branch.points])
     look = looks_between(order, kinds_of(branch.is_gait, largest))
