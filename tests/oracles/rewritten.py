@@ -217,7 +217,7 @@ def light_model(walker, forward=False):
     ----------
     walker : Walker
     forward : bool
-        Whether to derive the accelerations under given torques too, which no gait needs, and their derivatives.
+        Whether to derive the accelerations under given torques, which no gait needs.
     """
     absent = mock.patch.object(functions.Functions, "forward_dynamics", lambda _: iter(()))
     with unsimplified(), nullcontext() if forward else absent:

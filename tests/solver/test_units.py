@@ -58,7 +58,7 @@ def found(model, backend):
     ids=lambda one: NAMES.get(one, one) or "compiled",
 )
 def test_tables_scale(name, scale, backend):
-    """Each model in some units, and in each units some models; a tolerance with a unit is wrong in all of them.
+    """Each model in some units, and some models in each: a tolerance with a unit is wrong for all.
 
     Small ones are shortened and compiled as well, which takes longer than to run them.
     """

@@ -34,14 +34,14 @@ WRONG = (
 
 FIRST = list({tuple("#" if isinstance(key, int) else key for key in path): (name, path)
               for name, path in reversed(PLACES)}.values())  # fmt: skip
-"""One place of each kind: which of several parameters or bodies it is in, and of which model, does not matter."""
+"""One place of each kind: of which parameter, body or model it is does not matter."""
 
 SOME = 4
 """Things that are tried in a further place of a kind; together such places see all of them."""
 
 
 def things(place):
-    """What is put into a place: everything into the first of its kind, some things in turn into the others."""
+    """What is put into a place: everything into the first of its kind, some in turn into the others."""
     if place in FIRST:
         return WRONG
     begin = SOME * PLACES.index(place)

@@ -226,6 +226,10 @@ def test_a_folder_as_the_model_of_a_sweep(run, home):
 # -- what cannot be used -------------------------------------------------------------------------------------
 
 
+COMMANDS = ("orbit --model models/wheel.py", "derive models/wheel.py", "sweep sweep.toml --out out")
+"""All of them run the file in the same way: one sentence is tried with each, the others with one of them."""
+
+
 @pytest.mark.parametrize(
     ("text", "words"),
     [
@@ -248,7 +252,7 @@ def test_a_folder_as_the_model_of_a_sweep(run, home):
 )
 def test_a_file_that_declares_no_walker(refused, home, text, words):
     declare(home, text)
-    for command in ("orbit --model models/wheel.py", "derive models/wheel.py", "sweep sweep.toml --out out"):
+    for command in COMMANDS if text == "x = 1\n" else [COMMANDS[len(text) % len(COMMANDS)]]:
         refused(command, "wheel", *words)
     assert not (home / "out").exists()
 
