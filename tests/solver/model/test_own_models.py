@@ -17,6 +17,8 @@ import stridemap
 from stridemap.codegen import declared
 from tests.oracles.sweeping import STRIDEMAP, Inline, content
 
+pytestmark = pytest.mark.usefixtures("in_this_process")
+
 WHEEL = """
 import sympy as sp
 
