@@ -8,7 +8,6 @@ import pandas as pd
 import pytest
 
 import stridemap
-from stridemap.paper import evaluate
 from stridemap.paper.cycle_tables import cycle_tables
 from stridemap.paper.evaluate import STATEMENTS
 from stridemap.paper.profile_features import sampled, with_profiles
@@ -168,7 +167,8 @@ def test_json(folder, run):
 
 
 def test_table(folder, data, run, monkeypatch):
-    monkeypatch.setattr(evaluate, "cycle_tables", lambda *_args, **_keywords: data)  # test_json makes them anew
+    # They are made anew for test_json.
+    monkeypatch.setattr("stridemap.paper.evaluate.cycle_tables", lambda *_args, **_keywords: data)
     status, out, _ = run("claims", "--sweeps", folder, "--thin", THIN)
     assert status == 0
     lines = out.splitlines()
