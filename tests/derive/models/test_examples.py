@@ -16,6 +16,8 @@ from stridemap.solver.model.model import Model
 from tests.oracles.rewritten import light_model
 from tests.oracles.walkers import EXAMPLES, example
 
+pytestmark = pytest.mark.usefixtures("in_this_process")
+
 TORSO, ROLLING, VERTICAL = "swinging_torso", "rolling_feet", "vertical_wobbling"
 
 

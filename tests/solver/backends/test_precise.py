@@ -75,8 +75,14 @@ def guess(model):
 
 
 @needs_compiler
-@pytest.mark.parametrize("n_rk", [24, 36, pytest.param(60, id="60, chained")])
-@pytest.mark.parametrize("name", [pytest.param("simplest_walker", marks=pytest.mark.quick), "wobbling"])
+@pytest.mark.parametrize(
+    ("name", "n_rk"),
+    [
+        pytest.param("simplest_walker", 24, marks=pytest.mark.quick),
+        pytest.param("simplest_walker", 60, id="simplest_walker, chained", marks=pytest.mark.quick),
+        ("wobbling", 36),
+    ],
+)
 def test_against_forty_digits(name, n_rk):
     model = load(name)
     u, p = guess(model)
