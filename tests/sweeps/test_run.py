@@ -59,7 +59,7 @@ def test_any_order_of_completion_gives_the_same_bytes(reference, tmp_path, monke
 
 def test_a_file_and_a_configuration_are_the_same(reference, tmp_path):
     text = f'model = "wobbling"\n[grid]\nk = {list(K)}\nalpha = {list(ALPHA)}\n[search]\n'
-    (tmp_path / "my.toml").write_text(text + "starts = 8\nsubgrid = 2\n")
+    (tmp_path / "my.toml").write_text(text + "starts = 8\nsubgrid = 2\n[continuation]\nmax_steps = 10\n")
     sweep(str(tmp_path / "my.toml"), str(tmp_path / "out"), executor=Inline())
     assert tables(tmp_path / "out") == tables(reference[0])
 

@@ -4,6 +4,7 @@ import os
 import shutil
 import subprocess
 import sys
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -19,6 +20,7 @@ from stridemap.solver.model.loading import available, load
 from stridemap.solver.model.model import Model
 from tests.oracles.kernels import assert_same_bits, needs_compiler, one_sentence, script
 
+ROOT = Path(__file__).resolve().parents[3]
 BARE = load_kernels.__wrapped__  # without its cache: every call loads anew
 
 # -- what goes wrong -------------------------------------------------------------------------------------
@@ -109,16 +111,20 @@ def usual():
 
 @needs_compiler
 @pytest.mark.parametrize("flags", ["-O3", "-g -march=native", "-ffp-contract=off -mfpmath=sse -m64"])
-def test_flags_that_keep_it_give_the_same_bits(monkeypatch, usual, own_cache, flags):
+def test_flags_that_keep_it_give_the_same_bits(monkeypatch, usual, own_cache, few_kernels, flags):
     monkeypatch.setenv("CC", f"{shutil.which(find_compiler())} {flags}")
     assert_same_bits(usual, BARE(load("rimless_wheel"), None).trace(48, *somewhere()))
 
 
 LOADED = """
 import sys
+sys.path.insert(0, sys.argv[2])
 from stridemap.errors import CompilerError
+from stridemap.solver.backends import lanes
 from stridemap.solver.backends.selection import load_kernels, named_backend
 from stridemap.solver.model.loading import load
+from tests.oracles.kernels import few
+lanes.source = lambda model, whole=lanes.source: few(whole(model))
 try:
     load_kernels(load("rimless_wheel"), named_backend(sys.argv[1] or None))
 except CompilerError as error:
@@ -143,7 +149,7 @@ def test_kernels_find_out_themselves(tmp_path, own_cache, backend, flag):
     the whole process.
     """
     wrapper = script(tmp_path / "wrapped", f'exec {shutil.which(find_compiler())} "$@" {flag}')
-    command = [sys.executable, "-c", LOADED, backend]
+    command = [sys.executable, "-c", LOADED, backend, str(ROOT)]
     run = subprocess.run(
         command, env={**os.environ, "CC": wrapper}, capture_output=True, text=True, check=False
     )
@@ -152,7 +158,7 @@ def test_kernels_find_out_themselves(tmp_path, own_cache, backend, flag):
 
 
 @needs_compiler
-def test_they_are_looked_at_once(monkeypatch, own_cache):
+def test_they_are_looked_at_once(monkeypatch, own_cache, few_kernels):
     BARE(load("rimless_wheel"), None)
     monkeypatch.setattr(self_check, "check_arithmetic", lambda _: pytest.fail("looked at again"))
     BARE(load("rimless_wheel"), None)
@@ -239,7 +245,7 @@ def test_a_cache_whose_name_is_too_long(monkeypatch, own_cache):
 
 
 @needs_compiler
-def test_second_load_does_not_compile_again(tmp_path, monkeypatch, own_cache):
+def test_second_load_does_not_compile_again(tmp_path, monkeypatch, own_cache, few_kernels):
     log = tmp_path / "log"
     compiler = shutil.which(os.environ.get("CC", "").split(" ")[0] or find_compiler())
     monkeypatch.setenv("CC", script(tmp_path / "counting", f'echo "$@" >> {log}\nexec {compiler} "$@"'))

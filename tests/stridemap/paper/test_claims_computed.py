@@ -20,7 +20,7 @@ from tests.oracles.claim_tables import changed, swapped
 from tests.oracles.shared import once
 
 IDS = [f"C{i}" for i in range(1, 21)]
-THIN = 8
+THIN = 12
 
 
 @pytest.fixture(scope="session")
@@ -178,7 +178,7 @@ def test_table(folder, data, run, monkeypatch):
     assert lines[20] == tally(verdicts)
     assert all(len(line) < 80 for line in lines[:21])
     assert counts[0] > 5
-    assert "every 8th value" in out
+    assert f"every {THIN}th value" in out
     assert "not published" in lines[-1]
 
 
