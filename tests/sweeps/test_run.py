@@ -294,10 +294,14 @@ def test_progress_only_goes_on(reference):
 # -- cells that fail -----------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("stage", ["search", "converge"])
 @pytest.mark.parametrize(
-    "error",
-    [FloatingPointError("boom"), np.linalg.LinAlgError("boom"), MemoryError("boom"), IndexError("boom")],
+    ("error", "stage"),
+    [
+        (FloatingPointError("boom"), "search"),
+        (np.linalg.LinAlgError("boom"), "converge"),
+        (MemoryError("boom"), "search"),
+        (IndexError("boom"), "converge"),
+    ],
 )
 def test_a_cell_that_raises_is_a_row_with_a_reason(tmp_path, monkeypatch, stage, error):
     grid, search = {"k": [0.5, 6.0, 8.0]}, {"starts": 64, "subgrid": 1}
