@@ -10,6 +10,7 @@ from stridemap.derive.models.simplest_walker import WALKER as SIMPLEST
 from stridemap.errors import InputError
 from stridemap.sweeps.tables import orbit_schema
 from stridemap.views.report.payload import payload
+from tests.oracles.remembered import remembered
 
 theta, phi = THETA.symbol, PHI.symbol
 
@@ -23,7 +24,8 @@ OWN = (
 
 @pytest.fixture(scope="module")
 def model():
-    return stridemap.derive_model(SIMPLEST.with_(name="own_quantities", quantities=OWN))
+    with remembered():
+        return stridemap.derive_model(SIMPLEST.with_(name="own_quantities", quantities=OWN))
 
 
 def found(model):

@@ -30,7 +30,6 @@ MIXED = Change(("body", "stance", "swing"), ((0, 1, 0), (0, 1, -1), (-1, 0, 0)),
 CLOCKED = Change(("stance", "swing", "phase"), ((1, 0, 0), (1, -1, 0), (0, 0, 1)), (0.0, 0.0, 0.0))
 
 BUILT_IN = [
-    ("compass", ABSOLUTE),
     ("compass", RELABELLED),
     pytest.param("rimless_wheel", FLIPPED, marks=pytest.mark.quick),
     pytest.param("rimless_wheel", SHIFTED, marks=pytest.mark.quick),

@@ -12,7 +12,7 @@ from stridemap.paper.cycle_tables import cycle_tables
 from stridemap.paper.evaluate import STATEMENTS
 from stridemap.paper.profile_features import sampled, with_profiles
 from stridemap.paper.select import at, main_branch, slices, stable, typical
-from stridemap.paper.sweeps import paper_sweeps
+from stridemap.paper.sweeps import SWEEPS, paper_sweeps
 from stridemap.solver.branches.edges import BISECTIONS
 from stridemap.solver.model.loading import load
 from stridemap.views.report.verdicts import tally
@@ -166,9 +166,18 @@ def test_json(folder, run):
     assert "not published" in answer["origin"]
 
 
-def test_table(folder, data, run, monkeypatch):
-    # They are made anew for test_json.
-    monkeypatch.setattr("stridemap.paper.evaluate.cycle_tables", lambda *_args, **_keywords: data)
+@pytest.fixture
+def tables_of_before(data, monkeypatch):
+    """The tables are not made anew from the sweeps, which are read all the same; for test_json they are."""
+
+    def read(sweeps):
+        assert all(len(sweeps.orbits(name)) for name in SWEEPS)
+        return data
+
+    monkeypatch.setattr("stridemap.paper.evaluate.cycle_tables", read)
+
+
+def test_table(folder, tables_of_before, run):
     status, out, _ = run("claims", "--sweeps", folder, "--thin", THIN)
     assert status == 0
     lines = out.splitlines()
@@ -182,7 +191,7 @@ def test_table(folder, data, run, monkeypatch):
     assert "not published" in lines[-1]
 
 
-def test_from_python_and_a_second_time(folder):
+def test_from_python_and_a_second_time(folder, tables_of_before):
     seen = []
     claims = stridemap.claims(folder, thin=THIN, progress=lambda *args: seen.append(args))
     assert [claim.id for claim in claims] == IDS
