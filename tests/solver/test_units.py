@@ -49,7 +49,7 @@ def found(model, backend):
         ("rimless_wheel", SMALL, None),
         ("rimless_wheel", MIXED, "interpreter"),
         ("simplest_walker", LARGE, "interpreter"),
-        ("simplest_walker", MIXED, None),
+        ("simplest_walker", MIXED, "interpreter"),
         ("goswami_compass", LARGE, "interpreter"),
         ("compass", SMALL, "interpreter"),
         ("wobbling", SMALL, "interpreter"),
@@ -60,7 +60,7 @@ def found(model, backend):
 def test_tables_scale(name, scale, backend):
     """Each model in some units, and some models in each: a tolerance with a unit is wrong for all.
 
-    Small ones are shortened and compiled as well, which takes longer than to run them.
+    The smallest is shortened and compiled as well, which takes longer than to run it.
     """
     walker, model = WALKERS[name], load(name)
     other = in_other_units(name, scale, light_model if backend else derive_model)
