@@ -21,9 +21,6 @@ from tests.oracles.sweeping import LARGER, SMALL, Inline, tables, uninterrupted
 
 
 def pytest_configure(config):
-    # The tests start some hundred processes: what one of them compiled of the source the next need not.
-    sys.dont_write_bytecode = False
-    os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
     os.environ.setdefault("STRIDEMAP_CACHE", str(config.rootpath / ".pytest_cache" / "stridemap"))
 
 
