@@ -36,7 +36,7 @@ BASE = {"model": "wobbling", "grid": {"k": K, "alpha": ALPHA}}
 # -- the same bytes ------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("workers", [pytest.param(1, marks=pytest.mark.quick), 2])
+@pytest.mark.parametrize("workers", [1, 2])
 def test_any_number_of_processes_gives_the_same_bytes(reference, tmp_path, workers):
     summary = sweep(CONFIG, tmp_path / "out", workers=workers)
     assert tables(tmp_path / "out") == tables(reference[0])

@@ -79,7 +79,7 @@ def guess(model):
     ("name", "n_rk"),
     [
         pytest.param("simplest_walker", 24, marks=pytest.mark.quick),
-        pytest.param("simplest_walker", 60, id="simplest_walker, chained", marks=pytest.mark.quick),
+        pytest.param("simplest_walker", 60, id="simplest_walker, chained"),
         ("wobbling", 36),
     ],
 )
