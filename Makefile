@@ -28,6 +28,9 @@ DOCS := $(VENV)/installed-docs
 UV   := $(VENV)/installed-lock
 SOUND := $(shell [ -x $(BIN)/python ] && [ "$$(cat $(MADE) 2>/dev/null)" = "$$(pwd -P)" ] && echo yes)
 
+# Tests start some hundred processes: what one of them compiled of the source the next need not.
+unexport PYTHONDONTWRITEBYTECODE
+
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 .PHONY: help derive sweep claims figures images report quick test lint format bench recall docs lock clean FORCE

@@ -108,8 +108,9 @@ def equations(walker: Walker, generator: str, progress: Progress | None = None) 
         programs.append(program)
         if progress is not None:
             progress(len(programs), functions.count, program.name)
-    digest = hashlib.sha256(Python().body(programs).encode()).hexdigest()
-    return Equations(walker, tuple(programs), generator, digest)
+    body = Python().body(programs)
+    digest = hashlib.sha256(body.encode()).hexdigest()
+    return Equations(walker, tuple(programs), generator, digest, body)
 
 
 def specification(written: Equations) -> ModelSpec:

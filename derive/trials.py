@@ -41,6 +41,19 @@ def trial_points(walker: Declaration, values: Mapping[sp.Symbol, float]) -> Iter
         yield position
 
 
+def in_numbers(value: sp.Expr | sp.Matrix, place: Mapping[sp.Symbol, float]) -> sp.Expr | sp.Matrix:
+    """An expression or matrix with numbers for its symbols.
+
+    Parameters
+    ----------
+    value : sympy.Expr or sympy.Matrix
+    place : mapping of Symbol to number
+        Each symbol that does not occur takes as long as one that does, so such are left out.
+    """
+    known = value.free_symbols
+    return value.subs({s: x for s, x in place.items() if s in known})
+
+
 def compiled(
     walker: Declaration, expressions: Iterable[sp.Expr]
 ) -> Callable[[Mapping[sp.Symbol, Any]], list[Any]]:

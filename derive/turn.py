@@ -16,7 +16,7 @@ from stridemap.derive.declaration import Declaration
 from stridemap.derive.derived import solve
 from stridemap.derive.parts import STANCE_FOOT
 from stridemap.derive.simplify import simplified
-from stridemap.derive.trials import trial_points
+from stridemap.derive.trials import in_numbers, trial_points
 
 Array = NDArray[np.float64]
 
@@ -62,8 +62,8 @@ class _Condition:
 
 def _numbers(rows: sp.Matrix, wanted: sp.Matrix, place: Mapping[sp.Symbol, float]) -> tuple[Array, Array]:
     try:
-        a = np.array(rows.subs(place).evalf().tolist(), dtype=np.float64)
-        b = np.array(list(wanted.subs(place).evalf()), dtype=np.float64)
+        a = np.array(in_numbers(rows, place).evalf().tolist(), dtype=np.float64)
+        b = np.array(list(in_numbers(wanted, place).evalf()), dtype=np.float64)
     except TypeError:
         return np.zeros((0, rows.cols)), np.zeros(0)
     real = np.isfinite(a).all(axis=1) & np.isfinite(b)

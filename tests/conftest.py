@@ -14,6 +14,7 @@ import pytest
 
 from stridemap.cli import progress
 from stridemap.cli.app import main
+from stridemap.solver.model import derivation, loading
 from stridemap.sweeps.run import sweep
 from tests.oracles.shared import once
 from tests.oracles.sweeping import LARGER, SMALL, Inline, tables, uninterrupted
@@ -56,6 +57,18 @@ def refused(run):
         assert [word for word in map(str, words) if word not in err] == []
 
     return command
+
+
+@pytest.fixture
+def in_this_process(monkeypatch):
+    """Model files are run in this process and not in one of their own, which takes a second to start.
+
+    What the process is for is tested in `tests/solver/model/test_derivation.py`.
+    """
+    from stridemap.codegen import derive_file  # SymPy takes a second, too
+
+    for module in (derivation, loading):
+        monkeypatch.setattr(module, "derive_file", derive_file)
 
 
 @pytest.fixture(scope="session")

@@ -29,12 +29,15 @@ class Equations:
         Name and version of what derived it.
     hash : str
         SHA-256 of the equations.
+    body : str, optional
+        The functions in Python, which the hash is of, where they are printed already.
     """
 
     walker: Declaration
     programs: tuple[Program, ...]
     generator: str
     hash: str
+    body: str = ""
 
     @property
     def model(self) -> str:

@@ -52,4 +52,4 @@ class Python(Printer):
             '"""',
             "",
         ]
-        return "\n".join(head) + self.body(equations.programs)
+        return "\n".join(head) + (equations.body or self.body(equations.programs))

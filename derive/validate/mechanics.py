@@ -13,7 +13,7 @@ import sympy as sp
 
 from stridemap.derive.declaration import Declaration
 from stridemap.derive.parts import STANCE_FOOT
-from stridemap.derive.trials import compiled, trial_points
+from stridemap.derive.trials import compiled, in_numbers, trial_points
 from stridemap.derive.validate.refusal import refuse
 
 TOLERANCE = 1e-9
@@ -60,7 +60,7 @@ def _masses(walker: Declaration, values: Mapping[sp.Symbol, float]) -> None:
     light = {walker.massless.mass: 1.0} if walker.massless is not None else {}
     for body in walker.bodies:
         for what, value in (("mass", body.mass), ("inertia", body.inertia)):
-            number = value.subs({**values, **light}).evalf()
+            number = in_numbers(value, {**values, **light}).evalf()
             if not (number.is_real and number.is_finite and number >= 0):
                 refuse(
                     walker,
@@ -111,7 +111,7 @@ def _locks(walker: Declaration, values: Mapping[sp.Symbol, float]) -> None:
         return
     jacobian = sp.Matrix(walker.locks).jacobian(list(walker.q))
     ranks = [
-        jacobian.subs({**values, **position}).evalf(30).rank(iszerofunc=_nearly_zero)
+        in_numbers(jacobian, {**values, **position}).evalf(30).rank(iszerofunc=_nearly_zero)
         for position in trial_points(walker, values)
     ]
     if max(ranks) < len(walker.locks):

@@ -11,7 +11,7 @@ import sympy as sp
 from stridemap.derive.declaration import Declaration
 from stridemap.derive.motors import record
 from stridemap.derive.parts import STANCE_FOOT, Motor
-from stridemap.derive.trials import trial_points
+from stridemap.derive.trials import in_numbers, trial_points
 from stridemap.derive.validate.mechanics import TOLERANCE
 from stridemap.derive.validate.refusal import refuse
 from stridemap.derive.validate.reserved import meaning
@@ -161,10 +161,10 @@ def _sense(walker: Declaration, angle: sp.Expr) -> float | None:
     points = [*(body.position for body in walker.bodies), walker.swing_foot]
     for position in trial_points(walker, values):
         where = {**values, **position}
-        rows = sp.Matrix.vstack(*(p.jacobian(q) for p in points)).subs(where).evalf(30)
-        places = [p.subs(where).evalf(30) for p in points]
+        rows = in_numbers(sp.Matrix.vstack(*(p.jacobian(q) for p in points)), where).evalf(30)
+        places = [in_numbers(p, where).evalf(30) for p in points]
         turned = sp.Matrix([x for p in places for x in (-p[1], p[0])])
-        gradient = sp.Matrix([angle]).jacobian(q).subs(where).evalf(30)
+        gradient = in_numbers(sp.Matrix([angle]).jacobian(q), where).evalf(30)
         with mpmath.workdps(30):
             return _of_turn(*(mpmath.matrix(m.tolist()) for m in (rows, turned, gradient)))
     return None

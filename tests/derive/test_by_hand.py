@@ -32,7 +32,7 @@ def _fifty_digits():
 @cache
 def fresh(name):
     """A built-in walker, derived now."""
-    return light_model(WALKERS[name])
+    return light_model(WALKERS[name], forward=True)
 
 
 def some(name):

@@ -50,11 +50,10 @@ class Copy:
 
     def __init__(self, folder, page):
         self.folder = folder
-        copy = {"ignore": shutil.ignore_patterns("__pycache__")}
-        shutil.copytree(ROOT / "stridemap", folder / "stridemap", **copy)
+        shutil.copytree(ROOT / "stridemap", folder / "stridemap")  # with bytecode, which saves time
         for part in PARTS:
-            shutil.copytree(ROOT / part, folder / "stridemap" / part, **copy)
-        shutil.copytree(ROOT / "tests", folder / "tests", **copy)
+            shutil.copytree(ROOT / part, folder / "stridemap" / part)
+        shutil.copytree(ROOT / "tests", folder / "tests")
         shutil.copy(ROOT / "pyproject.toml", folder)
         self.blocks = BLOCK.findall((ROOT / "docs" / f"{page}.md").read_text("utf-8"))
         self.tests = []

@@ -1,5 +1,6 @@
 """docs/declare.md, done as it says: its files, its commands, its Python, and the errors that it shows."""
 
+import os
 import re
 import subprocess
 import sys
@@ -42,7 +43,8 @@ def folder(tmp_path_factory):
     return folder
 
 
-def test_the_commands_and_then_the_python_blocks_run_as_they_stand(folder):
+def test_the_commands_and_then_the_python_blocks_run_as_they_stand(folder, tmp_path):
+    """The Python without a C compiler: to compile four walkers would take longer than all the rest."""
     for block in blocks("sh"):
         for line in block.splitlines():
             words = line.split()
@@ -53,7 +55,13 @@ def test_the_commands_and_then_the_python_blocks_run_as_they_stand(folder):
                 (printed,) = blocks("text")
                 assert shortened(done.stdout).startswith(shortened(printed))
     (folder / "all.py").write_text("\n".join(blocks("python")) + AFTERWARDS)
-    done = subprocess.run([sys.executable, "all.py"], cwd=folder, capture_output=True, text=True)
+    done = subprocess.run(
+        [sys.executable, "all.py"],
+        cwd=folder,
+        env={**os.environ, "PATH": str(tmp_path)},
+        capture_output=True,
+        text=True,
+    )
     assert done.returncode == 0, done.stderr
 
 

@@ -5,7 +5,7 @@ rewritten walker is derived without simplifying its equations, which is fast, an
 simplifying does; its kernels run in CasADi's virtual machine.
 """
 
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 from dataclasses import dataclass, fields, replace
 from unittest import mock
 
@@ -210,9 +210,17 @@ def unsimplified():
         yield
 
 
-def light_model(walker):
-    """A walker's model, derived without simplifying and without kernels in C."""
-    with unsimplified():
+def light_model(walker, forward=False):
+    """A walker's model, derived without simplifying and without kernels in C.
+
+    Parameters
+    ----------
+    walker : Walker
+    forward : bool
+        Whether to derive the accelerations under given torques, which no gait needs.
+    """
+    absent = mock.patch.object(functions.Functions, "forward_dynamics", lambda _: iter(()))
+    with unsimplified(), nullcontext() if forward else absent:
         equations = emit.equations(walker, "tests")
     text = Python().text(equations).encode()
     contents = {equations_file(walker.name): text}

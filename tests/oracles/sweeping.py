@@ -11,7 +11,12 @@ from stridemap.sweeps.run import sweep
 
 K, ALPHA = (0.5, 2.0, 6.0, 22.5), (0.2, 0.25)
 CONFIG = parse_config(
-    {"model": "wobbling", "grid": {"k": K, "alpha": ALPHA}, "search": {"starts": 8, "subgrid": 2}}
+    {
+        "model": "wobbling",
+        "grid": {"k": K, "alpha": ALPHA},
+        "search": {"starts": 8, "subgrid": 2},
+        "continuation": {"max_steps": 10},  # finds what the default does, in half the time
+    }
 )
 """Eight cells; alpha = 0.25 with the preset is where the reference orbits are."""
 

@@ -59,8 +59,15 @@ class Breaks(Inline):
         return future
 
 
-@pytest.mark.parametrize("taking", [False, True])
-@pytest.mark.parametrize("error", [BrokenProcessPool("died"), BrokenExecutor("died"), KeyboardInterrupt()])
+@pytest.mark.parametrize(
+    ("error", "taking"),
+    [
+        (BrokenProcessPool("died"), False),
+        (BrokenExecutor("died"), True),
+        (KeyboardInterrupt(), False),
+        (KeyboardInterrupt(), True),
+    ],
+)
 def test_what_is_finished_stays_and_resume_does_the_rest(reference, tmp_path, error, taking):
     if isinstance(error, BrokenExecutor):
         with pytest.raises(stridemap.WorkerError, match="a worker process died.*--resume") as caught:

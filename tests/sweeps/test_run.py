@@ -36,7 +36,7 @@ BASE = {"model": "wobbling", "grid": {"k": K, "alpha": ALPHA}}
 # -- the same bytes ------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("workers", [pytest.param(1, marks=pytest.mark.quick), 2])
+@pytest.mark.parametrize("workers", [1, 2])
 def test_any_number_of_processes_gives_the_same_bytes(reference, tmp_path, workers):
     summary = sweep(CONFIG, tmp_path / "out", workers=workers)
     assert tables(tmp_path / "out") == tables(reference[0])
@@ -59,7 +59,7 @@ def test_any_order_of_completion_gives_the_same_bytes(reference, tmp_path, monke
 
 def test_a_file_and_a_configuration_are_the_same(reference, tmp_path):
     text = f'model = "wobbling"\n[grid]\nk = {list(K)}\nalpha = {list(ALPHA)}\n[search]\n'
-    (tmp_path / "my.toml").write_text(text + "starts = 8\nsubgrid = 2\n")
+    (tmp_path / "my.toml").write_text(text + "starts = 8\nsubgrid = 2\n[continuation]\nmax_steps = 10\n")
     sweep(str(tmp_path / "my.toml"), str(tmp_path / "out"), executor=Inline())
     assert tables(tmp_path / "out") == tables(reference[0])
 
@@ -294,10 +294,14 @@ def test_progress_only_goes_on(reference):
 # -- cells that fail -----------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("stage", ["search", "converge"])
 @pytest.mark.parametrize(
-    "error",
-    [FloatingPointError("boom"), np.linalg.LinAlgError("boom"), MemoryError("boom"), IndexError("boom")],
+    ("error", "stage"),
+    [
+        (FloatingPointError("boom"), "search"),
+        (np.linalg.LinAlgError("boom"), "converge"),
+        (MemoryError("boom"), "search"),
+        (IndexError("boom"), "converge"),
+    ],
 )
 def test_a_cell_that_raises_is_a_row_with_a_reason(tmp_path, monkeypatch, stage, error):
     grid, search = {"k": [0.5, 6.0, 8.0]}, {"starts": 64, "subgrid": 1}

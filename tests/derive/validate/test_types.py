@@ -32,13 +32,29 @@ WRONG = (
 )
 
 
+FIRST = list({tuple("#" if isinstance(key, int) else key for key in path): (name, path)
+              for name, path in reversed(PLACES)}.values())  # fmt: skip
+"""One place of each kind: of which parameter, body or model it is does not matter."""
+
+SOME = 4
+"""Things that are tried in a further place of a kind; together such places see all of them."""
+
+
+def things(place):
+    """What is put into a place: everything into the first of its kind, some in turn into the others."""
+    if place in FIRST:
+        return WRONG
+    begin = SOME * PLACES.index(place)
+    return [WRONG[(begin + i) % len(WRONG)] for i in range(SOME)]
+
+
 @pytest.mark.parametrize("place", PLACES, ids=lambda place: f"{place[0]} {'.'.join(map(str, place[1]))}")
 def test_any_thing_in_any_field_is_refused_in_a_sentence_or_allowed(place):
     name, (field, *inside) = place
     walker = WALKERS[name]
     value = getattr(walker, field)
     refusals = 0
-    for wrong in WRONG:
+    for wrong in things(place):
         thing = wrong
         if inside:
             key, *inner = inside
@@ -52,7 +68,7 @@ def test_any_thing_in_any_field_is_refused_in_a_sentence_or_allowed(place):
             assert str(error).startswith("model ")
             assert "\n" not in str(error)
             assert len(str(error)) <= 700
-    assert refusals >= 10  # most things are wrong anywhere
+    assert refusals >= 10 or place not in FIRST  # most things are wrong anywhere
 
 
 def made_up(value, key, made):

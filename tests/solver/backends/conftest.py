@@ -4,7 +4,9 @@ import shutil
 
 import pytest
 
+from stridemap.solver.backends import lanes
 from stridemap.solver.backends.selection import load_kernels
+from tests.oracles.kernels import few
 
 
 @pytest.fixture
@@ -21,6 +23,12 @@ def own_cache(tmp_path, monkeypatch, fresh_kernels):
     folder = tmp_path / "cache"
     monkeypatch.setenv("STRIDEMAP_CACHE", str(folder))
     return folder
+
+
+@pytest.fixture
+def few_kernels(monkeypatch):
+    """Of the kernels in lanes a residual and a trace: the others take most of the time of a compilation."""
+    monkeypatch.setattr(lanes, "source", lambda model, whole=lanes.source: few(whole(model)))
 
 
 @pytest.fixture

@@ -1,6 +1,7 @@
 """Kernels that work on several points per instruction: the same numbers, whatever is beside them."""
 
 import ctypes
+import os
 import re
 import shutil
 import subprocess
@@ -168,7 +169,7 @@ def test_part_of_a_step_and_no_points():
 MAIN = """
 int main()
 {
-    const casadi_int nu = 3, np = 1, in_size[] = {nu, np}, out_size[] = {nu * nu, nu};
+    const casadi_int nu = 3, np = 3, in_size[] = {nu, np}, out_size[] = {nu * nu, nu};
     const double start[] = START, params[] = PARAMS, one[] = {1, 1, 1};
     for (casadi_int n = 1; n < 18; n++) {
         double* u = (double*) malloc((size_t) (n * nu) * sizeof(double));
@@ -182,8 +183,8 @@ int main()
         }
         const double* in[] = {u, p};
         double* out[] = {j, r};
-        const Kernel* derivative = &lockstep_simplest_walker_jacobian_12;
-        const Kernel* residual = &lockstep_simplest_walker_residual_24;
+        const Kernel* derivative = &lockstep_rimless_wheel_jacobian_12;
+        const Kernel* residual = &lockstep_rimless_wheel_residual_24;
         int status = lockstep_newton(derivative, residual, n, nu, np, u, p, one, one, 1e-14, 1e-9, 6);
         status |= lockstep_newton(derivative, NULL, n, nu, np, u, p, one, one, 1e-14, 1e-9, 6);
         status |= lockstep_map(derivative, n, 2, in, in_size, 2, out, out_size);
@@ -196,10 +197,10 @@ int main()
 
 
 def test_drivers_under_the_address_sanitizer(tmp_path):
-    model, compiler = load("simplest_walker"), shutil.which(find_compiler())
+    model, compiler = load("rimless_wheel"), shutil.which(find_compiler())
     orbit = find_orbits(model)[0]
     # The other kernels would take long to compile.
-    shown = r"^KERNEL\((?!simplest_walker_(jacobian_12|residual_24)\)).*$"
+    shown = r"^KERNEL\((?!rimless_wheel_(jacobian_12|residual_24)\)).*$"
     text, main = re.sub(shown, "", lanes.source(model), flags=re.M), MAIN
     for word, values in (("START", orbit.section_point), ("PARAMS", orbit.params.values())):
         main = main.replace(word, "{" + ", ".join(map(repr, values)) + "}")
@@ -258,6 +259,8 @@ def test_the_arithmetic_is_its_own():
 def test_the_compiler_does_not_change_a_bit(compiler):
     if not shutil.which(compiler):
         pytest.skip(f"there is no {compiler}")
+    if os.path.realpath(shutil.which(compiler)) == os.path.realpath(shutil.which(find_compiler())):
+        pytest.skip(f"{compiler} is the one that compiles in all other tests")
     model = load("compass")
     u, params = cases(model, 40)
     expected, found = Lanes().kernels(model), Lanes(compiler).kernels(model)

@@ -24,6 +24,7 @@ from stridemap.solver.kernels.step_map import BLOCK
 from stridemap.solver.model.loading import load
 from stridemap.solver.options import SearchOptions
 from tests.oracles.reference import TWO_CYCLES
+from tests.oracles.remembered import remembered
 
 FC = Parameter("Fc", 0.002, "m g L", "dry friction at the hip", 0.0)
 SHARP = Parameter("sharp", 100.0, "sqrt(L/g)", "sharpness of the sign function", 0.0)
@@ -32,13 +33,13 @@ SHARP = Parameter("sharp", 100.0, "sqrt(L/g)", "sharpness of the sign function",
 @pytest.fixture(scope="module")
 def friction():
     """The compass gait with dry friction at the hip."""
-    return derive_model(
-        COMPASS.with_(
-            name="coulomb_min",
-            parameters=(*COMPASS.parameters, FC, SHARP),
-            torques={THETA2: -FC.symbol * sp.tanh(SHARP.symbol * THETA2.rate)},
-        )
+    walker = COMPASS.with_(
+        name="coulomb_min",
+        parameters=(*COMPASS.parameters, FC, SHARP),
+        torques={THETA2: -FC.symbol * sp.tanh(SHARP.symbol * THETA2.rate)},
     )
+    with remembered():
+        return derive_model(walker)
 
 
 # By an independent program (floating-base equations, event-driven DOP853 at 1e-12, Newton's method on the
