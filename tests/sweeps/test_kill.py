@@ -49,7 +49,9 @@ def test_a_flipped_bit_in_the_data_is_noticed(tmp_path):
 
 
 @pytest.mark.quick
-@pytest.mark.parametrize("step", ["os.fsync", "pathlib.Path.replace", "pyarrow.parquet.write_table"])
+@pytest.mark.parametrize(
+    "step", ["os.fsync", "pathlib.Path.replace", "pyarrow.parquet.ParquetWriter.write_table"]
+)
 def test_a_failure_while_writing_keeps_the_old_file(tmp_path, monkeypatch, step):
     store = Store.create(tmp_path, CONFIG, PROVENANCE)
     store.write_part(0, 0, {"cell": [1]})
