@@ -1,7 +1,7 @@
 """All branches over one parameter as a value: tables of points and of special points, JSON, a picture."""
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from functools import cached_property
 from pathlib import Path
 from typing import Any
@@ -18,6 +18,7 @@ from stridemap.solver.branches.tables import cycle_columns, pair, point_row, sav
 from stridemap.solver.cycles.chain_measures import chain_measures
 from stridemap.solver.cycles.orbits import column
 from stridemap.solver.model.model import Model
+from stridemap.words import multiplier_columns
 
 Array = NDArray[np.float64]
 
@@ -238,10 +239,22 @@ class Branches(Sequence[Branch]):
             for one in self.special
         ]
         frame = pd.DataFrame(rows).drop(columns="null", errors="ignore")
+        if not rows:
+            frame = pd.DataFrame(columns=self._special_names)
         for name, values in self._measured_specials().items():
             if name not in frame:
                 frame[name] = values
         return described(frame, self.model.spec, "special points", {"value": self.vary})
+
+    @property
+    def _special_names(self) -> list[str]:
+        """Columns of the table of special points."""
+        model = self.model
+        own = [one.name for one in fields(SpecialPoint)]
+        own = [name for name in own if name not in ("params", "state", "steps", "multipliers", "null")]
+        multipliers = [name for i in range(len(model.section)) for name in multiplier_columns(i)]
+        every = (*own, *model.spec.names, *model.section, *multipliers, *model.measured)
+        return list(dict.fromkeys(every))
 
     def _measured_specials(self) -> dict[str, Any]:
         """Every measured quantity at all special points, by column."""

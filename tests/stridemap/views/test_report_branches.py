@@ -130,6 +130,17 @@ def test_a_file_that_cannot_be_read_is_named(tmp_path, found):
         read_branches(tmp_path / "b.parquet")
 
 
+def test_branches_without_special_points_are_lines(tmp_path, found):
+    without = stridemap.branches("simplest_walker", "slope", (0.010, 0.0105), seeds=1, search={"starts": 32})
+    assert without.special == ()
+    assert list(without.special_frame()) == list(found.special_frame())
+    for name in ("b.parquet", "b.csv"):
+        without.save(tmp_path / name)
+        lines = lines_of(tmp_path / name)[1]
+        assert set(lines["look"]) == {0, 1, 2}
+        assert lines["type"].isna().all()
+
+
 def test_branches_in_other_units_are_refused(run, tmp_path):
     line = "branch --model goswami_compass --vary slope --range 0.05 0.06 --seeds 1 --starts 32"
     status, _, _ = run(*line.split(), "--units", "leg_length=0.75,mass=32", "--out", tmp_path / "b.parquet")
