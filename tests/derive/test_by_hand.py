@@ -112,7 +112,6 @@ ROCKER = Walker(
 )
 
 
-@pytest.mark.quick
 def test_a_rolling_foot_has_an_acceleration_of_its_own():
     """The tip at ``(-r a - e sin a, r + e cos a)``, e = 1 - r, a = s + s^3 / 3, differentiated by hand."""
     model = light_model(ROCKER)

@@ -33,7 +33,6 @@ def cycle(model, gait):
 # -- what independent programs found -----------------------------------------------------------------------
 
 
-@pytest.mark.quick
 @pytest.mark.parametrize(
     ("declared", "gait", "measures"),
     [
@@ -99,7 +98,6 @@ def test_a_force_from_outside_reaches_coordinates_and_ground():
     np.testing.assert_allclose(model.evaluate("controller_torque", p=p)["u"][:, 0], 0.7)
 
 
-@pytest.mark.quick
 def test_a_torque_on_a_massless_leg_is_divided_by_its_mass():
     # phi'' gains what the torque m k phi gives on the inertia m of the foot: k phi.
     gain = Parameter("k", 0.3, "1", "gain", 0.0)

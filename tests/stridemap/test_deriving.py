@@ -12,7 +12,6 @@ from stridemap.derive.models import WALKERS
 from stridemap.solver.model import derivation
 
 WHEEL = WALKERS["rimless_wheel"].with_(name="own_wheel")
-pytestmark = pytest.mark.quick
 
 
 def test_what_is_in_the_cache_is_copied_and_not_derived_again(tmp_path, monkeypatch):
@@ -32,6 +31,7 @@ def test_without_a_cache_that_can_be_written_the_folder_is_written_all_the_same(
     assert stridemap.derive_model(WHEEL, tmp_path / "out").name == "own_wheel"
 
 
+@pytest.mark.quick
 def test_functions_are_counted_before_they_are_derived():
     functions = Functions(WHEEL)
     assert len(list(functions.programs())) == functions.count
