@@ -107,5 +107,5 @@ ax.set_xlabel("real part")
 ax.set_ylabel("imaginary part")
 
 # %%
-# The default sweep, ``make sweep``, does this over spring, mass ratio and frequency: 17,280
+# The default sweep, ``make sweep``, does this over spring, mass ratio and frequency: 16,800
 # cells in a few minutes.

@@ -119,7 +119,7 @@ def test_the_installed_package_stands_alone(installed, tmp_path):
     assert found["bare"] == []
     assert found["version"] == stridemap.__version__
     assert Path(found["generated"]) == site / "stridemap" / "generated"
-    assert found["cells"] == 17280
+    assert found["cells"] == 16800
     assert found["typed"]
     assert found["commit"] is None
     words = ["orbit", "--model", "wobbling", "--k", "6", "--alpha", "0.25", "--omega", "3", "--json"]

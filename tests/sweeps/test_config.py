@@ -47,7 +47,7 @@ def test_default_file_is_the_papers_map():
     assert paper.grid["k"] == tuple(i / 2 for i in range(1, 121))
     assert {0.5, 6.0, 22.5} <= set(paper.grid["k"])  # the paper's typical solutions
     assert {0.25, 0.5} <= set(paper.grid["alpha"])
-    assert paper.n_cells == 17280
+    assert paper.n_cells == 16800
     assert not paper.special_points
 
 
