@@ -52,7 +52,7 @@ def test_default_file_is_the_papers_map():
 
 
 def test_range_values_are_those_one_would_write():
-    assert load_config(PAPER).grid["alpha"] == tuple(i / 1000 for i in range(25, 901, 25))
+    assert load_config(PAPER).grid["alpha"] == tuple(i / 1000 for i in range(50, 901, 25))
     assert Range(start=0.1, stop=1000, num=5, spacing="log").values() == [0.1, 1.0, 10.0, 100.0, 1000.0]
     assert Range(start=-0.3, stop=0.3, num=7).values() == [-0.3, -0.2, -0.1, 0.0, 0.1, 0.2, 0.3]
     assert Range(start=7, stop=7, num=1).values() == [7.0]
