@@ -3,7 +3,6 @@
 import contextlib
 import json
 import os
-import tempfile
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import IO, Any
@@ -13,6 +12,7 @@ from stridemap.tables.export import about_columns, check_ending, csv_text
 from stridemap.tables.export import export as export_whole
 from stridemap.tables.reading import read_batches, read_table, some_columns, table_head
 from stridemap.tables.table import Table
+from stridemap.tables.whole_file import whole_file
 
 
 def export_file(
@@ -85,26 +85,15 @@ class _Counted:
 @contextlib.contextmanager
 def _written(target: Path) -> Iterator[IO[bytes]]:
     """A file that takes its place when it is complete."""
-    temporary = None
     try:
-        target.parent.mkdir(parents=True, exist_ok=True)
         if os.path.exists(target) and not os.path.isfile(target):
             raise OSError(None, "it is not a file")  # to write into a pipe waits for who reads it
-        handle, temporary = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name}.")
-        with open(handle, "wb") as file:
+        with whole_file(target) as file:
             yield file
-        mask = os.umask(0)
-        os.umask(mask)
-        os.chmod(temporary, 0o666 & ~mask)  # mkstemp makes files that only their owner reads
-        os.replace(temporary, target)
     except OSError as error:
         raise StorageError(
             f"cannot write {target} ({error.strerror or error}); give a path that can be written"
         ) from None
-    finally:
-        if temporary is not None:
-            with contextlib.suppress(OSError):
-                os.unlink(temporary)
 
 
 def _csv(head: Table, batches: _Counted, file: IO[bytes]) -> None:

@@ -15,7 +15,7 @@ from stridemap.solver.model.model import Model
 from stridemap.views import palette
 from stridemap.views.branch_lines import kinds_of, looks_between, placed
 from stridemap.views.markers import BOUNDARY_LINES, BOUNDARY_NAMES, MARKERS
-from stridemap.views.report.curves import check_units, same
+from stridemap.views.report.curves import check_fixed, check_units
 from stridemap.views.report.encoding import Encoder
 
 Given = str | Path | Branches
@@ -107,18 +107,12 @@ def _encoded(
     names = list(model.spec.names)
     _check(points, special, names, source)
     varies = _varying(points, names, source)
-    fixed = {**model.preset, **configuration["params"]}
     if varies not in configuration["grid"]:
         raise InputError(
             f"{source} are over {varies}, which the sweep does not vary; give branches over a parameter of "
             f"its grid: {', '.join(configuration['grid'])}"
         )
-    for name in names:
-        if name not in configuration["grid"] and not same(points[name], fixed[name]).all():
-            raise InputError(
-                f"{source} are at {name} = {points[name].iloc[0]:g}, the sweep is at {fixed[name]:g}; "
-                "give branches that belong to it"
-            )
+    check_fixed(model, configuration, points, source, "branches")
     lines = _lines(points, special, varies, _drawable(points, special, orbits))
     return {
         "varies": varies,

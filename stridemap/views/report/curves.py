@@ -87,13 +87,7 @@ def curves(
                 f"{source} lie in the plane of {pair[0]} and {pair[1]}, but the sweep does not vary {name}; "
                 "give boundaries over two parameters of its grid"
             )
-    fixed = {**model.preset, **configuration["params"]}
-    for name in names:
-        if name not in configuration["grid"] and not same(table[name], fixed[name]).all():
-            raise InputError(
-                f"{source} are at {name} = {table[name].iloc[0]:g}, the sweep is at {fixed[name]:g}; "
-                "give boundaries that belong to it"
-            )
+    check_fixed(model, configuration, table, source, "boundaries")
     others = [name for name in names if name in configuration["grid"] and name not in pair]
     out = []
     for _, one in table.groupby("boundary", sort=True):
@@ -145,9 +139,35 @@ def _varying(table: pd.DataFrame, names: list[str], source: str) -> tuple[str, s
     return found[0], found[1]
 
 
-def same(values: Any, value: float) -> Any:
-    """Which values of a column are one that a sweep has."""
-    return np.isclose(values.to_numpy(dtype=float), value, rtol=SAME, atol=0.0)
+def check_fixed(
+    model: Model, configuration: Mapping[str, Any], table: pd.DataFrame, source: str, kind: str
+) -> None:
+    """Refuse a table at other values of what a sweep does not vary.
+
+    Parameters
+    ----------
+    model : Model
+    configuration : mapping
+        Of the sweep.
+    table : DataFrame
+        With a column for each parameter.
+    source, kind : str
+        What the table and what it holds are called in errors.
+
+    Raises
+    ------
+    InputError
+        For such a table.
+    """
+    fixed = {**model.preset, **configuration["params"]}
+    for name in model.spec.names:
+        if name in configuration["grid"]:
+            continue
+        if not np.isclose(table[name].to_numpy(dtype=float), fixed[name], rtol=SAME, atol=0.0).all():
+            raise InputError(
+                f"{source} are at {name} = {table[name].iloc[0]:g}, the sweep is at {fixed[name]:g}; "
+                f"give {kind} that belong to it"
+            )
 
 
 def _pieces(one: pd.DataFrame, pair: tuple[str, str]) -> list[dict[str, Any]]:

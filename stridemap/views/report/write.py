@@ -1,12 +1,10 @@
 """Puts the page together and writes it."""
 
 import base64
-import contextlib
 import hashlib
 import json
 import os
 import re
-import tempfile
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from importlib.resources import files
@@ -17,6 +15,7 @@ import pandas as pd
 
 from stridemap.errors import InputError, short
 from stridemap.solver.model.model import Model
+from stridemap.tables.whole_file import whole_file
 from stridemap.views import palette
 from stridemap.views.report import sections
 from stridemap.views.report.branches import Given
@@ -237,18 +236,9 @@ def _write(path: Path, page: bytes | None) -> None:
         )
     if os.path.exists(path) and not os.path.isfile(path):  # a device or a pipe would be replaced by the page
         raise InputError(f"{path} is not a file; give the name of a file to write")
-    temporary = None
     try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        handle, temporary = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
-        with open(handle, "wb") as file:
-            if page is None:
-                return
-            file.write(page)
-        mask = os.umask(0)
-        os.umask(mask)
-        os.chmod(temporary, 0o666 & ~mask)  # mkstemp makes files that only their owner reads
-        os.replace(temporary, path)
+        with whole_file(path, replace=page is not None) as file:
+            file.write(page or b"")
     except OSError as error:
         reason = (
             "a folder on the way is a file" if isinstance(error, FileExistsError) else error.strerror or error
@@ -256,7 +246,3 @@ def _write(path: Path, page: bytes | None) -> None:
         raise InputError(
             f"cannot write {path} ({reason}); give a file in a folder that can be written"
         ) from None
-    finally:
-        if temporary is not None:
-            with contextlib.suppress(OSError):
-                os.unlink(temporary)
