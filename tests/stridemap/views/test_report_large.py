@@ -1,4 +1,4 @@
-"""A page of a hundred thousand cycles: its size, and how long a press takes."""
+"""A page of a hundred thousand cycles: its size, and what a press on its map shows and draws."""
 
 import pytest
 
@@ -6,8 +6,12 @@ import stridemap
 from stridemap.views.report import write
 from tests.oracles.large_sweep import large_sweep
 
-LARGEST_PAGE, SLOWEST_PRESS = 20e6, 60
-"""Bytes, and milliseconds of the processor."""
+LARGEST_PAGE = 20e6
+"""Bytes. How long a press takes is measured by ``python -m benchmarks.press``."""
+
+PLACE = """i => { const { left, top } = document.getElementById("map").getBoundingClientRect();
+    const { x, y, width, height } = stridemap.map.box(20 + 13 * i, 5 + 4 * i);
+    return [left + x + width / 2, top + y + height / 2]; }"""
 
 FRAME = "new Promise(done => requestAnimationFrame(() => setTimeout(done)))"
 
@@ -24,7 +28,7 @@ def large(compared, tmp_path_factory):
     return path, made.orbits
 
 
-def test_a_large_page_is_small_and_quick(large, browser):
+def test_a_press_on_a_large_page_shows_that_cycle_and_draws_the_map_no_second_time(large, browser):
     path, orbits = large
     assert path.stat().st_size < LARGEST_PAGE
     page = browser.new_page(viewport={"width": 1400, "height": 900}, reduced_motion="reduce")
@@ -32,29 +36,15 @@ def test_a_large_page_is_small_and_quick(large, browser):
     page.on("pageerror", lambda error: faults.append(str(error)))
     page.goto(path.as_uri())
     page.wait_for_selector("html[data-ready=yes]", state="attached", timeout=60_000)
-    session = page.context.new_cdp_session(page)
-    session.send("Performance.enable", {"timeDomain": "threadTicks"})
-
-    def busy():
-        metrics = session.send("Performance.getMetrics")["metrics"]
-        return 1000 * next(one["value"] for one in metrics if one["name"] == "TaskDuration")
-
-    times = []
+    page.evaluate("window.drawn = stridemap.map.looks")
     for i in range(9):
-        place = page.evaluate(
-            """i => { const { left, top } = document.getElementById("map").getBoundingClientRect();
-            const { x, y, width, height } = stridemap.map.box(20 + 13 * i, 5 + 4 * i);
-            return [left + x + width / 2, top + y + height / 2]; }""", i
-        )  # fmt: skip
-        page.mouse.move(*place)
+        page.mouse.click(*page.evaluate(PLACE, i))
         page.evaluate(FRAME)
-        before = busy()
-        page.mouse.down()
-        page.mouse.up()
-        page.evaluate(FRAME)
-        times.append(busy() - before)
         row = orbits.iloc[page.evaluate("stridemap.state.row")]
+        assert page.evaluate("stridemap.state.cell") == row.cell
         shown = page.inner_text('#measures [data-name="cot"] .number')
         assert shown == f"{row.cot:.10f}"
-    assert sorted(times)[2] < SLOWEST_PRESS  # what else runs on the machine only adds
+    assert page.evaluate("stridemap.map.looks === window.drawn")
+    page.select_option("#choice", "stable")
+    assert not page.evaluate("stridemap.map.looks === window.drawn")  # as after another choice
     assert faults == []
