@@ -41,7 +41,7 @@ help: ## this list
 derive: $(RUN) ## write the equations, the C and the kernels of all models into generated/
 	$(BIN)/stridemap derive $(ARGS)
 
-sweep: $(RUN) ## find all limit cycles of a grid, or go on with what is unfinished (CONFIG=, OUT=, WORKERS=)
+sweep: $(PICTURES) ## find all limit cycles of a grid, or go on with what is unfinished (CONFIG=, OUT=, WORKERS=)
 	$(BIN)/stridemap sweep "$(CONFIG)" --out "$(OUT)" --resume $(if $(WORKERS),--workers $(WORKERS)) $(ARGS)
 
 claims: $(RUN) ## decide the paper's statements by computation (WORKERS=, ARGS=--json)

@@ -166,6 +166,22 @@ class SearchOptions(Options):
             )
         return np.array(rows).reshape(len(rows), 2)
 
+    def room_for(self, model: "Model") -> NDArray[np.float64]:
+        """Least and greatest value of cycles that are followed, shape (nz, 2), by entry of the section.
+
+        They lie `FARTHEST` half-widths from the middle of the model's own box, or of the box of these options
+        where that reaches farther.
+
+        Raises
+        ------
+        InputError
+            As `box_for`.
+        """
+        reach = np.array([-FARTHEST, FARTHEST])
+        boxes = np.array([SearchOptions().box_for(model), self.box_for(model)])
+        ends = boxes[..., :1] + reach * boxes[..., 1:]
+        return np.stack([ends[..., 0].min(axis=0), ends[..., 1].max(axis=0)], axis=1)
+
     @property
     def period_range(self) -> tuple[float, float]:
         """(period_min, period_max); an end that is not given is the least or the greatest possible."""
@@ -177,6 +193,10 @@ class SearchOptions(Options):
         """A range in which a sweep follows branches that leave the range and come back."""
         low, high = self.period_range
         return 0.85 * low, 1.15 * high
+
+
+FARTHEST = 8.0
+"""How many half-widths of the search box away from its middle a branch ends: gaits were seen at six."""
 
 
 def _box(given: Any) -> tuple[tuple[str, tuple[float, float]], ...]:

@@ -5,7 +5,7 @@ stridemap or one that the reader names. No file of the folder is ever run.
 """
 
 import hashlib
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -56,7 +56,7 @@ Word = Annotated[str, Field(max_length=100, pattern="^[A-Za-z][A-Za-z0-9_]*$")]
 """The name of something."""
 
 Hash = Annotated[str, Field(pattern="^[0-9a-f]{64}$")]
-Setting = Text | int | float | bool | None | dict[Word, int]
+Setting = Text | int | float | bool | None | dict[Word, int] | dict[Word, list[float]]
 
 
 class _Configuration(BaseModel):
@@ -160,12 +160,24 @@ def _checked(found: dict[str, Any], folder: str | Path) -> dict[str, Any]:
         _Provenance.model_validate(found)
     except ValidationError as error:
         first = error.errors(include_url=False)[0]
-        entry = ".".join(map(str, first["loc"]))[:100] or "it"
-        raise foreign(folder, f"{entry} in their metadata is {_short(first['input'])}") from None
+        raise foreign(
+            folder, f"{_entry(found, first['loc'])} in their metadata is {_short(first['input'])}"
+        ) from None
     configuration = found["configuration"]
     if hashlib.sha256(canonical_json(configuration).encode()).hexdigest() != found["configuration_hash"]:
         raise foreign(folder, "the configuration in their metadata does not have the hash that stands there")
     return found
+
+
+def _entry(found: Any, place: Sequence[str | int]) -> str:
+    """The entry of the metadata at a place; which of several kinds it might have been is left out."""
+    names = []
+    for name in place:
+        if not isinstance(found, dict):
+            break
+        names.append(str(name))
+        found = found.get(name)
+    return ".".join(names)[:100] or "it"
 
 
 def _builtin(name: str, folder: str | Path) -> Model:

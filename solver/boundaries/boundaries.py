@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from stridemap.columns import described
 from stridemap.services import service
 from stridemap.solver.boundaries.survey import Boundary
+from stridemap.solver.branches.arclength import ends_in_words
 from stridemap.solver.branches.tables import cycle_columns, pair, point_row, save_tables
 from stridemap.solver.model.model import Model
 
@@ -118,7 +119,7 @@ class Boundaries(Sequence[Boundary]):
             low, high = plane.min(axis=0), plane.max(axis=0)
             lines.append(
                 f"  {number}: {one.type}, {low[0]:.6g} <= {first} <= {high[0]:.6g}, "
-                f"{low[1]:.6g} <= {second} <= {high[1]:.6g}"
+                f"{low[1]:.6g} <= {second} <= {high[1]:.6g}{ends_in_words(one.reasons)}"
             )
         head = f"<{count} of {self.model.name} over {area}"
         return "\n".join([head, *lines, ">"]) if lines else f"{head}>"

@@ -124,7 +124,7 @@ class BoundarySurvey:
         """Where boundaries are followed."""
         shortest, longest = self.along.window.shortest, self.along.window.longest
         slack = SLACK * (longest - shortest)  # a boundary may lie on the period's limit itself
-        return Window(self.low, self.high, shortest - slack, longest + slack)
+        return Window(self.low, self.high, shortest - slack, longest + slack, self.along.window.room)
 
     def boundaries(self) -> list[Boundary]:
         """All boundaries, in the order of discovery."""

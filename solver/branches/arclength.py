@@ -38,12 +38,30 @@ class EndReason(StrEnum):
     DOUBLE = "double_multiplier"
     """The pair of multipliers of a torus becomes one double real multiplier."""
     REGION = "region"
-    """A section coordinate is far outside the box in which cycles are searched for."""
+    """A section coordinate is far outside the search box: see `SearchOptions.room_for`."""
     BRANCH_POINT = "branch_point"
     """It begins or ends at another branch: beyond a cycle that closes after half of its steps already, the
     same cycles come again, with their halves exchanged."""
     STEPS = "max_steps"
     """The largest number of arclength steps was taken."""
+
+
+SAID = {
+    EndReason.PERIOD: "where a step becomes too short or too long",
+    EndReason.STANDING: "where the walker stands",
+    EndReason.STALLED: "where no shorter arclength step leads on",
+    EndReason.DOUBLE: "where the pair of multipliers meets",
+    EndReason.REGION: "far outside the search box",
+    EndReason.BRANCH_POINT: "on another branch",
+    EndReason.STEPS: "after the largest number of arclength steps",
+}
+"""Where a curve ends, in words; nothing is said of one that closes or leaves the range."""
+
+
+def ends_in_words(reasons: tuple[EndReason, EndReason]) -> str:
+    """Where a curve ends within the range, as the end of a sentence; empty where it does not."""
+    said = dict.fromkeys(SAID[one] for one in reasons if one in SAID)
+    return f"; it ends {' and '.join(said)}" if said else ""
 
 
 @dataclass(frozen=True)
@@ -89,12 +107,15 @@ class Window:
         Ends of the ranges of the parameters that vary.
     shortest, longest : float
         Range of the periods of each walking step.
+    room : ndarray, shape (nz, 2), optional
+        Least and greatest value of each section coordinate; without it they may be anything.
     """
 
     low: tuple[float, ...]
     high: tuple[float, ...]
     shortest: float
     longest: float
+    room: Array | None = None
 
     def left(self, here: Array, there: Array) -> tuple[int, float] | None:
         """Which parameter leaves its range first between two points, and the end at which it does.
@@ -257,8 +278,7 @@ def _ended(curve: ZeroCurve, points: list[CurvePoint], window: Window) -> EndRea
         return EndReason.PERIOD
     if np.abs(steps[:, :-1] / model.spec.scales).max() < STANDING:
         return EndReason.STANDING
-    middle = np.array([model.spec.search_box[name][0] for name in model.section])
-    if (np.abs(steps[:, :-1] - middle) > FARTHEST * np.asarray(model.spec.scales)).any():
+    if window.room is not None and not _between(window.room, steps[:, :-1]):
         return EndReason.REGION
     if curve.beyond(x):
         return EndReason.DOUBLE
@@ -284,14 +304,16 @@ def _halves_exchange(steps: Array, before: Array, curve: ZeroCurve) -> bool:
     return bool((one * other).sum() < 0)
 
 
+def _between(ends: Array, values: Array) -> bool:
+    """Whether all values lie between the ends, which are given per column."""
+    return bool(((ends[:, 0] <= values) & (values <= ends[:, 1])).all())
+
+
 MAX_CORRECTION = 0.3
 """Largest correction, as a part of the arclength step."""
 
 MAX_SIDESTEP = 0.004
 """Largest angle, in radians, by which the way between two points differs from the mean of their tangents."""
-
-FARTHEST = 4.0
-"""Distance from the middle of the search box, in half-widths, beyond which nothing walks."""
 
 STANDING = 1e-4
 """A section point whose entries are all below this part of their scale is a walker that stands."""

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from stridemap.columns import described
 from stridemap.services import service
+from stridemap.solver.branches.arclength import ends_in_words
 from stridemap.solver.branches.ends import End
 from stridemap.solver.branches.special import Special, SpecialType
 from stridemap.solver.branches.survey import Branch
@@ -132,6 +133,7 @@ class Branches(Sequence[Branch]):
         lines = [
             f"  {number}: {branch.period_n}-step cycles, {len(branch.points)} points, "
             f"{factor * branch.x[:, -1].min():.6g} <= {self.vary} <= {factor * branch.x[:, -1].max():.6g}"
+            f"{ends_in_words(branch.reasons)}"
             for number, branch in enumerate(self.found)
         ]
         count = f"{len(self)} branch{'' if len(self) == 1 else 'es'}"

@@ -121,8 +121,9 @@ class Survey:
     @property
     def window(self) -> Window:
         """Where branches are followed."""
-        shortest, longest = self.search.resolved_for(self.solver.model).period_range
-        return Window((self.low,), (self.high,), shortest, longest)
+        model = self.solver.model
+        shortest, longest = self.search.resolved_for(model).period_range
+        return Window((self.low,), (self.high,), shortest, longest, self.search.room_for(model))
 
     def branches(self) -> list[Branch]:
         """All branches, those of seeds first, then those that leave them, in the order of discovery."""

@@ -122,7 +122,8 @@ def hits(
     """
     period_range = options.resolved_for(solver.model).period_range
     curve = Curve.over(Chain(solver.kernels), point, target.parameter, target.high - target.low)
-    line = Line(solver, curve, Window((target.low,), (target.high,), *period_range))
+    room = options.room_for(solver.model)
+    line = Line(solver, curve, Window((target.low,), (target.high,), *period_range, room))
     _, seeds = find_all(solver, line.params(values), options)
     left, parts, branches = seeds, [seeds], []
     while len(left):

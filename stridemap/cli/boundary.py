@@ -19,9 +19,11 @@ from stridemap.cli.options import (
     JsonOption,
     ModelOption,
     PeriodNOption,
+    SearchBoxOption,
     SearchOption,
     SetOption,
     TableOption,
+    box,
     number_pairs,
     one_format,
     option_values,
@@ -49,6 +51,7 @@ def boundary(
     friction_limit: FrictionOption = None,
     starts: Annotated[int, whole("Number of quasi-random starts at each of these values.")] = 256,
     search: SearchOption = None,
+    search_box: SearchBoxOption = None,
     continuation: ContinuationOption = None,
     out: TableOption = None,
     plot: Annotated[
@@ -76,7 +79,11 @@ def boundary(
     ends = number_pairs(range_, "--range")
     # Whoever needs as many ranges as parameters refuses others.
     own = [size.ends(name, one) for name, one in zip(vary, ends, strict=False)] + ends[len(vary) :]
-    searched = size.search(option_values("--search", search))
+    searched = {
+        "starts": starts,
+        **size.search(option_values("--search", search)),
+        "search_box": size.all_own(box(search_box)),
+    }
     with show_lines("boundaries") as say:
         found = boundaries(
             model,
@@ -87,7 +94,7 @@ def boundary(
             lines=lines,
             seeds=seeds,
             friction_limit=friction_limit,
-            search=SearchOptions.from_mapping({"starts": starts, **searched}),
+            search=SearchOptions.from_mapping(searched),
             options=ContinuationOptions.from_mapping(option_values("--continuation", continuation)),
             progress=say,
         )

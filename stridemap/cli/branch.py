@@ -18,9 +18,11 @@ from stridemap.cli.options import (
     JsonOption,
     ModelOption,
     PeriodNOption,
+    SearchBoxOption,
     SearchOption,
     SetOption,
     TableOption,
+    box,
     one_format,
     option_values,
     parameters,
@@ -46,6 +48,7 @@ def branch(
     friction_limit: FrictionOption = None,
     starts: Annotated[int, whole("Number of quasi-random starts at each of these values.")] = 256,
     search: SearchOption = None,
+    search_box: SearchBoxOption = None,
     continuation: ContinuationOption = None,
     out: TableOption = None,
     plot: Annotated[
@@ -73,7 +76,11 @@ def branch(
     if plot is not None:
         check_picture(plot)
         check_column(loaded, show)
-    searched = size.search(option_values("--search", search))
+    searched = {
+        "starts": starts,
+        **size.search(option_values("--search", search)),
+        "search_box": size.all_own(box(search_box)),
+    }
     with show_lines(f"branches over {vary}") as say:
         found = branches(
             model,
@@ -84,7 +91,7 @@ def branch(
             cascade=cascade,
             seeds=seeds,
             friction_limit=friction_limit,
-            search=SearchOptions.from_mapping({"starts": starts, **searched}),
+            search=SearchOptions.from_mapping(searched),
             options=ContinuationOptions.from_mapping(option_values("--continuation", continuation)),
             progress=say,
         )

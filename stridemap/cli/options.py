@@ -137,7 +137,13 @@ FrictionOption = Annotated[
 SearchOption = Annotated[
     list[str] | None,
     typer.Option(
-        "--search", metavar="NAME=VALUE", help="An option of the search: seed, period_min, period_max."
+        "--search", metavar="NAME=VALUE", help="An option of the search: seed, period_min, period_max, widen."
+    ),
+]
+SearchBoxOption = Annotated[
+    list[str] | None,
+    typer.Option(
+        metavar="NAME=LOW:HIGH", help="Where starts lie in an entry of the state; see --search widen=2."
     ),
 ]
 ContinuationOption = Annotated[

@@ -14,6 +14,7 @@ from stridemap.cli.options import (
     JsonOption,
     ModelOption,
     PeriodNOption,
+    SearchBoxOption,
     SetOption,
     box,
     one_format,
@@ -37,12 +38,7 @@ def orbit(
             help="An option of the search: seed, period_min, period_max, max_starts, widen.",
         ),
     ] = None,
-    search_box: Annotated[
-        list[str] | None,
-        typer.Option(
-            metavar="NAME=LOW:HIGH", help="Where starts lie in an entry of the state; see --search widen=2."
-        ),
-    ] = None,
+    search_box: SearchBoxOption = None,
     acceptance: Annotated[
         list[str] | None,
         typer.Option(

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stridemap.errors import InputError
+from stridemap.solver.branches.arclength import EndReason
 from stridemap.solver.branches.branches import Branches, SpecialPoint
 from stridemap.solver.model.model import Model
 from stridemap.units import Units
@@ -26,6 +27,11 @@ Array = NDArray[np.float64]
 SIZE = (5.2, 3.6)
 """Width and height in inches."""
 
+LOOSE = (EndReason.PERIOD, EndReason.STALLED, EndReason.REGION, EndReason.STEPS)
+"""Reasons to follow a branch no further that do not say that its gaits end."""
+
+NOT_FOLLOWED = "not followed on"
+
 
 def branch_diagram(
     branches: Branches, y: str = "period", *, gaits_only: bool = False, units: Units | None = None
@@ -33,7 +39,7 @@ def branch_diagram(
     """Draw a bifurcation diagram.
 
     Stable cycles are solid, unstable ones dashed, and cycles that are not gaits thin and grey. Bifurcations
-    and ends of gaits have markers.
+    and ends of gaits have markers, and so has an end that only the limits of following make.
 
     Parameters
     ----------
@@ -124,6 +130,8 @@ class _Drawn:
     """Of the piece after each point but the last, shape (m - 1,)."""
     special: dict[int, SpecialPoint]
     """By their place among the points."""
+    loose: list[int]
+    """Places of its ends within the range at which gaits may go on."""
 
 
 def _drawn(branches: Branches, number: int, y: str, tables: tuple[Any, Any] | None) -> _Drawn:
@@ -148,7 +156,9 @@ def _drawn(branches: Branches, number: int, y: str, tables: tuple[Any, Any] | No
     largest = np.array([np.abs(point.multipliers).max(initial=0.0) for point in branch.points])
     look = looks_between(order, kinds_of(branch.is_gait, largest))
     places = {int(np.flatnonzero(order == n + i)[0]): one for i, one in enumerate(special)}
-    return _Drawn(x[order], values[order], look, places)
+    ends = zip((0, -1), branch.reasons, strict=True)
+    loose = [end for end, reason in ends if reason in LOOSE and branch.is_gait[end]]
+    return _Drawn(x[order], values[order], look, places, loose)
 
 
 def _draw(axes: "Axes", drawn: _Drawn, gaits_only: bool) -> None:
@@ -166,6 +176,17 @@ def _draw(axes: "Axes", drawn: _Drawn, gaits_only: bool) -> None:
         if look or not gaits_only:
             piece = slice(first, last + 1)
             axes.plot(drawn.x[piece], drawn.y[piece], **looks[look])
+    for end in drawn.loose:
+        known = NOT_FOLLOWED in axes.get_legend_handles_labels()[1]
+        axes.plot(
+            np.full(drawn.y.shape[1], drawn.x[end]),
+            drawn.y[end],
+            linestyle="",
+            marker="h",
+            markersize=4.5,
+            color=style.GREY,
+            label=None if known else NOT_FOLLOWED,
+        )
 
 
 def _mark(axes: "Axes", drawn: _Drawn, gaits_only: bool) -> None:

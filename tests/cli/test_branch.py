@@ -29,6 +29,14 @@ def test_json_has_branches_with_their_special_points(run):
     assert all(branch["ends"] == ["range", "range"] for branch in data["branches"])
 
 
+def test_where_starts_lie_can_be_said(run):
+    """With none near the cycles that are found otherwise nothing is found."""
+    status, out, err = run(
+        *LINE.split(), "--starts", 4, "--search-box", "theta=0.9:1", "--search-box", "dtheta=5:6"
+    )
+    assert (status, out, err) == (1, "", "no limit cycle found\n")
+
+
 def test_tables_and_the_diagram_are_written(run, tmp_path):
     status, out, _ = run(*LINE.split(), "--out", tmp_path / "b.parquet", "--plot", tmp_path / "b.svg")
     assert status == 0

@@ -1,6 +1,7 @@
 """Branches, bifurcations and their ends on maps whose cycles are known in closed form."""
 
 import itertools
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -319,9 +320,10 @@ def test_a_walker_that_stands_ends_a_branch_and_a_small_gait_does_not():
 
 
 def test_a_branch_ends_far_outside_the_box():
-    """x = 8 p, four half-widths of the box from its middle at p = 1/2."""
+    """x = 8 p, which is 4 at p = 1/2."""
     on = curve(x + x - 8 * p)
-    points, reasons = traced(on, 0.8, 0.1, -0.2, 1.0)
+    room = replace(window(-0.2, 1.0), room=np.array([[-4.0, 4.0]]))
+    points, reasons = both_ways(on, started(on, 0.8, 0.1), room, OPTIONS)
     assert reasons == (EndReason.RANGE, EndReason.REGION)
     assert points[-2].x[0] <= 4 < points[-1].x[0]
 

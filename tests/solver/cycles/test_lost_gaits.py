@@ -198,6 +198,10 @@ def test_the_search_box_can_be_given_and_widened():
     assert (made[:, 0] <= 0.5).all()
     middle, half = model.spec.search_box["dtheta1"]
     assert half < np.abs(made[:, 1] - middle).max() <= 2 * half
+    own, room = model.spec.search_box["theta1"], box.room_for(model)
+    ends = min(own[0] - 8 * own[1], 0.4 - 0.8), max(own[0] + 8 * own[1], 0.4 + 0.8)
+    assert room[0] == pytest.approx(ends)
+    assert room[1] == pytest.approx([middle - 16 * half, middle + 16 * half])
     assert hash(box) == hash(SearchOptions(starts=256, search_box={"theta1": [0.3, 0.5]}, widen=2.0))
     with pytest.raises(InputError, match="search_box names 'theta', which is not an entry of the section"):
         starts(model, SearchOptions(search_box={"theta": (0, 1)}))

@@ -52,6 +52,16 @@ def test_only_gaits(branches):
     assert all(colour != style.GREY for colour, *_ in drawn)
 
 
+def test_an_end_that_only_the_limits_of_following_make_has_a_mark_and_is_said():
+    """With a shorter longest period one of the two branches ends within the range."""
+    search = stridemap.SearchOptions(starts=64, period_max=3.91)
+    found = stridemap.branches("simplest_walker", "slope", (0.012, 0.0165), seeds=2, search=search)
+    (short,) = [one for one in found if "period_limit" in one.reasons]
+    (mark,) = [line for line in found.plot().axes[0].get_lines() if line.get_marker() == "h"]
+    assert mark.get_xdata() in short.x[[0, -1], -1]
+    assert repr(found).count("it ends where a step becomes too short or too long") == 1
+
+
 def test_what_cannot_be_drawn_is_refused(branches):
     with pytest.raises(InputError, match="what can be is theta"):
         branches.plot("wobble")

@@ -361,6 +361,10 @@ LONG = "x" * 1_000_000
         (lambda p: p["measures"].append("soul"), "have the column soul"),
         (lambda p: p.pop("compiler"), "compiler in their metadata"),
         (lambda p: p["configuration"].pop("grid"), "configuration.grid in their metadata"),
+        (
+            lambda p: p["configuration"]["search"].update(starts=["many"]),
+            "configuration.search.starts in their metadata is ['many']",
+        ),
         (lambda p: p["configuration"]["grid"].update(omega="fast"), "configuration.grid.omega"),
         (lambda p: p["configuration"]["grid"].update(omega=[2.5, 4.0]), "does not have the hash"),
         (lambda p: (p["configuration"]["grid"].update(omega=[3.0, 2.5]), rehash(p)), "do not ascend"),
