@@ -98,11 +98,10 @@ class SearchOptions(Options):
     widen: float = 1.0
 
     def __post_init__(self) -> None:
-        whole = all(isinstance(n, int) and not isinstance(n, bool) for n in (self.starts, self.seed))
-        if not whole:
-            raise InputError(
-                f"starts = {short(self.starts)} and seed = {short(self.seed)} must be whole numbers"
-            )
+        for name in ("starts", "seed"):
+            value = getattr(self, name)
+            whole = isinstance(value, int) and not isinstance(value, bool)
+            self._check(name, whole, "a whole number is needed")
         if self.max_starts is not None:
             number = isinstance(self.max_starts, int) and not isinstance(self.max_starts, bool)
             needed = f"a whole number from starts = {short(self.starts)} to {STARTS_MAX:,} is needed"

@@ -73,7 +73,7 @@ def write_model(walker: Walker, folder: Path) -> list[Path]:
         folder.mkdir(parents=True, exist_ok=True)
         _write(folder, texts, spec)  # the manifest last: it names the others
     except OSError as error:
-        raise InputError(f"cannot write {folder}: {error.strerror}") from error
+        raise _unwritable(folder, error) from error
     return sorted(folder / name for name in [*texts, MANIFEST])
 
 
@@ -163,9 +163,7 @@ def check_folder(folder: Path, model: str) -> None:
     try:
         present = [name for name in names if (folder / name).exists()]
     except OSError as error:  # a name that is longer than the file system allows, for instance
-        raise InputError(
-            f"cannot write {folder} ({error.strerror}); give --out a folder that can be written"
-        ) from error
+        raise _unwritable(folder, error) from error
     if present and _manifest_in(folder).get("name") != model:
         raise InputError(
             f"{folder / present[0]} does not belong to the model {model} and would be overwritten; "
@@ -191,6 +189,12 @@ def copied(model: Model, folder: Path) -> list[Path]:
     return sorted(put_all(folder, contents_of(model)))
 
 
+def _unwritable(folder: Path, error: OSError) -> InputError:
+    """That files cannot be written into a folder."""
+    reason = "it is a file" if folder.is_file() else error.strerror
+    return InputError(f"cannot write {folder} ({reason}); give a folder that can be written")
+
+
 def contents_of(model: Model) -> dict[str, bytes]:
     """The generated files of a model by name, the manifest last: it names the others."""
     return {name: model.text(name).encode() for name in model.spec.files} | {
@@ -211,7 +215,7 @@ def put_all(folder: Path, files: Mapping[str, bytes]) -> list[Path]:
         for name, content in files.items():
             _put(folder / name, content)
     except OSError as error:
-        raise InputError(f"cannot write {folder}: {error.strerror}") from error
+        raise _unwritable(folder, error) from error
     return [folder / name for name in files]
 
 

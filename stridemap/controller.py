@@ -51,7 +51,7 @@ def write_c(
         When there is no limit cycle, the name of the header cannot be one, or the folder cannot be written or
         holds another model's code.
     """
-    orbit._require_found()
+    Orbit.required(orbit)._require_found()
     rows = SAMPLES if samples is None else samples
     whole("samples", rows, 2, MOST_SAMPLES)
     model, target = orbit.model, Path(folder)

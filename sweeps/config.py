@@ -6,14 +6,13 @@ down to the last grid value, so that two files which mean the same have the same
 """
 
 import contextlib
-import difflib
 import hashlib
 import itertools
 import json
 import math
 import os
 import tomllib
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import asdict
 from decimal import Context, Decimal, localcontext
 from pathlib import Path
@@ -35,6 +34,7 @@ from stridemap.solver.options import (
 )
 from stridemap.spec import Parameter
 from stridemap.sweeps.si import Given
+from stridemap.words import hint
 
 MAX_COUNT = 1_000_000_000
 """Largest count that any whole-number setting may take."""
@@ -327,7 +327,7 @@ def parse_config(data: Mapping[str, Any], source: str = "configuration") -> Swee
     for name in search.subgrid if isinstance(search.subgrid, dict) else ():
         if name not in grid:
             raise InputError(
-                f"{source}: [search] subgrid names {name}, which is not in [grid]{_hint(name, grid)}; "
+                f"{source}: [search] subgrid names {name}, which is not in [grid]{hint(name, grid)}; "
                 f"the grid has {', '.join(grid)}"
             )
     config = SweepConfig(
@@ -380,7 +380,7 @@ def _check_names(file: _File, parameters: Mapping[str, Parameter], source: str) 
             if name not in parameters:
                 raise InputError(
                     f"{source}: [{table}] {name} is not a parameter of the model {file.model}"
-                    f"{_hint(name, parameters)}; its parameters are {', '.join(parameters)}"
+                    f"{hint(name, parameters)}; its parameters are {', '.join(parameters)}"
                 )
     for name in file.params:
         if name in file.grid:
@@ -480,18 +480,11 @@ def _sentence(error: ValidationError, cls: type[BaseModel], data: Mapping[str, A
     key = str(first["loc"][0])
     if first["type"] == "extra_forbidden":
         keys = cls.model_fields
-        return f"{where} unknown key {key}{_hint(key, keys)}; the keys are {', '.join(keys)}"
+        return f"{where} unknown key {key}{hint(key, keys)}; the keys are {', '.join(keys)}"
     description = cls.model_fields[key].description
     if first["type"] == "missing":
         return f"{where} {key} is missing; it must be {description}"
     return f"{where} {key} = {_show(data[key])} must be {description}"
-
-
-def _hint(name: str, known: Iterable[str]) -> str:
-    """Return " (did you mean ...?)" if one of the `known` names is close to `name`, else nothing."""
-    folded = {candidate.casefold(): candidate for candidate in known}
-    close = difflib.get_close_matches(name.casefold(), folded, n=1)
-    return f" (did you mean {folded[close[0]]}?)" if close else ""
 
 
 def _show(value: Any) -> str:

@@ -26,7 +26,7 @@ from stridemap.errors import InputError, short
 from stridemap.solver.backends.base import Backend
 from stridemap.solver.backends.selection import load_kernels, named_backend
 from stridemap.sweeps.cluster import cluster, scheduler_address
-from stridemap.sweeps.config import MAX_COUNT, SweepConfig, load_config
+from stridemap.sweeps.config import MAX_COUNT, SweepConfig, load_config, parse_config
 from stridemap.sweeps.executors import interrupts_held, processes
 from stridemap.sweeps.failures import explained, no_workers
 from stridemap.sweeps.files import read
@@ -108,7 +108,7 @@ class Summary:
 
 
 def sweep(
-    config: SweepConfig | str | Path,
+    config: SweepConfig | Mapping[str, Any] | str | Path,
     out: str | Path,
     *,
     workers: int | None = None,
@@ -123,7 +123,8 @@ def sweep(
 
     Parameters
     ----------
-    config : SweepConfig or path of a TOML file
+    config : SweepConfig, mapping, or path of a TOML file
+        A mapping holds what a file would: ``{"model": "compass", "grid": {"omega": [2.0, 3.0]}}``.
     out : path
         Output folder.
     workers : int, optional
@@ -157,7 +158,8 @@ def sweep(
     StorageError
         When the disk is full; finished tiles stay.
     """
-    config = config if isinstance(config, SweepConfig) else load_config(config)
+    if not isinstance(config, SweepConfig):
+        config = parse_config(config) if isinstance(config, Mapping) else load_config(config)
     if workers is not None:
         _check_count("workers", workers, MOST_WORKERS)
     if dask is not None:

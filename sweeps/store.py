@@ -329,6 +329,8 @@ def _output(folder: str | Path, name: str) -> Path:
     if not os.path.exists(path):  # a name that is too long does not exist either
         if os.path.exists(Path(folder) / PARTS):
             raise InputError(f"the sweep in {folder} is not finished; continue it with --resume")
+        if os.path.isfile(folder):
+            raise InputError(f"{folder} is a file; give the output folder of a sweep, not what lies in it")
         raise InputError(f"there is no {name} in {folder}; give the output folder of a sweep")
     return path
 

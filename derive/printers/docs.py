@@ -102,7 +102,7 @@ def readme(equations: Equations) -> str:
     lines = [
         f"# {walker.title}: generated code",
         "",
-        f"Written by {equations.generator} (`make derive`); do not edit. Source of the model: "
+        f"Written by {equations.generator} (`stridemap derive`); do not edit. Source of the model: "
         f"{walker.reference}.",
         "",
         "| file | what it is |",

@@ -1,6 +1,6 @@
 /* Compass walker: kernels of the solver
  * Printed by CasADi 3.8.2 from equations ab0018d4a24e7091.
- * Do not edit: run `make derive`.
+ * Do not edit: run `stridemap derive`.
  * SPDX-License-Identifier: BSD-3-Clause
  */
 /* How to prefix internal symbols */

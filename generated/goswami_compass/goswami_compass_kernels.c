@@ -1,6 +1,6 @@
 /* Compass gait on a slope: kernels of the solver
  * Printed by CasADi 3.8.2 from equations 61ae9aa414b953a9.
- * Do not edit: run `make derive`.
+ * Do not edit: run `stridemap derive`.
  * SPDX-License-Identifier: BSD-3-Clause
  */
 /* How to prefix internal symbols */

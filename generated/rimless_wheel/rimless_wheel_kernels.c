@@ -1,6 +1,6 @@
 /* Rimless wheel: kernels of the solver
  * Printed by CasADi 3.8.2 from equations e67067441ccf2e08.
- * Do not edit: run `make derive`.
+ * Do not edit: run `stridemap derive`.
  * SPDX-License-Identifier: BSD-3-Clause
  */
 /* How to prefix internal symbols */

@@ -1,6 +1,6 @@
 /* Walker on round feet: kernels of the solver
  * Printed by CasADi 3.8.2 from equations 8215575a9c41fada.
- * Do not edit: run `make derive`.
+ * Do not edit: run `stridemap derive`.
  * SPDX-License-Identifier: BSD-3-Clause
  */
 /* How to prefix internal symbols */

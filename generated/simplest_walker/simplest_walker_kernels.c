@@ -1,6 +1,6 @@
 /* Simplest walker: kernels of the solver
  * Printed by CasADi 3.8.2 from equations 1c495352f80f0021.
- * Do not edit: run `make derive`.
+ * Do not edit: run `stridemap derive`.
  * SPDX-License-Identifier: BSD-3-Clause
  */
 /* How to prefix internal symbols */

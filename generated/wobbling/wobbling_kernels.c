@@ -1,6 +1,6 @@
 /* Compass walker with a horizontally wobbling mass: kernels of the solver
  * Printed by CasADi 3.8.2 from equations 545a67fb84f58fd4.
- * Do not edit: run `make derive`.
+ * Do not edit: run `stridemap derive`.
  * SPDX-License-Identifier: BSD-3-Clause
  */
 /* How to prefix internal symbols */

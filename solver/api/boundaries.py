@@ -133,5 +133,6 @@ def _pair(word: str, given: Any, what: str) -> list[Any]:
     """Two entries of a sequence; a string is none."""
     entries = list(given) if isinstance(given, Sequence) and not isinstance(given, str) else []
     if len(entries) != 2:
-        raise InputError(f"{word} = {given!r} is not allowed: {what} are needed")
+        said = ", ".join(map(str, entries)) if entries else repr(given)
+        raise InputError(f"{word} = {said} is not allowed: {what} are needed")
     return entries

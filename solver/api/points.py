@@ -113,7 +113,7 @@ def motion(orbit: Orbit, samples: int = 201) -> Motion:
     InputError
         When there is no limit cycle, or for fewer than two samples.
     """
-    return orbit.motion(samples)
+    return Orbit.required(orbit).motion(samples)
 
 
 def simulate(

@@ -120,8 +120,9 @@ def _ends(parameter: str, given: Any) -> tuple[float, float]:
     pair = isinstance(given, tuple | list) and len(given) == 2
     low, high = (_number(end) for end in given) if pair else (None, None)
     if low is None or high is None or not low < high:
+        said = " ".join(map(str, given)) if pair else repr(given)
         raise InputError(
-            f"the range {given!r} of {parameter} is not allowed: two finite numbers in ascending order"
+            f"the range {said} of {parameter} is not allowed: it takes two finite numbers in ascending order"
         )
     return low, high
 

@@ -9,7 +9,7 @@ from typing import Any, NoReturn
 import numpy as np
 
 from stridemap.columns import Column, columns_of
-from stridemap.errors import InputError
+from stridemap.errors import InputError, short
 from stridemap.services import service
 from stridemap.solver.cycles.status import Status
 from stridemap.solver.model.model import Model
@@ -148,6 +148,22 @@ class Orbit:
         """Section point and period of the first step: the unknowns that a cycle of one step solves."""
         period = self.steps[0]["period"] if self.steps else self.period
         return [*(self.state[name] for name in self.model.section), period]
+
+    @classmethod
+    def required(cls, given: Any) -> "Orbit":
+        """What was given, if it is one limit cycle.
+
+        Raises
+        ------
+        InputError
+            When it is something else.
+        """
+        if not isinstance(given, cls):
+            raise InputError(
+                f"orbit = {short(given)} is not one limit cycle; give one of those that `find_orbits` "
+                'returns, such as find_orbits("compass")[0]'
+            )
+        return given
 
     def _require_found(self) -> None:
         if not self.status.found:

@@ -275,7 +275,7 @@ def c_source(model: Model) -> str:
     banner = (
         f"/* {model.title}: kernels of the solver\n"
         f" * Printed by CasADi {ca.__version__} from equations {model.hash[:16]}.\n"
-        " * Do not edit: run `make derive`.\n * SPDX-License-Identifier: BSD-3-Clause\n */\n"
+        " * Do not edit: run `stridemap derive`.\n * SPDX-License-Identifier: BSD-3-Clause\n */\n"
     )
     text = banner + generator.dump() + DRIVER.replace("MODEL", model.name)
     if "#error" in text:

@@ -9,6 +9,7 @@ from stridemap.errors import InputError, short
 from stridemap.solver.model.derivation import derive_file
 from stridemap.solver.model.files import GENERATED, MANIFEST, Folder, contents
 from stridemap.solver.model.model import Model
+from stridemap.words import hint
 
 
 def available() -> list[str]:
@@ -40,7 +41,8 @@ def load(model: str | Path | Model) -> Model:
     if os.path.exists(Path(text) / MANIFEST):
         return _loaded(Path(text).resolve(), text)
     raise InputError(
-        f"there is no model {short(text)}; models are {', '.join(available())}, or give the path of a model "
+        f"there is no model {short(text)}{hint(text, available())}; models are {', '.join(available())}, or "
+        "give the path of a model "
         "file (.py) or of a folder that `stridemap derive` wrote"
     )
 

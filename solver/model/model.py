@@ -1,6 +1,5 @@
 """A generated walker, loaded: its specification, and its equations as CasADi functions."""
 
-import difflib
 import hashlib
 import json
 from collections.abc import Mapping
@@ -17,6 +16,7 @@ from stridemap.quantities import measured_on
 from stridemap.solver.model.files import MANIFEST, Files, equations_file, kernels_file, packed, unpacked
 from stridemap.solver.model.function import ModelFunction, check_arguments, wrong_size
 from stridemap.spec import SIGNATURE, Function, ModelSpec, Parameter, Quantity
+from stridemap.words import hint
 
 
 class Model:
@@ -284,10 +284,9 @@ class Model:
         known = self.preset
         for name in params:
             if name not in known:
-                close = difflib.get_close_matches(str(name), known, n=1)
-                hint = f"did you mean {close[0]}? " if close else ""
                 raise InputError(
-                    f"{self.name} has no parameter {name!r}; {hint}its parameters are {', '.join(known)}"
+                    f"{self.name} has no parameter {name!r}{hint(str(name), known)}; its parameters are "
+                    f"{', '.join(known)}"
                 )
         return np.array([p.check(params.get(p.name, p.default)) for p in self.parameters])
 

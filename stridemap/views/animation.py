@@ -79,6 +79,8 @@ def animate(
         raise InputError(f"magnify = {magnify:g} is not allowed: a number above 0 and up to 100 is needed")
     if titles is not None and len(titles) != len(shown):
         raise InputError(f"{len(titles)} titles were given for {len(shown)} orbits; give one for each")
+    if Path(path).suffix.lower() != ".gif":
+        raise InputError(f"{path} does not end in .gif; an animation is a GIF, so give it that ending")
     require_pictures()
     from stridemap.views.film import film
     from stridemap.views.scene import scenes

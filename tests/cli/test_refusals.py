@@ -22,6 +22,8 @@ KNOWN = "compass, goswami_compass, rimless_wheel, round_feet, simplest_walker, w
     [
         ("--alpa 0.3", ["alpa", "did you mean alpha?", "k, alpha, omega, beta, Kp, Kd, S, gamma"]),
         ("--set omeg=3", ["omeg", "did you mean omega?"]),
+        ("--K 6", ["'K'", "did you mean k?"]),
+        ("--model compas", ["compas", "did you mean compass?", KNOWN]),
         ("--set zeta=1", ["zeta", "its parameters are k, alpha"]),
         ("--model compass --k 3", ["compass", "'k'", "omega, beta, Kp, Kd, S, gamma"]),
         ("--alpha 0", ["alpha = 0 ", "> 0 and < 1"]),

@@ -127,7 +127,7 @@ def test_generated_text_is_plain_and_names_no_time_host_user_or_path():
 def test_each_file_says_what_made_it_and_that_it_is_not_to_be_edited(name):
     for file in load(name).spec.files:
         head = (GENERATED / name / file).read_text()[:400]
-        assert re.search("do not edit", head, flags=re.IGNORECASE) and "make derive" in head, file
+        assert re.search("do not edit", head, flags=re.IGNORECASE) and "stridemap derive" in head, file
         assert file == "README.md" or "SPDX-License-Identifier: BSD-3-Clause" in head, file
         assert not file.endswith((".c", ".h", ".js")) or load(name).hash[:16] in head, file
 

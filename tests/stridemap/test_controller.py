@@ -185,8 +185,11 @@ def test_what_cannot_be_written(orbit, tmp_path):
         stridemap.write_c(orbit, tmp_path)
     with pytest.raises(InputError, match="cannot write"):
         stridemap.write_c(orbit, tmp_path / "README.md" / "c")
-    failed = stridemap.find_orbits("wobbling", POINT)[:0]
-    assert not len(failed)
+    several = stridemap.find_orbits("wobbling", POINT)
+    with pytest.raises(InputError, match="is not one limit cycle; give one of those"):
+        stridemap.write_c(several, tmp_path / "c")
+    with pytest.raises(InputError, match="orbit = 'compass' is not one limit cycle"):
+        stridemap.motion("compass")
 
 
 # -- the command ---------------------------------------------------------------------------------------------

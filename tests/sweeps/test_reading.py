@@ -6,7 +6,7 @@ import pytest
 
 import stridemap
 from stridemap.solver.options import IN_SWEEPS, AcceptanceOptions
-from stridemap.sweeps.config import Search, parse_config
+from stridemap.sweeps.config import Search
 from tests.oracles.sweeping import Inline
 
 SEARCH = {
@@ -25,7 +25,7 @@ def test_every_option_may_be_other_than_by_default(tmp_path, run):
         "model": "compass", "grid": {"omega": [2.9, 3.0, 3.1]}, "params": {"beta": 0.02},
         "search": SEARCH, "acceptance": ACCEPTANCE, "continuation": CONTINUATION, "special_points": False,
     }  # fmt: skip
-    stridemap.sweep(parse_config(data), tmp_path / "out", executor=Inline())
+    stridemap.sweep(data, tmp_path / "out", executor=Inline())
     assert len(stridemap.read_table(tmp_path / "out")) > 0
     configuration = stridemap.read_provenance(tmp_path / "out")["configuration"]
     assert configuration["search"] == SEARCH

@@ -213,13 +213,14 @@ def test_settings_are_checked(orbits, tmp_path, setting, sentence):
     assert not list(tmp_path.iterdir())
 
 
-def test_the_command(run, tmp_path):
+def test_the_command(run, refused, tmp_path):
     small = ("--fps", 5, "--size", 80)
     status, out, _ = run("animate", "--k", 6, "--group", "B", *small, "--out", tmp_path / "b.gif")
     assert (status, out) == (0, f"{tmp_path}/b.gif\n")
     nothing = ("animate", "--model", "rimless_wheel", "--slope", 0.05)  # it does not get over the top
     assert run(*nothing, "--out", tmp_path / "n.gif") == (1, "", "no limit cycle found\n")
     assert not (tmp_path / "n.gif").exists()
+    refused(["animate", "--k", 6, "--out", tmp_path / "b.mp4"], "b.mp4 does not end in .gif")
     (tmp_path / "file").write_text("")
     status, _, err = run("animate", "--k", 6, *small, "--out", tmp_path / "file" / "b.gif")
     assert status == 2

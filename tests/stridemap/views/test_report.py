@@ -289,6 +289,7 @@ def test_tables_of_two_sweeps(done, tmp_path_factory, refused):
 
 def test_where_it_cannot_be_written(done, refused):
     refused(f"report {done}/out --out {done}", "is a folder; give the name of a file")
+    refused(f"report {done}/out/orbits.parquet --out {done}/a.html", "is a file; give the output folder")
     (done / "file").write_text("")
     refused(f"report {done}/out --out {done}/file/a.html", "cannot write", "a folder on the way is a file")
     refused("report", "Missing option '--out'")
