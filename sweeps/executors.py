@@ -12,11 +12,16 @@ from concurrent.futures import Executor, ProcessPoolExecutor
 
 @contextlib.contextmanager
 def processes(workers: int) -> Iterator[Executor]:
-    """Worker processes that leave an interrupt to the parent; what has begun is finished."""
+    """Worker processes that leave an interrupt to the parent, which ends them: what they work at is lost."""
     context = multiprocessing.get_context("spawn")
+    others = set(multiprocessing.active_children())
     pool = ProcessPoolExecutor(workers, mp_context=context, initializer=_follow_parent)
     try:
         yield pool
+    except KeyboardInterrupt:
+        for worker in set(multiprocessing.active_children()) - others:
+            worker.terminate()
+        raise
     finally:
         pool.shutdown(wait=True, cancel_futures=True)
 

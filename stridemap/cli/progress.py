@@ -83,7 +83,7 @@ def show(title: str = "") -> "Iterator[Callable[[SweepProgress], None]]":
             now = time.monotonic()
             since, before = first.setdefault(at.round, (now, at.done))
             rate = (at.done - before) / max(now - since, 1e-3)
-            speed = f" ({rate:.1f} per second{_left(at, rate)})" if rate > 0 else ""
+            speed = f" ({rate:.2g} per second{_left(at, rate)})" if rate > 0 else ""
             update(at.done, at.total, f"{speed}, {at.orbits:,} limit cycles", f"{title}round {at.round}")
 
         yield seen
@@ -143,9 +143,9 @@ class _Work(ABC):
     def seconds(self) -> float:
         return time.monotonic() - self.begun
 
-    def text(self, detail: str) -> str:
+    def text(self, detail: str, counted: bool = True) -> str:
         """How far it is, in words; a detail that begins with a blank or a comma follows the count at once."""
-        count = "" if self.done is None else f"{self.done:,} of {self.total:,} {self.unit}".rstrip()
+        count = "" if self.done is None or not counted else f"{self.done:,} of {self.total:,} {self.unit}".rstrip()
         parts = [count + detail] if detail.startswith((" ", ",")) else [count, detail]
         return ", ".join([*filter(None, parts), f"{self.seconds:.0f} s"])
 
@@ -162,6 +162,7 @@ class _Lines(_Work):
 
     def __init__(self, title: str, unit: str, ends: bool) -> None:
         self.said: float | None = None
+        self.ended: tuple[str, int | None] | None = None  # of which pieces it was said that all are done
         self.ends = ends
         _speakers.append(self)
         super().__init__(title, unit)
@@ -170,10 +171,12 @@ class _Lines(_Work):
         now = self.seconds
         due = now >= QUIET if self.said is None else now - self.said >= LINE_EVERY
         if due and _speakers[-1] is self:
-            self._say(self.detail)
+            over = self.ended == (self.title, self.total)  # and what follows it has no name of its own
+            self._say("finishing" if over else self.detail, counted=not over)
 
     def _changed(self) -> None:
-        if self.ends and self.done == self.total:
+        if self.ends and self.done is not None and self.done == self.total:
+            self.ended = (self.title, self.total)
             self._say(self.detail)
         else:
             self._tick()
@@ -181,13 +184,12 @@ class _Lines(_Work):
     def _ended(self, well: bool) -> None:
         _speakers.remove(self)
         if well and self.said is not None and not self.ends:
-            self.done = None
-            self._say("done")
+            self._say("done", counted=False)
 
-    def _say(self, detail: str) -> None:
+    def _say(self, detail: str, counted: bool = True) -> None:
         self.said = self.seconds
         try:
-            print(f"{self.title}: {self.text(detail)}", file=sys.stderr, flush=True)
+            print(f"{self.title}: {self.text(detail, counted)}", file=sys.stderr, flush=True)
         except (OSError, ValueError):  # nobody listens any more; the work goes on
             self.said = float("inf")
 

@@ -77,6 +77,13 @@ def test_of_work_within_work_only_the_innermost_speaks(quick, capsys):
             time.sleep(0.02)
 
 
+def test_what_follows_the_last_piece_is_not_the_last_piece_again(quick, capsys):
+    with progress.show_work("round 1", "tiles", ends=True) as update:
+        update(3, 3, ", 5 limit cycles")
+        said = wait_for(capsys, "round 1: finishing, 0 s")
+    assert said.count("round 1: 3 of 3 tiles, 5 limit cycles, 0 s") == 1
+
+
 def test_the_end_of_each_round_of_a_sweep_is_said_however_little_it_took(capsys):
     with progress.show("sweep map, ") as seen:
         seen(Progress(1, 0, 2, 0))
