@@ -145,7 +145,8 @@ class _Work(ABC):
 
     def text(self, detail: str, counted: bool = True) -> str:
         """How far it is, in words; a detail that begins with a blank or a comma follows the count at once."""
-        count = "" if self.done is None or not counted else f"{self.done:,} of {self.total:,} {self.unit}".rstrip()
+        known = counted and self.done is not None
+        count = f"{self.done:,} of {self.total:,} {self.unit}".rstrip() if known else ""
         parts = [count + detail] if detail.startswith((" ", ",")) else [count, detail]
         return ", ".join([*filter(None, parts), f"{self.seconds:.0f} s"])
 

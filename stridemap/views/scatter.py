@@ -10,6 +10,7 @@ from stridemap.errors import InputError
 from stridemap.spec import UnitNames
 from stridemap.tables.gridded import plain_values
 from stridemap.tables.table import Table
+from stridemap.views import palette
 from stridemap.views.optional import require_pictures
 
 if TYPE_CHECKING:
@@ -31,6 +32,9 @@ MOST_MARKS = 3_000
 
 MOST_CLASSES = 12
 """Texts that a legend can tell apart."""
+
+GROUP_COLOURS = {**palette.GROUPS, "none": palette.GREY, "other": palette.PALE}
+"""Groups of gaits have the same colours in all pictures."""
 
 
 def plot_table(
@@ -193,8 +197,9 @@ class _Marks:
             names = np.unique(words[self.drawn])
         colours = (style.BLUE, style.VERMILION, style.GREEN, style.PURPLE, style.SKY, style.DARK, style.BLACK)
         for i, name in enumerate(names.tolist()):
-            self.classes[f"{colour} {name}"] = colours[i % len(colours)]
-            self._put(words == name, colours[i % len(colours)])
+            chosen = GROUP_COLOURS.get(name, style.DARK) if colour == "group" else colours[i % len(colours)]
+            self.classes[f"{colour} {name}"] = chosen
+            self._put(words == name, chosen)
 
     def _scale(self, table: Table, colour: str, values: Array) -> None:
         """Colours of a scale, whose range is that of what is drawn without its few extremes."""

@@ -41,6 +41,7 @@ def large_sweep(cycle, cycles=100_000, seed=1):
     orbits = pd.DataFrame(columns)
     radius = rng.uniform(0.3, 1.7, cycles)
     orbits["spectral_radius"], orbits["stable"] = radius, radius < 1
+    orbits.loc[radius > 1, "cot"] *= 10
     orbits["branch"] = rng.integers(0, 300, cycles)
     orbits["group"] = rng.choice(list("ABCDEFGH"), cycles)
     for i in range(len(model.section)):

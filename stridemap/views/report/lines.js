@@ -1,6 +1,6 @@
 // Line charts in SVG: over time, or of one thing over another. A pinned cycle is drawn beside, thin and dotted.
 
-const CHART = { width: 340, height: 184, left: 52, right: 46, top: 10, bottom: 40 };
+const CHART = { width: 340, height: 184, left: 52, right: 58, top: 10, bottom: 40 };
 
 // The range of some values with room around it. What is zero but for rounding is a flat line.
 function padded(values) {
@@ -34,7 +34,7 @@ function lineChart({ title, unit, series, across, zero, measure, bound = null },
   root.append(svg("text", { x: width - right, y: height - 9, class: "tick end" }, across ?? withUnit("t", kindUnit("time"))));
   for (const side of bound === null ? [] : [-bound, bound].filter((value) => value > low && value < high)) {
     root.append(svg("line", { x1: left, x2: width - right, y1: y(side), y2: y(side), class: "bound" }));
-    root.append(svg("text", { x: width - right + 4, y: y(side), class: "tick" }, side < 0 ? `${MINUS}max` : measure));
+    root.append(svg("text", { x: width - right + 4, y: y(side), class: "tick" }, side < 0 ? MINUS + measure : measure));
   }
   root.append(...drawnSeries(series, own, placesOf, x, y, across));
   const { times } = series[0];

@@ -210,7 +210,8 @@ function showScatter(late = false) {
   const values = z.numbers();
   scatter.show({ x, y, z, rows, colour: (row) => (Number.isNaN(values[row]) ? styled("swing") : scale.colour(values[row])), chosen: state.row, pinned: state.pin, brush: state.brush, within: brushed(), key });
   const ends = [scale.low, (scale.low + scale.high) / 2, scale.high].map((value) => html("span", { class: "key" }, html("span", { class: "swatch", style: `background: ${scale.colour(value)}` }), z.text(value, 3)));
-  byId("scatter-legend").replaceChildren(html("span", { class: "key" }, `colour: ${z.title}`), ...ends);
+  const cut = scatter.scales.some(({ below, above }) => below || above) ? [html("span", { class: "key" }, "marks on the frame lie beyond it")] : [];
+  byId("scatter-legend").replaceChildren(html("span", { class: "key" }, `colour: ${z.title}`), ...ends, ...cut);
 }
 
 // How many cycles are shown, of all; they can be saved.
@@ -232,7 +233,8 @@ function readText(cell) {
   const quantity = quantities.get(state.colour);
   const kind = row === null ? "" : `${orbits.has("group") && orbits.entry("group", row) !== null ? `group ${orbits.entry("group", row)}, ` : ""}${stabilityOf(row)}`;
   const value = row === null || !quantity ? "" : `, ${quantity.label} ${quantity.text(quantity.numbers()[row])} ${quantity.unit}`.trimEnd();
-  const words = rows.length ? `${rows.length} ${rows.length === 1 ? "cycle" : "cycles"}; ${kind}${value}` : "no cycle";
+  const none = rowsOf(cell).length ? "no cycle passes the choices" : "no cycle";
+  const words = rows.length ? `${rows.length} ${rows.length === 1 ? "cycle" : "cycles"}; ${kind}${value}` : none;
   return `${position.join(", ")}: ${words}`;
 }
 
@@ -270,7 +272,7 @@ function legend() {
   const box = byId("legend");
   const swatch = (cls, text) => html("span", { class: "key" }, html("span", { class: `swatch ${cls}` }), text);
   const letters = orbits.has("group") && !orbits.numbers("group").every((code) => code < 0);
-  const lettered = letters ? [html("span", { class: "key" }, "letters: group of the cycle shown")] : [];
+  const lettered = letters ? [html("span", { class: "key" }, "letters: group of the cycle shown, with lines between groups")] : [];
   byId("scale").hidden = state.colour === STABILITY;
   byId("range-reset").hidden = state.colour === STABILITY || state.range === null;
   if (state.colour === STABILITY) {
@@ -278,7 +280,8 @@ function legend() {
     for (const line of map.looks) {
       for (const { fill, hatch, cross } of line) counts[cross ? "failed" : !fill ? "none" : hatch ? "unstable" : "stable"]++;
     }
-    const labels = { stable: "stable", unstable: "unstable only", none: "no cycle found", failed: "failed" };
+    const choosing = state.choice !== "any" || state.group || state.filter;
+    const labels = { stable: "stable", unstable: "unstable only", none: choosing ? "no cycle that passes the choices" : "no cycle found", failed: "failed" };
     const shown = Object.keys(labels).filter((key) => counts[key] || key !== "failed");
     box.replaceChildren(...shown.map((key) => swatch(key, `${labels[key]}: ${counts[key].toLocaleString("en")} ${counts[key] === 1 ? "cell" : "cells"}`)), ...lettered);
     return;

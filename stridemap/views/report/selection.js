@@ -158,14 +158,20 @@ function centreOf(name) {
   return CENTRES[name] ?? null;
 }
 
-// The scale of the map's colours: it spans the cells that are shown.
+// From so many stable cycles on the colours of the map are theirs. How far unstable ones go matters little.
+const STABLE_ONES = 50;
+
+// The scale of the map's colours: it spans the cells that are shown, those with stable cycles if these are many.
 function mapScale() {
   const { standing, counts } = representatives();
   const quantity = mapQuantity();
-  const values = [];
+  const [all, stable] = [[], []];
   for (const cell of planeCells()) {
-    if (state.colour === COUNT) values.push(counts[cell]);
-    else if (standing[cell] >= 0) values.push(quantity.numbers()[standing[cell]]);
+    const row = standing[cell];
+    if (state.colour === COUNT) all.push(counts[cell]);
+    else if (row >= 0) (stableColumn[row] === 1 ? stable : all).push(quantity.numbers()[row]);
   }
+  const ownCentre = state.colour in CENTRES;
+  const values = stable.length >= STABLE_ONES && !ownCentre ? stable : [...all, ...stable];
   return new ValueScale(values, { range: state.range, centre: centreOf(state.colour), most: differs(state.colour, state.about) ? undefined : MOST[state.colour], whole: quantity.whole, factor: quantity.factor });
 }

@@ -204,7 +204,9 @@ class Stage {
       pen.font = `12px ${styled("font")}`;
       pen.textAlign = "center";
       pen.textBaseline = "top";
-      pen.fillText(`${name} \u00d7${larger}, walking along`, centre[0], centre[1] + radius + 4);
+      const title = `${name} \u00d7${larger}, walking along`;
+      const half = 3.2 * title.length; // about: on a narrow page it is wider than the circle
+      pen.fillText(title, Math.min(centre[0], width - half), centre[1] + radius + 4);
     });
   }
 
