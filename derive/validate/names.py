@@ -96,9 +96,10 @@ def _names(walker: Declaration) -> None:
     seen: dict[str, str] = {}
     for kind, name in kinds:
         if not isinstance(name, str) or not name.isidentifier() or not name.isascii() or name.startswith("_"):
+            own = name.removeprefix("v_") if kind == "potential" else name
             refuse(
                 walker,
-                f"the {kind} {name!r} cannot be a name in generated code; use letters, digits "
+                f"the {kind} {own!r} cannot be a name in generated code; use letters, digits "
                 "and underscores, and begin with a letter",
             )
         _refuse_taken(walker, kind, name)

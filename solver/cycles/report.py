@@ -68,6 +68,11 @@ class SearchReport:
     def warnings(self) -> list[str]:
         """Sentences on what the search may have missed; none where it is sure of itself."""
         out = [] if self.reason is None else [self.reason]
+        if self.reason is None and self.ended[OPEN] == self.starts:
+            out.append(
+                "no start came near a solution: look whether all values are in the units that they are taken "
+                "for, and raise starts or widen the search box"
+            )
         if self.unresolved:
             out.append(
                 f"{_counted(self.unresolved, 'solution')} nearly closed, but the motion changes too suddenly "

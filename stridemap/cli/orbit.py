@@ -85,5 +85,5 @@ def orbit(
     else:
         print("no limit cycle found", file=sys.stderr)
     if orbits.search and not json_ and not csv:
-        print_search(orbits.search)
+        print_search(orbits.search, found=len(orbits) > 0)
     return FOUND if len(orbits) else NOTHING

@@ -72,9 +72,9 @@ def _meaning(one: Column, measured: Mapping[str, Quantity]) -> str:
     return words[:1].lower() + words[1:]
 
 
-def print_search(report: SearchReport) -> None:
-    """Print on standard error what a search may have missed, and then how many starts ended where."""
-    if not report.warnings:
+def print_search(report: SearchReport, found: bool) -> None:
+    """Print on standard error how many starts ended where, and what may have been missed."""
+    if found and not report.warnings:
         return
     ended = (f"{count:,} {ENDS[word]}" for word, count in report.ended.items() if count)
     print(f"{report.starts:,} starts ended: {'; '.join(ended)}", file=sys.stderr)

@@ -1,6 +1,7 @@
 """The command line on good input: what it prints and its exit status."""
 
 import json
+import re
 import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
@@ -169,7 +170,9 @@ def test_what_a_model_has_not_is_null_or_a_dash(run):
 def test_nothing_found_is_status_1(run):
     # Without torque nothing makes up for what the impacts take: the walker can only stand still.
     words = ["orbit", "--Kp", "0", "--Kd", "0"]
-    assert run(*words) == (1, "", "no limit cycle found\n")
+    status, out, err = run(*words)
+    assert (status, out) == (1, "")
+    assert re.fullmatch(r"no limit cycle found\n512 starts ended: [^\n]*\n", err)
     status, out, err = run(*words, "--json")
     assert (status, err) == (1, "")
     assert json.loads(out)["orbits"] == []

@@ -100,7 +100,10 @@ def test_a_state_is_finite_numbers(refused, value, shown):
 
 @pytest.mark.parametrize("name", ["k", "omega", "Kp", "Kd", "beta", "gamma", "S"])
 def test_an_enormous_value_is_no_crash(run, name):
-    assert run("orbit", f"--{name}=1e308", "--starts=4") == (1, "", "no limit cycle found\n")
+    status, out, err = run("orbit", f"--{name}=1e308", "--starts=4")
+    assert (status, out) == (1, "")
+    assert err.startswith("no limit cycle found\n4 starts ended: 4 nowhere")
+    assert "look whether all values are in the units" in err
 
 
 # -- configurations ------------------------------------------------------------------------------------------

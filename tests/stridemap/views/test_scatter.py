@@ -8,7 +8,7 @@ import stridemap
 from stridemap.columns import Column
 from stridemap.errors import InputError
 from stridemap.tables.table import Table
-from stridemap.views import optional, scatter
+from stridemap.views import optional, palette, scatter
 
 pytest.importorskip("matplotlib")
 
