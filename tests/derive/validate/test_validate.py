@@ -74,7 +74,7 @@ NAMES = [
     ),
     (
         more(potentials={"my spring": theta1**2}),
-        "the potential 'v_my spring' cannot be a name in generated code",
+        "the potential 'my spring' cannot be a name in generated code",
     ),
     (more(potentials={"gravity": theta1**2}), "the potential gravity is added automatically"),
     (
