@@ -63,6 +63,16 @@ function cellAtValues(values) {
   return grid.cell(at.map((place, i) => (Number.isFinite(values[i]) ? grid.nearest(i, values[i]) : place)));
 }
 
+// Values that an address asks for and the grid does not have, in words.
+function notOnGrid(hash) {
+  const words = new URLSearchParams(hash.slice(1));
+  return grid.axes.flatMap((axis, i) => {
+    const value = words.has(axisKey(axis.name)) ? Number(words.get(axisKey(axis.name))) : NaN;
+    const there = axis.values[grid.nearest(i, value)];
+    return Math.abs(value - there) > 1e-6 * Math.abs(value) ? [`${axis.symbol} = ${axisQuantities[i].text(value)}`] : [];
+  });
+}
+
 // Take over what an address says; what it does not say, or says wrongly, is as at the start. Gives the cell and the row.
 function takeAddress(hash) {
   const words = new URLSearchParams(hash.slice(1));

@@ -1,6 +1,7 @@
 // The start, from the address or from the paper's own point, and each time that the address changes.
 
 function start() {
+  const missing = notOnGrid(location.hash);
   const [cell, row] = takeAddress(location.hash);
   state.indices = grid.indices(cell);
   const filter = state.filter;
@@ -12,6 +13,12 @@ function start() {
   buildSliders();
   showUnits();
   choose(cell, row, "replace");
+  return missing;
+}
+
+// Say which values the address asks for in vain.
+function sayMissing(missing) {
+  if (missing.length) byId("readout").textContent = `The grid has no ${missing.join(" and no ")}; its nearest cell is shown. ${readText(state.cell)}`;
 }
 
 buildUnits();
@@ -20,15 +27,17 @@ buildFilter();
 buildPin();
 buildBrush();
 buildButtons();
-start();
+const missing = start();
 buildPlayer();
 buildCurves();
+sayMissing(missing);
 
 // Links within the page have addresses too, which say nothing of the choice.
 addEventListener("popstate", () => {
   if (!location.hash || location.hash.includes("=")) {
-    start();
+    const unknown = start();
     refresh();
+    sayMissing(unknown);
   }
 });
 

@@ -69,6 +69,15 @@ def test_what_an_address_says_wrongly_is_left_out(page, address):
     assert page.locator("#cycle").is_visible()
 
 
+def test_values_that_the_grid_does_not_have_are_said(page):
+    at(page, "#k=6.1&alpha=0.25&omega=2.75")
+    assert page.inner_text("#readout").startswith(
+        "The grid has no k = 6.1 and no ω = 2.75; its nearest cell is shown. "
+    )
+    at(page, "#k=6&alpha=0.25&omega=3")
+    assert "The grid has no" not in page.inner_text("#readout")
+
+
 def test_back_and_forward(page):
     page.select_option("#colour", "cot")
     choose(page, 22.5, 0.25, 3.0)
