@@ -14,6 +14,7 @@ from stridemap.paper.map_boundaries import map_boundaries
 from stridemap.paper.points import PLANE, TYPICAL
 from stridemap.paper.select import at
 from stridemap.paper.sweeps import PaperSweeps
+from stridemap.services import shown
 from stridemap.solver.cycles.orbits import Orbits
 from stridemap.solver.cycles.solver import Solver
 from stridemap.solver.model.loading import load
@@ -82,9 +83,12 @@ class Material:
         solver = Solver.for_model(model)
         # Every cycle that was found is followed, those that are no physical gaits among them.
         planes = self.sweeps.orbits("lines").groupby(["alpha", "omega"])
-        return {
-            plane: branch_tables(solver, Orbits.from_columns(model, rows), springs) for plane, rows in planes
-        }
+        found = {}
+        with shown("following the branches over k", "lines") as update:
+            for (alpha, omega), rows in planes:
+                update(len(found), len(planes), f"alpha = {alpha:g}, omega = {omega:g}")
+                found[alpha, omega] = branch_tables(solver, Orbits.from_columns(model, rows), springs)
+        return found
 
     @cached_property
     def typical(self) -> dict[str, Cycle]:
@@ -100,9 +104,9 @@ class Material:
     def _most_stable(self, name: str, **where: Any) -> Cycle:
         rows = at(self.sweeps.gaits(name), stable=True, **where)
         if rows.empty:
-            shown = ", ".join(f"{key} = {value}" for key, value in where.items())
+            place = ", ".join(f"{key} = {value}" for key, value in where.items())
             raise InputError(
-                f"the sweep {name} holds no stable limit cycle at {shown}, so that it cannot be drawn; "
+                f"the sweep {name} holds no stable limit cycle at {place}, so that it cannot be drawn; "
                 "choose other parameters, or other figures with --only"
             )
         best = rows.iloc[rows["spectral_radius"].to_numpy().argmin()]
