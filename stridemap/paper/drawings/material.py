@@ -83,7 +83,7 @@ class Material:
         solver = Solver.for_model(model)
         # Every cycle that was found is followed, those that are no physical gaits among them.
         planes = self.sweeps.orbits("lines").groupby(["alpha", "omega"])
-        found = {}
+        found: dict[tuple[float, float], list[pd.DataFrame]] = {}
         with shown("following the branches over k", "lines") as update:
             for (alpha, omega), rows in planes:
                 update(len(found), len(planes), f"alpha = {alpha:g}, omega = {omega:g}")
