@@ -14,7 +14,7 @@ from stridemap.solver.boundaries.systems import (
     PeriodBoundary,
     TorusBoundary,
 )
-from stridemap.solver.branches.arclength import CurvePoint, EndReason, Window, both_ways
+from stridemap.solver.branches.arclength import CurvePoint, EndReason, Window, both_ways, passes_through
 from stridemap.solver.branches.conditions import GaitEnd
 from stridemap.solver.branches.ends import End, conditions_along, gait_ends
 from stridemap.solver.branches.equations import CycleEquations
@@ -235,21 +235,11 @@ def on_boundary(known: Boundary, point: CurvePoint) -> bool:
     curve = known.curve
     if len(known.points[0].x) != len(point.x):
         return False
-    n, size = known.period_n, curve.equations.n_unknowns
-    x = np.array([one.x for one in known.points])
-    for k in range(n):
+    steps, size = curve.equations.steps(point.x), curve.equations.n_unknowns
+    for k in range(known.period_n):
         turned = point.x.copy()
-        turned[:size] = np.roll(curve.equations.steps(point.x), k, axis=0).ravel()
-        distances = np.linalg.norm((x - turned) / curve.scale, axis=1)
-        nearest = int(distances.argmin())
-        neighbours = x[max(nearest - 1, 0) : nearest + 2]
-        reach = max(curve.norm(one - x[nearest]) for one in neighbours)
-        if distances[nearest] > 2 * max(reach, SAME):
-            continue
-        tangent = known.points[nearest].tangent
-        guess = x[nearest] + curve.dot(turned - x[nearest], tangent) * tangent
-        found = curve.corrected(guess, tangent, known.points[nearest].n_rk, 10)
-        if found.converged and curve.norm(found.x - turned) < SAME:
+        turned[:size] = np.roll(steps, k, axis=0).ravel()
+        if passes_through(curve, known.points, turned):
             return True
     return False
 
@@ -259,6 +249,3 @@ ONTO = 12
 
 SLACK = 1e-6
 """By how much the window of periods is wider than their range, as a part of it."""
-
-SAME = 1e-5
-"""Distance, in terms of the scale, of two points that are one."""

@@ -304,6 +304,31 @@ def _halves_exchange(steps: Array, before: Array, curve: ZeroCurve) -> bool:
     return bool((one * other).sum() < 0)
 
 
+def passes_through(curve: ZeroCurve, points: list[CurvePoint], x: Array) -> bool:
+    """Whether a curve that was followed passes through a point: where it passes nearest it is solved for.
+
+    A fold may lie between two of its points, so that it passes values of a parameter that none of them has.
+
+    Parameters
+    ----------
+    curve : ZeroCurve
+    points : list of CurvePoint
+        In order along it.
+    x : ndarray, shape (M + 1,)
+    """
+    known = np.array([point.x for point in points])
+    lengths = np.linalg.norm(np.diff(known, axis=0) / curve.scale, axis=1)
+    reach = np.maximum(np.append(lengths, 0.0), np.append(0.0, lengths))
+    away = np.linalg.norm((known - x) / curve.scale, axis=1)
+    near = np.flatnonzero(away < 2 * np.maximum(reach, SAME))
+    for point in (points[i] for i in near[np.argsort(away[near], kind="stable")]):
+        guess = point.x + curve.dot(x - point.x, point.tangent) * point.tangent
+        found = curve.corrected(guess, point.tangent, point.n_rk, 10)
+        if found.converged and curve.norm(found.x - x) < SAME:
+            return True
+    return False
+
+
 def _between(ends: Array, values: Array) -> bool:
     """Whether all values lie between the ends, which are given per column."""
     return bool(((ends[:, 0] <= values) & (values <= ends[:, 1])).all())
@@ -314,6 +339,9 @@ MAX_CORRECTION = 0.3
 
 MAX_SIDESTEP = 0.004
 """Largest angle, in radians, by which the way between two points differs from the mean of their tangents."""
+
+SAME = 1e-5
+"""Distance, in terms of the scale, of two points that are one."""
 
 STANDING = 1e-4
 """A section point whose entries are all below this part of their scale is a walker that stands."""

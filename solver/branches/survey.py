@@ -6,7 +6,16 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from stridemap.solver.branches.arclength import CurvePoint, EndReason, Window, at_value, both_ways, follow
+from stridemap.solver.branches.arclength import (
+    SAME,
+    CurvePoint,
+    EndReason,
+    Window,
+    at_value,
+    both_ways,
+    follow,
+    passes_through,
+)
 from stridemap.solver.branches.conditions import GaitConditions, GaitEnd
 from stridemap.solver.branches.curve import Curve
 from stridemap.solver.branches.dips import with_dips
@@ -255,30 +264,15 @@ def ending_there(
 
 
 def on_branch(branch: Branch, x: Array) -> bool:
-    """Whether a point is one of a branch: where the branch passes its parameter value it is solved for.
+    """Whether a point, with whichever of its steps first, is one of a branch.
 
     Parameters
     ----------
     branch : Branch
     x : ndarray, shape (N + 1,)
     """
-    curve, points, value = branch.curve, branch.x, x[-1]
-    if points.shape[1] != len(x):
+    if branch.x.shape[1] != len(x):
         return False
-    n, width = branch.period_n, curve.chain.width
-    turned = [np.append(np.roll(x[:-1].reshape(n, width), k, axis=0).ravel(), value) for k in range(n)]
-    for i in np.flatnonzero((points[:-1, -1] - value) * (points[1:, -1] - value) <= 0).tolist():
-        one, other = points[i], points[i + 1]
-        length = curve.norm(other - one)
-        near = [t for t in turned if min(curve.norm(t - one), curve.norm(t - other)) < 2 * length]
-        if not near:
-            continue
-        part = 0.5 if other[-1] == one[-1] else (value - one[-1]) / (other[-1] - one[-1])
-        crossing_point = at_value(curve, one + part * (other - one), value, branch.points[i].tangent, 10)
-        if crossing_point is not None and any(curve.norm(crossing_point.x - t) < SAME for t in near):
-            return True
-    return False
-
-
-SAME = 1e-5
-"""Distance, in terms of the scale, of two points that are one."""
+    steps = x[:-1].reshape(branch.period_n, branch.curve.chain.width)
+    turned = (np.append(np.roll(steps, k, axis=0).ravel(), x[-1]) for k in range(branch.period_n))
+    return any(passes_through(branch.curve, branch.points, one) for one in turned)

@@ -118,7 +118,7 @@ def test_two_doublings_that_hide_each_other_are_found():
     ("arguments", "words"),
     [
         ({"vary": "slop"}, ["slop", "slope"]),
-        ({"range": (0.02, 0.01)}, ["(0.02, 0.01) of slope", "ascending"]),
+        ({"range": (0.02, 0.01)}, ["0.02 0.01 of slope", "ascending"]),
         ({"range": (0.01, float("nan"))}, ["nan", "finite"]),
         ({"range": 3}, ["range 3 of slope", "two finite numbers"]),
         ({"params": {"slope": 0.01}}, ["slope", "leave it out"]),

@@ -35,6 +35,14 @@ def test_a_cycle_between_two_points_of_a_branch_is_on_it(fold):
 
 
 @pytest.mark.quick
+def test_a_cycle_nearer_to_a_fold_than_the_points_about_it_is_on_the_branch(fold):
+    """Neither of these points, nor any other, lies beyond the cycle's value of the parameter."""
+    nearest = np.abs(fold.x[:, -1]).min()
+    for value in (0.0, 0.01 * nearest, 0.5 * nearest):
+        assert on_branch(fold, np.array([np.sqrt(value), 1.0, value]))
+
+
+@pytest.mark.quick
 def test_a_cycle_beside_a_branch_is_not_on_it(fold):
     for value in np.linspace(0.05, 0.79, 9):
         for off in (1e-3, -1e-3):
