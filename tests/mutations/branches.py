@@ -70,9 +70,9 @@ CURVES = (
         (f"{MAPS}::test_a_walker_that_stands_ends_a_branch_and_a_small_gait_does_not",),
     ),
     Mutation(
-        "solver/branches/arclength.py",
-        "FARTHEST = 4.0",
-        "FARTHEST = 0.4",
+        "solver/options.py",
+        "FARTHEST = 8.0",
+        "FARTHEST = 0.8",
         "branches end a little outside the search box",
         (f"{MAPS}::test_a_branch_ends_far_outside_the_box",),
     ),
