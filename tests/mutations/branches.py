@@ -74,7 +74,7 @@ CURVES = (
         "FARTHEST = 8.0",
         "FARTHEST = 0.8",
         "branches end a little outside the search box",
-        (f"{MAPS}::test_a_branch_ends_far_outside_the_box",),
+        ("tests/solver/cycles/test_lost_gaits.py::test_the_search_box_can_be_given_and_widened",),
     ),
     Mutation(
         "solver/branches/arclength.py",
@@ -280,15 +280,15 @@ GAITS = (
     ),
     Mutation(
         "solver/branches/survey.py",
-        "        return False\n    n, width",
-        "        return False\n    return False\n    n, width",
+        "        return False\n    steps = x[:-1]",
+        "        return False\n    return False\n    steps = x[:-1]",
         "a branch is followed anew from every cycle on it",
         ("tests/solver/branches/test_survey.py",),
     ),
     Mutation(
         "solver/branches/survey.py",
-        "for k in range(n)]",
-        "for k in range(1)]",
+        "for k in range(branch.period_n))",
+        "for k in range(1))",
         "a cycle of two steps that begins with its other step is a new branch",
         ("tests/solver/branches/test_survey.py",),
     ),
