@@ -293,7 +293,7 @@ GAITS = (
         ("tests/solver/branches/test_survey.py",),
     ),
     Mutation(
-        "solver/branches/survey.py",
+        "solver/branches/arclength.py",
         "SAME = 1e-5",
         "SAME = 1e-1",
         "a branch beside another one is taken for it",
