@@ -10,6 +10,7 @@ from stridemap.paper.evaluate import evaluate
 from stridemap.paper.map_boundaries import map_boundaries
 from stridemap.paper.points import KEPT
 from stridemap.paper.sweeps import paper_sweeps
+from stridemap.paper.typical_branches import typical_branches
 from stridemap.services import shown
 from stridemap.sweeps.run import Progress
 from stridemap.views.report.branches import Given
@@ -42,7 +43,8 @@ def report(
         A file of verdicts that ``stridemap claims --json`` printed; by default the statements are decided
         from the sweeps.
     branches : sequence of path or Branches, optional
-        As for `stridemap.views.write_report`.
+        As for `stridemap.views.write_report`; by default those over the spring stiffness through the typical
+        solutions, unless the sweeps are thinned out.
     sweeps, params, thin, workers, executor, progress
         As for `claims`: sweeps that are not finished are run.
     say : callable, optional
@@ -59,6 +61,8 @@ def report(
     curves = map_boundaries(paper, say)
     references = references_of(paper.gaits("compass"), "compass", ["omega"])
     drawn = None if curves.empty else curves
+    if not branches and thin == 1:
+        branches = [typical_branches(paper, say)]
     with shown("writing the report"):
         return write_report(
             paper.run("map"),
