@@ -4,6 +4,16 @@
 
 const SLICE = { top: 12, bottom: 46 };
 
+// From so many stable cycles on the scale is theirs, with as much room beside it as they take.
+const STABLE_MARKS = 10;
+
+function aboutStable(shown, rows, quantity) {
+  const stable = rows.filter((row) => stableColumn[row] === 1).map((row) => quantity.numbers()[row]).filter(Number.isFinite);
+  if (stable.length < STABLE_MARKS || quantity.name in CENTRES) return shown;
+  const [low, high] = [Math.min(...stable), Math.max(...stable)];
+  return shown.filter((value) => value >= 2 * low - high && value <= 2 * high - low);
+}
+
 class Slice {
   // `onChoose(row)` is called when the reader presses near a cycle, or goes to it by keyboard; `onPoint(row, special,
   // event)` when a cycle or a special point is pointed at.
@@ -37,7 +47,7 @@ class Slice {
     const values = quantity.numbers();
     this.branches = branchesAlong(across, indices);
     this.special = specialPoints(this.branches).filter(({ table }) => table.has(quantity.name));
-    const shown = [...this.rows.map(([, row]) => values[row]), ...branchValues(this.branches, quantity.name)];
+    const shown = aboutStable([...this.rows.map(([, row]) => values[row]), ...branchValues(this.branches, quantity.name)], this.rows.map(([, row]) => row), quantity);
     this.scale = scaleOf(shown, this.compared.map(([, value]) => value));
     this.joined = joined(this.rows);
     this.draw();

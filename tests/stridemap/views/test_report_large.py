@@ -47,6 +47,7 @@ def test_a_press_on_a_large_page_shows_that_cycle_and_draws_the_map_no_second_ti
     assert page.evaluate("stridemap.map.looks === window.drawn")
     page.select_option("#colour", "cot")  # unstable cycles cost ten times as much
     assert page.evaluate("stridemap.bar.scale.high") <= orbits.cot[orbits.stable].max()
+    assert page.evaluate("stridemap.slice.scale.high") < 1.1 * orbits.cot[orbits.stable].max()
     assert "have the colour of the end" in page.inner_text("#legend")
     page.select_option("#choice", "stable")
     assert not page.evaluate("stridemap.map.looks === window.drawn")  # as after another choice
