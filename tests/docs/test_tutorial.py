@@ -47,7 +47,7 @@ def folder(tmp_path_factory):
 
 @pytest.fixture
 def reader(folder, monkeypatch):
-    """Somebody in that folder without a C compiler: to compile four walkers takes longer than all the rest."""
+    """Somebody in that folder without a C compiler: to compile walkers takes longer than all the rest."""
     monkeypatch.chdir(folder)
     monkeypatch.delenv("CC", raising=False)
     return {**os.environ, "PATH": str(folder)}
