@@ -4,13 +4,14 @@ import os
 import shutil
 import subprocess
 import sys
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 from stridemap.errors import CompilerError, InputError, StorageError, StridemapError
-from stridemap.solver.backends import self_check
+from stridemap.solver.backends import scratch, self_check
 from stridemap.solver.backends.compiler import FLAGS, compile_shared, find_compiler
 from stridemap.solver.backends.lanes import Lanes
 from stridemap.solver.backends.scalar import ScalarC
@@ -260,6 +261,26 @@ def test_second_load_does_not_compile_again(tmp_path, monkeypatch, own_cache, fe
     assert len(compiled) == 1
     assert all(flag in compiled[0].split() for flag in FLAGS)
     assert_same_bits(first.trace(48, *somewhere()), second.trace(48, *somewhere()))
+
+
+@needs_compiler
+@pytest.mark.parametrize("at_once", [3, 1], ids=["with locks", "without"])
+def test_what_several_need_at_once_is_compiled_once(tmp_path, monkeypatch, own_cache, at_once):
+    """Also where one that was killed has left its folder."""
+    log = tmp_path / "log"
+    counting = script(tmp_path / "cc", f'echo "$@" >> {log}\nsleep 0.2\nexec {find_compiler()} "$@"')
+    text = "double one(void) { return 1.0; }\n"
+    first = compile_shared("one.c", text, counting)
+    first.unlink()
+    if at_once > 1:
+        (own_cache / first.stem.rpartition("-")[0]).mkdir()
+    else:
+        monkeypatch.setattr(scratch, "fcntl", None)
+    with ThreadPoolExecutor(at_once) as pool:
+        built = set(pool.map(lambda _: compile_shared("one.c", text, counting), range(at_once)))
+    assert built == {first}
+    assert sorted(own_cache.iterdir()) == [first]
+    assert log.read_text().count("/one.c") == 2  # one for each time that it was not there
 
 
 @pytest.mark.quick
