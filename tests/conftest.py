@@ -5,6 +5,7 @@ processes share them; their names are hashes of all that they depend on. The env
 STRIDEMAP_CACHE names another folder.
 """
 
+import gc
 import os
 import shutil
 import sys
@@ -17,11 +18,16 @@ from stridemap.cli.app import main
 from stridemap.solver.model import derivation, loading
 from stridemap.sweeps.run import sweep
 from tests.oracles.shared import once
-from tests.oracles.sweeping import LARGER, SMALL, Inline, tables, uninterrupted
+from tests.oracles.sweeping import LARGER, SMALL, Inline, Remembering, tables, uninterrupted
 
 
 def pytest_configure(config):
     os.environ.setdefault("STRIDEMAP_CACHE", str(config.rootpath / ".pytest_cache" / "stridemap"))
+
+
+def pytest_collection_finish():
+    gc.collect()
+    gc.freeze()  # what was imported stays: it need not be looked through again and again
 
 
 @pytest.fixture
@@ -111,7 +117,7 @@ def larger(common):
     def make(folder):
         config = folder / "larger.toml"
         config.write_text(LARGER)
-        sweep(config, folder / "out", executor=Inline(), tile_cells=2)
+        sweep(config, folder / "out", executor=Remembering(), tile_cells=2)
         return config, tables(folder / "out")
 
     return once(common / "larger", make)
