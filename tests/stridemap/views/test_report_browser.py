@@ -29,6 +29,8 @@ CONFIG = {
     "simplest_walker": {"grid": {"slope": [0.004, 0.009]}},
 }
 
+BASE = {"search": {"starts": 24}, "special_points": False}
+
 
 @pytest.fixture(scope="module")
 def browser():
@@ -44,7 +46,7 @@ def browser():
 def report(request, tmp_path_factory):
     """A folder with a sweep in `out`, and its report in `page.html`."""
     folder = tmp_path_factory.mktemp(request.param)
-    config = parse_config({"model": request.param, **CONFIG[request.param], "search": {"starts": 32}})
+    config = parse_config({"model": request.param, **CONFIG[request.param], **BASE})
     sweep(config, folder / "out", executor=Inline())
     write_report(folder / "out", folder / "page.html")
     return folder
@@ -378,9 +380,7 @@ def ellipse(boundary, kind, gait, n=60):
 def lined(tmp_path_factory):
     """A sweep along lines, with two boundaries that are made up, of which one has no gaits."""
     folder = tmp_path_factory.mktemp("lined")
-    config = parse_config(
-        {"model": "wobbling", "grid": {**FINE, "omega": [2.5, 3.0]}, "search": {"starts": 24}}
-    )
+    config = parse_config({"model": "wobbling", "grid": {**FINE, "omega": [2.5, 3.0]}, **BASE})
     sweep(config, folder / "out", executor=Inline())
     table = pd.concat([ellipse(0, "pd", True), ellipse(1, "fold", False)])
     write_report(folder / "out", folder / "page.html", curves=table)
