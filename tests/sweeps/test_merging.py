@@ -143,7 +143,7 @@ def sizes(tmp_path_factory):
         for n in (6, 24):
             where = folder / str(n)
             most[n] = most_memory(
-                lambda n=n, where=where: sweep(config(20, 20, n), where, executor=MadeUp(), tile_cells=200)
+                lambda n=n, where=where: sweep(config(20, 20, n), where, executor=MadeUp(), tile_cells=300)
             )
     return folder, most
 
