@@ -28,7 +28,8 @@ THIN = 12
 def computed(common):
     """Coarse sweeps of what the statements are about, and their tables; computed once for all workers."""
     return once(
-        common / "claims", lambda folder: (folder, cycle_tables(paper_sweeps(folder, thin=THIN, executor=Inline())))
+        common / "claims",
+        lambda folder: (folder, cycle_tables(paper_sweeps(folder, thin=THIN, executor=Inline()))),
     )
 
 

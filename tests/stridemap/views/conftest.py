@@ -27,8 +27,9 @@ REFERENCES = [
 ]
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="package")
 def browser():
+    """One for all pages: to start it takes longer than most tests."""
     path = need("chromium", "chromium-browser", "google-chrome")
     api = pytest.importorskip("playwright.sync_api")
     with api.sync_playwright() as playwright:

@@ -24,7 +24,6 @@ from stridemap.sweeps.config import canonical_json
 from stridemap.sweeps.run import sweep
 from stridemap.views.report.write import write_report
 from stridemap.views.small_figures import Axis, Band, Bar, Curve, Guide, Mark, Panel, SmallFigure, rows_axis
-from tests.oracles.states import need
 from tests.oracles.sweeping import Inline
 
 SCRIPTS = (
@@ -223,18 +222,6 @@ def test_texts_make_no_element_and_no_attribute(hostile):
     assert not {"img", "iframe", "object", "embed", "base", "form"} & set(tags)
     assert not [(tag, a) for tag, attributes in parser.found for a in attributes if a.startswith("on")]
     assert {attributes.get("href", "#")[0] for tag, attributes in parser.found if tag == "a"} == {"#"}
-
-
-@pytest.fixture(scope="module")
-def browser():
-    path = need("chromium", "chromium-browser", "google-chrome")
-    api = pytest.importorskip("playwright.sync_api")
-    with api.sync_playwright() as playwright:
-        started = playwright.chromium.launch(
-            executable_path=shutil.which(path), args=["--no-sandbox", "--disable-gpu"]
-        )
-        yield started
-        started.close()
 
 
 def look(browser, path):
