@@ -5,6 +5,7 @@ processes share them; their names are hashes of all that they depend on. The env
 STRIDEMAP_CACHE names another folder.
 """
 
+import contextlib
 import gc
 import os
 import shutil
@@ -16,6 +17,7 @@ import pytest
 from stridemap.cli import progress
 from stridemap.cli.app import main
 from stridemap.solver.model import derivation, loading
+from stridemap.sweeps import run as running
 from stridemap.sweeps.run import sweep
 from tests.oracles.shared import once
 from tests.oracles.sweeping import LARGER, SMALL, Inline, Remembering, tables, uninterrupted
@@ -75,6 +77,12 @@ def in_this_process(monkeypatch):
 
     for module in (derivation, loading):
         monkeypatch.setattr(module, "derive_file", derive_file)
+
+
+@pytest.fixture
+def no_workers(monkeypatch):
+    """Sweeps are computed in this process: each worker that is started takes a second for its imports."""
+    monkeypatch.setattr(running, "processes", lambda _: contextlib.nullcontext(Inline()))
 
 
 @pytest.fixture(scope="session")

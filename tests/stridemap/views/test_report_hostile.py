@@ -390,7 +390,7 @@ def test_damaged_tables_are_refused_or_read_as_they_are(done):
         path = done / "out" / name
         whole, wanted = path.read_bytes(), stridemap.read_orbits(done / "out")
         refusals = 0
-        for _ in range(100):
+        for _ in range(50):
             data = bytearray(whole)
             if rng.random() < 0.4:
                 del data[rng.randrange(len(data)) :]
@@ -403,7 +403,7 @@ def test_damaged_tables_are_refused_or_read_as_they_are(done):
             except StridemapError as error:
                 assert "\n" not in str(error)
                 refusals += 1
-        assert refusals > 50  # not every byte of a file matters
+        assert refusals > 25  # not every byte of a file matters
         path.write_bytes(whole)
 
 
