@@ -16,7 +16,10 @@ import pytest
 
 from stridemap.cli import progress
 from stridemap.cli.app import main
+from stridemap.solver.backends.interpreter import Interpreter
+from stridemap.solver.backends.selection import load_kernels
 from stridemap.solver.model import derivation, loading
+from stridemap.solver.observables import motion
 from stridemap.sweeps import run as running
 from stridemap.sweeps.run import sweep
 from tests.oracles.shared import once
@@ -83,6 +86,20 @@ def in_this_process(monkeypatch):
 def no_workers(monkeypatch):
     """Sweeps are computed in this process: each worker that is started takes a second for its imports."""
     monkeypatch.setattr(running, "processes", lambda _: contextlib.nullcontext(Inline()))
+
+
+@pytest.fixture
+def uncompiled(monkeypatch):
+    """Motions of walkers that are not built in are sampled in CasADi's virtual machine.
+
+    To compile the kernels of a walker takes longer than all that a test does with them.
+    """
+
+    def kernels(model, backend):
+        built_in = model.name in loading.available()
+        return load_kernels(model, backend if backend or built_in else Interpreter())
+
+    monkeypatch.setattr(motion, "load_kernels", kernels)
 
 
 @pytest.fixture(scope="session")
