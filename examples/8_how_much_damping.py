@@ -102,6 +102,7 @@ config = parse_config(
             "c": [0.0, 0.01, 0.02, 0.03, 0.04, 0.06, 0.08, 0.1],
         },
         "search": {"starts": 16, "subgrid": {"k": 4}},
+        "special_points": False,  # nothing below is about them
     }
 )
 with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(1) as executor:

@@ -5,6 +5,8 @@ processes share them; their names are hashes of all that they depend on. The env
 STRIDEMAP_CACHE names another folder.
 """
 
+import contextlib
+import gc
 import os
 import shutil
 import sys
@@ -14,14 +16,23 @@ import pytest
 
 from stridemap.cli import progress
 from stridemap.cli.app import main
+from stridemap.solver.backends.interpreter import Interpreter
+from stridemap.solver.backends.selection import load_kernels
 from stridemap.solver.model import derivation, loading
+from stridemap.solver.observables import motion
+from stridemap.sweeps import run as running
 from stridemap.sweeps.run import sweep
 from tests.oracles.shared import once
-from tests.oracles.sweeping import LARGER, SMALL, Inline, tables, uninterrupted
+from tests.oracles.sweeping import LARGER, SMALL, Inline, Remembering, tables, uninterrupted
 
 
 def pytest_configure(config):
     os.environ.setdefault("STRIDEMAP_CACHE", str(config.rootpath / ".pytest_cache" / "stridemap"))
+
+
+def pytest_collection_finish():
+    gc.collect()
+    gc.freeze()  # what was imported stays: it need not be looked through again and again
 
 
 @pytest.fixture
@@ -71,6 +82,26 @@ def in_this_process(monkeypatch):
         monkeypatch.setattr(module, "derive_file", derive_file)
 
 
+@pytest.fixture
+def no_workers(monkeypatch):
+    """Sweeps are computed in this process: each worker that is started takes a second for its imports."""
+    monkeypatch.setattr(running, "processes", lambda _: contextlib.nullcontext(Inline()))
+
+
+@pytest.fixture
+def uncompiled(monkeypatch):
+    """Motions of walkers that are not built in are sampled in CasADi's virtual machine.
+
+    To compile the kernels of a walker takes longer than all that a test does with them.
+    """
+
+    def kernels(model, backend):
+        built_in = model.name in loading.available()
+        return load_kernels(model, backend if backend or built_in else Interpreter())
+
+    monkeypatch.setattr(motion, "load_kernels", kernels)
+
+
 @pytest.fixture(scope="session")
 def common(tmp_path_factory):
     """A temporary folder that all processes of this run have in common."""
@@ -111,7 +142,7 @@ def larger(common):
     def make(folder):
         config = folder / "larger.toml"
         config.write_text(LARGER)
-        sweep(config, folder / "out", executor=Inline(), tile_cells=2)
+        sweep(config, folder / "out", executor=Remembering(), tile_cells=2)
         return config, tables(folder / "out")
 
     return once(common / "larger", make)

@@ -11,7 +11,6 @@ import re
 import shlex
 import shutil
 import subprocess
-import tempfile
 import threading
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -22,6 +21,7 @@ from platformdirs import user_cache_path
 
 from stridemap.errors import CompilerError, InputError, StorageError
 from stridemap.services import shown
+from stridemap.solver.backends.scratch import scratch
 
 FLAGS = ("-O1", "-std=c99", "-ffp-contract=off", "-fPIC", "-shared")
 """Contraction is off, so that compiled code and virtual machine agree to the last bit; higher levels of
@@ -249,14 +249,14 @@ def compile_shared(name: str, text: str, compiler: str, flags: Sequence[str] = F
     stem = f"{Path(name).stem}-{_key(text, command)}"
     folder = cache_folder()
     try:
-        for library in sorted(folder.glob(f"{stem}-*.so")):
-            # To load half a library would end the process; to read a pipe or a device would never end.
-            if os.path.isfile(library) and library.stem == f"{stem}-{_digest(library)}":
-                return library
+        if (library := _made(folder, stem)) is not None:
+            return library
         folder.mkdir(parents=True, exist_ok=True)
-        # Beside and renamed: another process never sees half a library.
-        with tempfile.TemporaryDirectory(dir=folder) as scratch:
-            source, built = Path(scratch) / name, Path(scratch) / f"{stem}.so"
+        # Beside and renamed: another process never sees half a library. One compiles, and the others wait.
+        with scratch(folder / stem) as own:
+            if (library := _made(folder, stem)) is not None:
+                return library
+            source, built = own / name, own / f"{stem}.so"
             source.write_text(text, encoding="utf-8")
             with shown(f"compiling the kernels ({name})", announced=True):
                 status, said = _run([*command, str(source), "-o", str(built), "-lm"], COMPILE_SECONDS)
@@ -273,6 +273,15 @@ def compile_shared(name: str, text: str, compiler: str, flags: Sequence[str] = F
             "set STRIDEMAP_CACHE to a folder that can be written"
         ) from None
     return library
+
+
+def _made(folder: Path, stem: str) -> Path | None:
+    """A library in the cache that is whole: to load half of one would end the process."""
+    for library in sorted(folder.glob(f"{stem}-*.so")):
+        # To read a pipe or a device would never end.
+        if os.path.isfile(library) and library.stem == f"{stem}-{_digest(library)}":
+            return library
+    return None
 
 
 def _key(text: str, command: list[str]) -> str:

@@ -107,7 +107,8 @@ class Chain:
             step = blocks[:, i, :, i, :].copy()
             if n > 1:
                 step[:, :nz, :nz] -= np.eye(nz)  # as `step_map_derivative` takes it
-            product = step_map_derivative(step) @ product
+            with np.errstate(invalid="ignore"):  # of a step that has none
+                product = step_map_derivative(step) @ product
         return sorted_eigenvalues(product)
 
     def _steps(self, u: Array, p: Array) -> tuple[Array, Array]:

@@ -20,11 +20,13 @@ def step_map_derivative(jacobian: Array) -> Array:
     Returns
     -------
     ndarray, shape (n, nz, nz)
+        Not finite where the foot only touches: there h_T is zero.
     """
     nz = jacobian.shape[-1] - 1
     p_z = jacobian[:, :nz, :nz] + np.eye(nz)
     p_t, h_z, h_t = jacobian[:, :nz, nz:], jacobian[:, nz:, :nz], jacobian[:, nz:, nz:]
-    return p_z - p_t @ h_z / h_t
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return p_z - p_t @ h_z / h_t
 
 
 def multipliers(jacobian: Array) -> NDArray[np.complex128]:

@@ -144,6 +144,7 @@ def test_feet_as_long_as_the_leg_lose_nothing():
     assert then == pytest.approx(before, rel=1e-7)
 
 
+@pytest.mark.usefixtures("uncompiled")
 @pytest.mark.parametrize(
     ("name", "params"),
     [("damped", {"k": 6.0, "zeta": 0.3}), ("rolling", {"radius": 0.3}), ("two_motors", {"k": 7.0})],

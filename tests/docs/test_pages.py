@@ -70,7 +70,7 @@ def swept(tmp_path_factory):
 
 
 @pytest.fixture
-def reader(swept, tmp_path, monkeypatch):
+def reader(swept, tmp_path, monkeypatch, no_workers):
     """The folder in which somebody reads along: two finished sweeps, and whatever the page has them write."""
     shutil.copytree(swept / "paper", tmp_path / "results" / "paper")
     monkeypatch.chdir(tmp_path)

@@ -23,7 +23,7 @@ LARGE, SMALL = Scale(THOUSAND, THOUSAND, THOUSAND), Scale(THOUSANDTH, THOUSANDTH
 MIXED = Scale(THOUSAND, THOUSANDTH, THOUSAND)
 NAMES = {LARGE: "large", SMALL: "small", MIXED: "mixed"}
 
-STARTS = 128
+STARTS = 48
 """Enough for all cycles of these models at their presets."""
 
 ROUNDING = ("residual", "integration_error", "state_error", "multiplier_error")

@@ -19,7 +19,7 @@ from stridemap.sweeps.store import ORBITS
 from tests.oracles.sweeping import (
     CONFIG,
     IN_PIECES,
-    Inline,
+    Remembering,
     content,
     ended,
     parts,
@@ -42,7 +42,7 @@ class Enough(Exception):
     """Ends a sweep from its progress."""
 
 
-class Breaks(Inline):
+class Breaks(Remembering):
     """Gives up at the third task: in computing it, or in taking it."""
 
     def __init__(self, error, taking=False):
@@ -79,7 +79,7 @@ def test_what_is_finished_stays_and_resume_does_the_rest(reference, tmp_path, er
     finished = {piece(part) for part in parts(tmp_path)}
     assert len(finished) == (0 if taking else 2)
     before = content(tmp_path)
-    executor = Inline()
+    executor = Remembering()
 
     def kept(_):
         now = content(tmp_path)
@@ -109,7 +109,7 @@ def test_resume_at_every_piece_gives_the_same_bytes(reference, tmp_path):
                 raise Enough
 
         try:
-            sweep(CONFIG, tmp_path, executor=Inline(), resume=True, progress=one_more)
+            sweep(CONFIG, tmp_path, executor=Remembering(), resume=True, progress=one_more)
             break
         except Enough:
             assert len(parts(tmp_path)) == len(held) + 1
@@ -122,7 +122,7 @@ def test_resume_at_every_piece_gives_the_same_bytes(reference, tmp_path):
 def test_a_finished_sweep_is_not_computed_again(reference, tmp_path, resume):
     shutil.copytree(reference[0], tmp_path, dirs_exist_ok=True)
     before, times = content(tmp_path), [path.stat().st_mtime_ns for path in tmp_path.iterdir()]
-    executor = Inline()
+    executor = Remembering()
     summary = sweep(CONFIG, tmp_path, executor=executor, resume=resume)
     assert summary.already_finished
     assert (summary.cells, summary.orbits, summary.stable_orbits) == (
@@ -134,7 +134,7 @@ def test_a_finished_sweep_is_not_computed_again(reference, tmp_path, resume):
 
 
 def test_resume_where_there_is_nothing_begins(reference, tmp_path):
-    sweep(CONFIG, tmp_path / "new", executor=Inline(), resume=True)
+    sweep(CONFIG, tmp_path / "new", executor=Remembering(), resume=True)
     assert tables(tmp_path / "new") == tables(reference[0])
 
 
@@ -171,7 +171,7 @@ def unfinished(out):
 
 def resumed(config, out, wanted, held):
     """Continue in this process, with the pieces held left alone."""
-    executor = Inline()
+    executor = Remembering()
 
     def left_alone(_):
         assert held.items() <= whole_parts(out).items()

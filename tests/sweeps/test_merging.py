@@ -14,7 +14,7 @@ from stridemap.sweeps.families import families
 from stridemap.sweeps.reading import open_sweep, read_sweep
 from stridemap.sweeps.run import sweep
 from tests.oracles.made_up_tiles import MadeUp
-from tests.oracles.sweeping import CONFIG, Inline, tables
+from tests.oracles.sweeping import CONFIG, Remembering, tables
 
 
 def config(*sizes):
@@ -91,7 +91,7 @@ def test_branches_are_first_met_as_in_the_table():
 
 def test_a_real_sweep_has_the_same_bytes_in_many_ranges(reference, tmp_path, monkeypatch):
     monkeypatch.setattr(merging, "RANGE_ROWS", 3)
-    sweep(CONFIG, tmp_path, executor=Inline(), tile_cells=2)
+    sweep(CONFIG, tmp_path, executor=Remembering(), tile_cells=2)
     assert tables(tmp_path) == tables(reference[0])
 
 
@@ -143,7 +143,7 @@ def sizes(tmp_path_factory):
         for n in (6, 24):
             where = folder / str(n)
             most[n] = most_memory(
-                lambda n=n, where=where: sweep(config(20, 20, n), where, executor=MadeUp(), tile_cells=200)
+                lambda n=n, where=where: sweep(config(20, 20, n), where, executor=MadeUp(), tile_cells=300)
             )
     return folder, most
 

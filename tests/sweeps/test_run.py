@@ -27,7 +27,7 @@ from stridemap.sweeps.config import canonical_json, parse_config
 from stridemap.sweeps.store import read_cells, read_orbits, read_provenance
 from tests.oracles.reference import REFERENCE
 from tests.oracles.shared import once
-from tests.oracles.sweeping import ALPHA, CONFIG, Inline, K, content, tables
+from tests.oracles.sweeping import ALPHA, CONFIG, Inline, K, Remembering, content, tables
 
 sweep = functools.partial(run.sweep, tile_cells=2)
 BASE = {"model": "wobbling", "grid": {"k": K, "alpha": ALPHA}}
@@ -53,14 +53,14 @@ def test_threads_give_the_same_bytes(reference, tmp_path):
 @pytest.mark.quick
 def test_any_order_of_completion_gives_the_same_bytes(reference, tmp_path, monkeypatch):
     monkeypatch.setattr(run, "wait", lambda futures, **_: ({futures[-1]}, set(futures[:-1])))
-    sweep(CONFIG, tmp_path, executor=Inline())
+    sweep(CONFIG, tmp_path, executor=Remembering())
     assert tables(tmp_path) == tables(reference[0])
 
 
 def test_a_file_and_a_configuration_are_the_same(reference, tmp_path):
     text = f'model = "wobbling"\n[grid]\nk = {list(K)}\nalpha = {list(ALPHA)}\n[search]\n'
     (tmp_path / "my.toml").write_text(text + "starts = 8\nsubgrid = 2\n[continuation]\nmax_steps = 10\n")
-    sweep(str(tmp_path / "my.toml"), str(tmp_path / "out"), executor=Inline())
+    sweep(str(tmp_path / "my.toml"), str(tmp_path / "out"), executor=Remembering())
     assert tables(tmp_path / "out") == tables(reference[0])
 
 
@@ -109,7 +109,7 @@ def matches(rows, orbit):
 @pytest.fixture(scope="session")
 def thorough(common):
     """A sweep with many starts in every cell."""
-    config = parse_config({**BASE, "search": {"starts": 512, "subgrid": 1}})
+    config = parse_config({**BASE, "search": {"starts": 512, "subgrid": 1}, "special_points": False})
     once(common / "thorough", lambda folder: sweep(config, folder / "out", executor=Inline()))
     return common / "thorough" / "out"
 
@@ -306,7 +306,7 @@ def test_progress_only_goes_on(reference):
 def test_a_cell_that_raises_is_a_row_with_a_reason(tmp_path, monkeypatch, stage, error):
     grid, search = {"k": [0.5, 6.0, 8.0]}, {"starts": 64, "subgrid": 1}
     config = parse_config({"model": "wobbling", "grid": grid, "search": search})
-    sweep(config, tmp_path / "sound", executor=Inline(), tile_cells=3)
+    sweep(config, tmp_path / "sound", executor=Remembering(), tile_cells=3)
     whole = getattr(Solver, stage)
 
     def part(self, guesses, params, *rest):

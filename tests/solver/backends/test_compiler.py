@@ -4,13 +4,14 @@ import os
 import shutil
 import subprocess
 import sys
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 from stridemap.errors import CompilerError, InputError, StorageError, StridemapError
-from stridemap.solver.backends import self_check
+from stridemap.solver.backends import scratch, self_check
 from stridemap.solver.backends.compiler import FLAGS, compile_shared, find_compiler
 from stridemap.solver.backends.lanes import Lanes
 from stridemap.solver.backends.scalar import ScalarC
@@ -169,7 +170,7 @@ def test_they_are_looked_at_once(monkeypatch, own_cache, few_kernels):
     ("backend", "name"),
     [
         *((Lanes(), name) for name in available()),
-        *((Lanes(instructions=()), name) for name in ("compass", "wobbling")),
+        (Lanes(instructions=()), "compass"),
         *((ScalarC(), name) for name in ("compass", "wobbling")),
     ],
     ids=str,
@@ -177,8 +178,17 @@ def test_they_are_looked_at_once(monkeypatch, own_cache, few_kernels):
 def test_python_computes_the_same_bits(backend, name):
     """Every operation of a residual is known, so that the comparison is one of bits.
 
-    All models as they are used, and two of them, which other tests need as well, in each other way.
+    All models as they are used, and some of them, which other tests need as well, in each other way.
     """
+    compare(backend, name)
+
+
+@needs_compiler
+def test_python_computes_the_same_bits_without_wide_instructions(few_kernels):
+    compare(Lanes(instructions=()), "wobbling")
+
+
+def compare(backend, name):
     kernels = backend.kernels(load(name))
     u, p = self_check._points(kernels.model)
     function = kernels.functions[self_check.KERNEL].expand()
@@ -260,6 +270,26 @@ def test_second_load_does_not_compile_again(tmp_path, monkeypatch, own_cache, fe
     assert len(compiled) == 1
     assert all(flag in compiled[0].split() for flag in FLAGS)
     assert_same_bits(first.trace(48, *somewhere()), second.trace(48, *somewhere()))
+
+
+@needs_compiler
+@pytest.mark.parametrize("at_once", [3, 1], ids=["with locks", "without"])
+def test_what_several_need_at_once_is_compiled_once(tmp_path, monkeypatch, own_cache, at_once):
+    """Also where one that was killed has left its folder."""
+    log = tmp_path / "log"
+    counting = script(tmp_path / "cc", f'echo "$@" >> {log}\nsleep 0.2\nexec {find_compiler()} "$@"')
+    text = "double one(void) { return 1.0; }\n"
+    first = compile_shared("one.c", text, counting)
+    first.unlink()
+    if at_once > 1:
+        (own_cache / first.stem.rpartition("-")[0]).mkdir()
+    else:
+        monkeypatch.setattr(scratch, "fcntl", None)
+    with ThreadPoolExecutor(at_once) as pool:
+        built = set(pool.map(lambda _: compile_shared("one.c", text, counting), range(at_once)))
+    assert built == {first}
+    assert sorted(own_cache.iterdir()) == [first]
+    assert log.read_text().count("/one.c") == 2  # one for each time that it was not there
 
 
 @pytest.mark.quick

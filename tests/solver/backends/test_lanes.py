@@ -1,6 +1,7 @@
 """Kernels that work on several points per instruction: the same numbers, whatever is beside them."""
 
 import ctypes
+import itertools
 import os
 import re
 import shutil
@@ -29,9 +30,18 @@ pytestmark = needs_compiler
 
 INSTRUCTION_SETS = [
     (),
-    *(flags for needed, flags in lanes.INSTRUCTIONS if needed <= processor_features()),
+    *(flags for needed, flags in reversed(lanes.INSTRUCTIONS) if needed <= processor_features()),
 ]
 """What this processor can run: it knows two lanes in any case."""
+
+each_instruction_set = pytest.mark.parametrize(
+    ("name", "instructions"),
+    [
+        pytest.param(name, flags, id=f"{flags[0] if flags else 'baseline'}-{name}")
+        for name, flags in zip(itertools.cycle(["compass", "wobbling"]), INSTRUCTION_SETS, strict=False)
+    ],
+)
+"""With one of two models each: to compile one takes some seconds."""
 
 
 # -- sine and cosine -------------------------------------------------------------------------------------
@@ -128,23 +138,19 @@ def test_a_point_does_not_depend_on_those_beside_it(name):
                 assert_same_bits(alone, [out[chosen] for out in together])
 
 
-@pytest.mark.parametrize(
-    "instructions", INSTRUCTION_SETS, ids=lambda flags: flags[0] if flags else "baseline"
-)
-def test_the_processor_does_not_change_a_bit(instructions):
-    model = load("compass")
+@each_instruction_set
+def test_the_processor_does_not_change_a_bit(name, instructions):
+    model = load(name)
     u, params = cases(model, 40)
     wide, other = Lanes().kernels(model), Lanes(instructions=instructions).kernels(model)
     for kernel in KERNELS:
         assert_same_bits(other.call(kernel, u, params), wide.call(kernel, u, params))
 
 
-@pytest.mark.parametrize(
-    "instructions", INSTRUCTION_SETS, ids=lambda flags: flags[0] if flags else "baseline"
-)
-def test_reference_orbits_with_each_instruction_set(instructions):
-    entries = [e for e in REFERENCE if e["model"] == "wobbling"]
-    model = load("wobbling")
+@each_instruction_set
+def test_reference_orbits_with_each_instruction_set(name, instructions):
+    entries = [e for e in REFERENCE if e["model"] == name]
+    model = load(name)
     u = np.array([[*section_point(e), e["period"]] for e in entries])
     params = np.array([model.point(e["params"]) for e in entries])
     solved = Lanes(instructions=instructions).kernels(model).limit_cycle(96, u * 1.001, params)

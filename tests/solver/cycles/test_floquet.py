@@ -1,5 +1,7 @@
 """Floquet multipliers against differences of the event-driven simulator's step map."""
 
+import warnings
+
 import numpy as np
 import pytest
 
@@ -61,3 +63,13 @@ def test_period_follows_the_section_point():
     """Where h depends on z and P on T, the period that follows z enters the derivative."""
     jacobian = np.array([[[1.0, 0.0, 3.0], [0.0, 1.0, 0.0], [2.0, 0.0, 4.0]]])
     np.testing.assert_allclose(floquet.step_map_derivative(jacobian)[0], [[2 - 3 * 2 / 4, 0], [0, 2]])
+
+
+def test_a_foot_that_only_touches_has_no_multipliers_and_warns_of_nothing():
+    grazing = np.eye(3)[None].repeat(2, axis=0)
+    grazing[0, -1] = 1.0, 0.0, 0.0  # of the touchdown condition: its rate is zero
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        values = floquet.multipliers(grazing)
+    assert np.isnan(values[0]).all()
+    assert np.isfinite(values[1]).all()

@@ -28,7 +28,7 @@ def pushed(orbit, samples):
     return seen, torque / load
 
 
-def test_a_motor_at_the_ankle_moves_it(driven):
+def test_a_motor_at_the_ankle_moves_it(driven, uncompiled):
     seen, own = pushed(driven, 4001)
     inside = slice(5, -5)  # differences are poor at the ends
     assert np.abs(seen.cop - own)[inside].max() < 2e-7
@@ -38,13 +38,13 @@ def test_a_motor_at_the_ankle_moves_it(driven):
     assert driven.d_max > 3 * driven.cop_max  # who takes the foot's length from d wants three times as much
 
 
-def test_it_passes_from_heel_to_toe(driven):
+def test_it_passes_from_heel_to_toe(driven, uncompiled):
     seen = stridemap.motion(driven, 101)
     assert seen.cop[0] < -0.02
     assert seen.cop[-1] > 0.02
 
 
-def test_pictures_draw_the_force_there(driven):
+def test_pictures_draw_the_force_there(driven, uncompiled):
     pytest.importorskip("matplotlib")
     shown = scene(driven, 40)
     assert shown.cop[0] < 0 < shown.cop[-1]

@@ -18,6 +18,7 @@ from stridemap.solver.model.loading import load
 from stridemap.views.report.verdicts import tally
 from tests.oracles.claim_tables import changed, swapped
 from tests.oracles.shared import once
+from tests.oracles.sweeping import Inline
 
 IDS = [f"C{i}" for i in range(1, 21)]
 THIN = 12
@@ -27,7 +28,8 @@ THIN = 12
 def computed(common):
     """Coarse sweeps of what the statements are about, and their tables; computed once for all workers."""
     return once(
-        common / "claims", lambda folder: (folder, cycle_tables(paper_sweeps(folder, thin=THIN, workers=2)))
+        common / "claims",
+        lambda folder: (folder, cycle_tables(paper_sweeps(folder, thin=THIN, executor=Inline()))),
     )
 
 

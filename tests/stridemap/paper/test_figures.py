@@ -34,7 +34,7 @@ ALPHA = [0.2, 0.25, 0.3]
 @pytest.fixture(scope="module")
 def configs():
     """A small map, and one line of springs, across the gap between groups A and B."""
-    base = {"model": "wobbling", "search": {"starts": 24}}
+    base = {"model": "wobbling", "search": {"starts": 24}, "special_points": False}  # as the paper's
     small_map = {**base, "grid": {"k": K, "alpha": ALPHA, "omega": [2.0, 3.0]}}
     line = {**base, "grid": {"k": K, "alpha": [0.25], "omega": [3.0]}}
     small = {"map": parse_config(small_map), "lines": parse_config(line)}

@@ -8,6 +8,7 @@ from stridemap.sweeps.config import parse_config
 from stridemap.sweeps.run import sweep
 from stridemap.views.report.references import Reference
 from stridemap.views.report.write import write_report
+from tests.oracles.shared import once
 from tests.oracles.states import need
 from tests.oracles.sweeping import Inline
 
@@ -26,8 +27,9 @@ REFERENCES = [
 ]
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="package")
 def browser():
+    """One for all pages: to start it takes longer than most tests."""
     path = need("chromium", "chromium-browser", "google-chrome")
     api = pytest.importorskip("playwright.sync_api")
     with api.sync_playwright() as playwright:
@@ -37,13 +39,16 @@ def browser():
 
 
 @pytest.fixture(scope="session")
-def compared(tmp_path_factory):
+def compared(common):
     """A folder with a small sweep of the walker in `out`, and its report with references in `page.html`."""
-    folder = tmp_path_factory.mktemp("compared")
-    config = parse_config({"model": "wobbling", "grid": GRID, "search": {"starts": 24}})
-    sweep(config, folder / "out", executor=Inline())
-    write_report(folder / "out", folder / "page.html", references=REFERENCES)
-    return folder
+
+    def make(folder):
+        config = parse_config({"model": "wobbling", "grid": GRID, "search": {"starts": 24}})
+        sweep(config, folder / "out", executor=Inline())
+        write_report(folder / "out", folder / "page.html", references=REFERENCES)
+
+    once(common / "compared", make)
+    return common / "compared"
 
 
 @pytest.fixture(scope="module")

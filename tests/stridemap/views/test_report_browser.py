@@ -1,6 +1,5 @@
 """The report in a browser, opened as a file: no network, no complaints, right numbers, the walker moves."""
 
-import shutil
 import time
 
 import numpy as np
@@ -14,13 +13,10 @@ from stridemap.sweeps.config import parse_config
 from stridemap.sweeps.run import sweep
 from stridemap.sweeps.store import read_cells
 from stridemap.views.report.write import write_report
-from tests.oracles.states import need, states
+from tests.oracles.states import states
 from tests.oracles.sweeping import Inline
+from tests.stridemap.views.conftest import at
 
-ARGUMENTS = [
-    "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
-    "--disable-component-update", "--disable-sync",
-]  # fmt: skip
 CONFIG = {
     "wobbling": {"grid": {"k": [0.5, 6.0, 22.5, 30.0, 45.0], "alpha": [0.25, 0.3], "omega": [2.5, 3.0]}},
     "compass": {"grid": {"omega": [2.0, 2.5, 3.0]}},
@@ -29,53 +25,74 @@ CONFIG = {
     "simplest_walker": {"grid": {"slope": [0.004, 0.009]}},
 }
 
-
-@pytest.fixture(scope="module")
-def browser():
-    path = need("chromium", "chromium-browser", "google-chrome")
-    api = pytest.importorskip("playwright.sync_api")
-    with api.sync_playwright() as playwright:
-        started = playwright.chromium.launch(executable_path=shutil.which(path), args=ARGUMENTS)
-        yield started
-        started.close()
+BASE = {"search": {"starts": 24}, "special_points": False}
 
 
 @pytest.fixture(scope="module", params=["wobbling"])
 def report(request, tmp_path_factory):
     """A folder with a sweep in `out`, and its report in `page.html`."""
     folder = tmp_path_factory.mktemp(request.param)
-    config = parse_config({"model": request.param, **CONFIG[request.param], "search": {"starts": 32}})
+    config = parse_config({"model": request.param, **CONFIG[request.param], **BASE})
     sweep(config, folder / "out", executor=Inline())
     write_report(folder / "out", folder / "page.html")
     return folder
 
 
+def opened(browser, folder, width=1400, height=900, **options):
+    """A report, opened by its file; whatever it asks for or complains of is in its `faults`."""
+    context = browser.new_context(
+        viewport={"width": width, "height": height}, **{"reduced_motion": "reduce", **options}
+    )
+    page, own = context.new_page(), (folder / "page.html").as_uri()
+    page.faults = []
+    page.on("console", lambda message: page.faults.append(message.text))
+    page.on("pageerror", lambda error: page.faults.append(str(error)))
+    page.on(
+        "request",
+        lambda asked: page.faults.append(asked.url) if asked.url not in (own, "data:,") else None,
+    )
+    page.goto(own)
+    page.wait_for_selector("html[data-ready=yes]", state="attached")
+    return page
+
+
 @pytest.fixture
 def open_page(browser):
-    """Opens a report by its file; whatever it asks for or complains about fails the test."""
-    contexts, faults = [], []
+    """Opens a report anew; a fault of it fails the test."""
+    pages = []
 
-    def opened(folder, width=1400, height=900, **options):
-        context = browser.new_context(
-            viewport={"width": width, "height": height}, **{"reduced_motion": "reduce", **options}
-        )
-        contexts.append(context)
-        page = context.new_page()
-        page.on("console", lambda message: faults.append(message.text))
-        page.on("pageerror", lambda error: faults.append(str(error)))
-        own = (folder / "page.html").as_uri()
-        page.on(
-            "request",
-            lambda asked: faults.append(asked.url) if asked.url not in (own, "data:,") else None,
-        )
-        page.goto(own)
-        page.wait_for_selector("html[data-ready=yes]", state="attached")
-        return page
+    def own(*words, **options):
+        pages.append(opened(browser, *words, **options))
+        return pages[-1]
 
-    yield opened
-    for context in contexts:
-        context.close()
-    assert faults == []
+    yield own
+    for page in pages:
+        page.context.close()
+    assert [page.faults for page in pages] == [[]] * len(pages)
+
+
+@pytest.fixture(scope="module")
+def kept(browser):
+    """Reports that stay open from test to test, by their folders."""
+    pages = {}
+    yield pages
+    for page in pages.values():
+        page.context.close()
+
+
+@pytest.fixture
+def same_page(browser, kept):
+    """Shows a report as it is at its start, which is faster than to open it anew; a fault fails the test."""
+    seen = []
+
+    def own(folder):
+        if folder not in kept:
+            kept[folder] = opened(browser, folder)
+        seen.append(at(kept[folder], ""))
+        return seen[-1]
+
+    yield own
+    assert [page.faults for page in seen] == [[]] * len(seen)
 
 
 def number(text):
@@ -118,8 +135,8 @@ def pixels(page, canvas):
 
 
 @pytest.mark.parametrize("report", list(CONFIG), indirect=True)
-def test_equations_are_those_of_the_model(report, open_page):
-    page, model = open_page(report), load(report.name.rstrip("0123456789"))
+def test_equations_are_those_of_the_model(report, same_page):
+    page, model = same_page(report), load(report.name.rstrip("0123456789"))
     inputs = states(model.name, 200)
     names = page.evaluate("Object.keys(stridemap.equations)")
     assert {"state_derivative", "impact_map", "drawing", "zmp", "ground_force"} <= set(names)
@@ -139,9 +156,9 @@ def test_equations_are_those_of_the_model(report, open_page):
 
 
 @pytest.mark.parametrize("report", list(CONFIG), indirect=True)
-def test_motions_are_those_of_the_solver(report, open_page):
+def test_motions_are_those_of_the_solver(report, same_page):
     """At times between the nodes of either integration, for every cycle of the sweep."""
-    page, orbits = open_page(report), stridemap.read_orbits(report / "out")
+    page, orbits = same_page(report), stridemap.read_orbits(report / "out")
     model, samples = load(report.name.rstrip("0123456789")), 57
     seen = motions(
         model, orbits[[*model.section, "period"]].to_numpy(), orbits[list(model.preset)].to_numpy(), samples
@@ -176,8 +193,8 @@ def test_it_paints_at_once(report, open_page):
     assert max(paints) < 5000  # a loaded machine; 0.1 to 0.2 s on a quiet one
 
 
-def test_a_cell_of_each_group_shows_the_numbers_of_the_table(report, open_page):
-    page, orbits = open_page(report), stridemap.read_orbits(report / "out")
+def test_a_cell_of_each_group_shows_the_numbers_of_the_table(report, same_page):
+    page, orbits = same_page(report), stridemap.read_orbits(report / "out")
     model = load("wobbling")
     at_three = orbits[orbits.omega == 3.0]
     assert {"A", "B", "C", "D"} <= set(at_three.group)
@@ -222,8 +239,8 @@ def check_multipliers(page, wanted):
     assert page.locator("#circle .inside").count() == len(shown) - outside
 
 
-def test_the_slider_moves_the_map_and_the_cycle(report, open_page):
-    page, orbits = open_page(report), stridemap.read_orbits(report / "out")
+def test_the_slider_moves_the_map_and_the_cycle(report, same_page):
+    page, orbits = same_page(report), stridemap.read_orbits(report / "out")
     click_cell(page, int(orbits[(orbits.omega == 3.0) & (orbits.group == "B")].cell.iloc[0]))
     before, cell = pixels(page, "map"), page.evaluate("stridemap.state.cell")
     slider = page.get_by_role("slider", name="ω")
@@ -234,8 +251,8 @@ def test_the_slider_moves_the_map_and_the_cycle(report, open_page):
     assert pixels(page, "map") != before
 
 
-def test_the_colour_and_the_choice_of_cycles(report, open_page):
-    page, orbits = open_page(report), stridemap.read_orbits(report / "out")
+def test_the_colour_and_the_choice_of_cycles(report, same_page):
+    page, orbits = same_page(report), stridemap.read_orbits(report / "out")
     here = orbits[(orbits.omega == 3.0) & orbits.stable]
     assert f"stable: {here.cell.nunique()} cells" in page.inner_text("#legend")
     for colour in page.eval_on_selector_all("#colour option", "found => found.map(o => o.value)"):
@@ -329,8 +346,8 @@ def test_it_fits(report, open_page, tmp_path, width, height, scheme):
 
 
 @pytest.mark.parametrize("report", ["compass"], indirect=True)
-def test_one_axis_is_a_strip_and_a_curve(report, open_page):
-    page, orbits = open_page(report), stridemap.read_orbits(report / "out")
+def test_one_axis_is_a_strip_and_a_curve(report, same_page):
+    page, orbits = same_page(report), stridemap.read_orbits(report / "out")
     assert page.locator("#sliders input").count() == 0
     assert page.is_hidden("#axes")
     last = orbits.iloc[-1]
@@ -350,8 +367,8 @@ def test_the_address_keeps_the_choice(report, open_page):
     assert page.evaluate("[stridemap.state.cell, stridemap.state.colour]") == [1, "cot"]
 
 
-def test_a_cell_without_a_cycle_says_why(report, open_page):
-    page = open_page(report)
+def test_a_cell_without_a_cycle_says_why(report, same_page):
+    page = same_page(report)
     empty = read_cells(report / "out").query("status == 'empty' and omega == 3.0").cell
     click_cell(page, int(empty.iloc[0]))
     assert "was found, from the starts or from neighbouring cells" in page.inner_text("#empty")
@@ -378,9 +395,7 @@ def ellipse(boundary, kind, gait, n=60):
 def lined(tmp_path_factory):
     """A sweep along lines, with two boundaries that are made up, of which one has no gaits."""
     folder = tmp_path_factory.mktemp("lined")
-    config = parse_config(
-        {"model": "wobbling", "grid": {**FINE, "omega": [2.5, 3.0]}, "search": {"starts": 24}}
-    )
+    config = parse_config({"model": "wobbling", "grid": {**FINE, "omega": [2.5, 3.0]}, **BASE})
     sweep(config, folder / "out", executor=Inline())
     table = pd.concat([ellipse(0, "pd", True), ellipse(1, "fold", False)])
     write_report(folder / "out", folder / "page.html", curves=table)
@@ -395,8 +410,8 @@ def at_omega(page, index):
     )
 
 
-def test_boundaries_lie_where_their_cells_are(lined, open_page):
-    page = open_page(lined)
+def test_boundaries_lie_where_their_cells_are(lined, same_page):
+    page = same_page(lined)
     at_omega(page, 1)
     paths = page.eval_on_selector_all(
         "#curves path:not(.halo)", "all => all.map((p) => [p.dataset.type, p.getAttribute('d')])"
@@ -448,9 +463,9 @@ def test_the_slice_is_crossed_where_the_ellipse_is(lined, open_page):
     assert sorted(k for k, _ in found) == pytest.approx([6.25, 10.25], abs=0.02)
 
 
-def test_lines_join_cycles_of_one_branch(lined, open_page):
+def test_lines_join_cycles_of_one_branch(lined, same_page):
     """Each pair is in neighbouring columns of one branch; single cycles on either side are joined."""
-    page, orbits = open_page(lined), stridemap.read_orbits(lined / "out")
+    page, orbits = same_page(lined), stridemap.read_orbits(lined / "out")
     joined = 0
     for row, alpha in enumerate(FINE["alpha"]):
         page.evaluate(f"stridemap.choose(stridemap.grid.cell([8, {row}, 1]))")
@@ -477,9 +492,9 @@ def test_lines_join_cycles_of_one_branch(lined, open_page):
     assert joined > 10
 
 
-def test_both_sides_of_a_fold_are_two_lines(lined, open_page):
+def test_both_sides_of_a_fold_are_two_lines(lined, same_page):
     """Made-up states: two sheets that come near each other at a fold, a gap, and one sheet beyond."""
-    page = open_page(lined)
+    page = same_page(lined)
     script = """(() => { const { orbits } = stridemap; const columns = [];
         for (let c = 0; c < 6; c++) columns.push(c);
         const s = (c) => Math.sqrt(6 - c) / 3;

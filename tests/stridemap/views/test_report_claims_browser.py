@@ -1,7 +1,6 @@
 """The report's statements, its walker, and how it prints, in a browser: one page for all looks."""
 
 import re
-import shutil
 
 import numpy as np
 import pytest
@@ -12,9 +11,8 @@ from stridemap.sweeps.run import sweep
 from stridemap.views import palette
 from stridemap.views.report.write import write_report
 from tests.oracles.claim_tables import changed, made_up
-from tests.oracles.states import need
 from tests.oracles.sweeping import Inline
-from tests.stridemap.views.test_report_browser import ARGUMENTS, until
+from tests.stridemap.views.test_report_browser import opened, until
 
 GRID = {"k": [0.5, 6.0, 22.5], "alpha": [0.25, 0.5], "omega": [3.0]}
 CHARTS = ("map", "slice", "stage")
@@ -32,24 +30,12 @@ def folder(tmp_path_factory):
 
 
 @pytest.fixture(scope="module")
-def page(folder):
+def page(folder, browser):
     """The report in a browser on a desktop; whatever it asks for or complains about fails the module."""
-    path = need("chromium", "chromium-browser", "google-chrome")
-    api = pytest.importorskip("playwright.sync_api")
-    faults = []
-    with api.sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=shutil.which(path), args=ARGUMENTS)
-        context = browser.new_context(viewport={"width": 1400, "height": 900}, reduced_motion="reduce")
-        opened = context.new_page()
-        opened.on("console", lambda message: faults.append(message.text))
-        opened.on("pageerror", lambda error: faults.append(str(error)))
-        own = (folder / "page.html").as_uri()
-        opened.on("request", lambda asked: asked.url in (own, "data:,") or faults.append(asked.url))
-        opened.goto(own)
-        opened.wait_for_selector("html[data-ready=yes]", state="attached")
-        yield opened
-        browser.close()
-    assert [fault for fault in faults if not fault.startswith("file:")] == []
+    page = opened(browser, folder)
+    yield page
+    page.context.close()
+    assert [fault for fault in page.faults if not fault.startswith("file:")] == []
 
 
 @pytest.fixture(autouse=True)

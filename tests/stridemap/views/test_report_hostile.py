@@ -24,7 +24,6 @@ from stridemap.sweeps.config import canonical_json
 from stridemap.sweeps.run import sweep
 from stridemap.views.report.write import write_report
 from stridemap.views.small_figures import Axis, Band, Bar, Curve, Guide, Mark, Panel, SmallFigure, rows_axis
-from tests.oracles.states import need
 from tests.oracles.sweeping import Inline
 
 SCRIPTS = (
@@ -225,18 +224,6 @@ def test_texts_make_no_element_and_no_attribute(hostile):
     assert {attributes.get("href", "#")[0] for tag, attributes in parser.found if tag == "a"} == {"#"}
 
 
-@pytest.fixture(scope="module")
-def browser():
-    path = need("chromium", "chromium-browser", "google-chrome")
-    api = pytest.importorskip("playwright.sync_api")
-    with api.sync_playwright() as playwright:
-        started = playwright.chromium.launch(
-            executable_path=shutil.which(path), args=["--no-sandbox", "--disable-gpu"]
-        )
-        yield started
-        started.close()
-
-
 def look(browser, path):
     """Open a page and use all that can be used; returns it, and what it asked for or complained of."""
     faults = []
@@ -407,7 +394,7 @@ def test_damaged_tables_are_refused_or_read_as_they_are(done):
         path = done / "out" / name
         whole, wanted = path.read_bytes(), stridemap.read_orbits(done / "out")
         refusals = 0
-        for _ in range(100):
+        for _ in range(50):
             data = bytearray(whole)
             if rng.random() < 0.4:
                 del data[rng.randrange(len(data)) :]
@@ -420,7 +407,7 @@ def test_damaged_tables_are_refused_or_read_as_they_are(done):
             except StridemapError as error:
                 assert "\n" not in str(error)
                 refusals += 1
-        assert refusals > 50  # not every byte of a file matters
+        assert refusals > 25  # not every byte of a file matters
         path.write_bytes(whole)
 
 
