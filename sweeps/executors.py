@@ -19,8 +19,10 @@ def processes(workers: int) -> Iterator[Executor]:
     try:
         yield pool
     except KeyboardInterrupt:
-        for worker in set(multiprocessing.active_children()) - others:
-            worker.terminate()
+        with interrupts_held():  # who presses twice need not wait, nor leave workers behind
+            for worker in set(multiprocessing.active_children()) - others:
+                worker.terminate()
+            pool.shutdown(wait=True, cancel_futures=True)
         raise
     finally:
         pool.shutdown(wait=True, cancel_futures=True)

@@ -233,6 +233,24 @@ def test_ctrl_c(larger, tmp_path, when):
 
 
 @posix
+def test_ctrl_c_pressed_again(larger, tmp_path):
+    """It ended when the workers had, or never: each waited for the other."""
+    config, wanted = larger
+    out = tmp_path / "out"
+    process = started(config, out)
+    wait_for(lambda: len(parts(out)) >= 1, process)
+    workers = workers_of(process) if PROC else []
+    for _ in range(2):
+        os.killpg(process.pid, signal.SIGINT)
+        time.sleep(0.05)
+    status, said, shown = ended(process)
+    assert (status in (130, -signal.SIGINT), said) == (True, "")
+    assert "Traceback" not in shown
+    assert not [one for one in workers if Path(f"/proc/{one}").exists()]
+    resumed(config, out, wanted, unfinished(out))
+
+
+@posix
 def test_being_told_to_end_is_like_ctrl_c(larger, tmp_path):
     config, wanted = larger
     out = tmp_path / "out"
