@@ -18,8 +18,8 @@ import stridemap
 from stridemap.sweeps.config import parse_config
 from stridemap.views.report import write
 from tests.oracles.large_sweep import large_sweep
+from tests.oracles.states import BROWSERS
 
-BROWSERS = ("chromium", "chromium-browser", "google-chrome")
 FRAME = "new Promise(done => requestAnimationFrame(() => setTimeout(done)))"
 PLACE = """i => { const { left, top } = document.getElementById("map").getBoundingClientRect();
     const { x, y, width, height } = stridemap.map.box(20 + 8 * i % 180, 5 + 7 * i % 40);

@@ -131,8 +131,9 @@ def test_pictures_and_pages_replace_no_pipe_and_no_device(refused, done, monkeyp
     monkeypatch.chdir(done)
     os.mkfifo("pipe")
     os.symlink("/dev/full", "device")
+    os.symlink(name, "a.gif")
     refused(f"report out --out {name}", name, "is not a file")
-    refused(f"animate --model compass --out {name} --size 80 --fps 5", name, "is not a file")
+    refused("animate --model compass --out a.gif --size 80 --fps 5", "a.gif", "is not a file")
 
 
 # -- huge numbers --------------------------------------------------------------------------------------------

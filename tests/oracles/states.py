@@ -83,6 +83,10 @@ RANGES = {
 }  # fmt: skip
 
 
+BROWSERS = ("chromium-headless-shell", "chromium", "chromium-browser", "google-chrome")
+"""Commands of browsers, the one that takes the least of the processor first: it has no window to draw."""
+
+
 def need(*commands):
     """The first of these commands that is on the path; without one the test is skipped, and fails in CI."""
     found = next((command for command in commands if shutil.which(command)), None)

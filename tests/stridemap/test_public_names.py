@@ -86,7 +86,7 @@ def test_simulate_walks_the_stable_cycle():
             {"model": "none"},
             "there is no model 'none'; models are compass, goswami_compass, rimless_wheel, round_feet, simpl",
         ),
-        ({"model": "wobbling", "alpah": 0.3}, "no parameter 'alpah'; did you mean alpha"),
+        ({"model": "wobbling", "alpah": 0.3}, "no parameter 'alpah' .did you mean alpha"),
         ({"model": "wobbling", "alpha": 1}, r"alpha = 1 is outside the allowed range \(> 0 and < 1\)"),
         ({"model": "wobbling", "omega": 0.0}, r"omega = 0 is outside the allowed range \(> 0\)"),
         ({"model": "wobbling", "beta": -0.1}, r"beta = -0.1 is outside the allowed range \(> 0\)"),

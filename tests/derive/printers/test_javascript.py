@@ -12,7 +12,7 @@ from stridemap.derive.printers.javascript import JavaScript
 from stridemap.derive.program import Argument, Builder, Entry, Output
 from stridemap.derive.validate import reserved
 from stridemap.solver.model.loading import load
-from tests.oracles.states import MODELS, error_bounds, need, states
+from tests.oracles.states import BROWSERS, MODELS, error_bounds, need, states
 
 COUNT = 200
 FLAGS = ["--no-sandbox", "--disable-gpu", "--no-first-run", "--disable-background-networking"]
@@ -28,7 +28,7 @@ process.stdout.write(JSON.stringify(typeof value === "function" ? value(argument
 @pytest.fixture(scope="module")
 def evaluate():
     """Evaluates an expression, and calls it with an argument where it is a function."""
-    path = need("node", "chromium", "chromium-browser", "google-chrome")
+    path = need("node", *BROWSERS)
     if path == "node":
         yield in_node
         return

@@ -264,14 +264,14 @@ def test_parameters_that_the_statements_fix_cannot_be_set():
 
 def test_configurations_take_parameters_and_thin_out():
     plain, thin = configurations(), configurations({"beta": 0.2}, thin=10)
-    assert [config.n_cells for config in plain.values()] == [3, 2, 2400, 23040]
+    assert [config.n_cells for config in plain.values()] == [3, 2, 2400, 18000]
     assert {0.5, 6.0, 22.5} <= set(plain["lines"].grid["k"])
     # The statements name these points.
     assert (plain["lines"].grid["alpha"], plain["lines"].grid["omega"]) == (ALPHAS, OMEGAS)
     assert (plain["map"].grid["omega"], plain["compass"].grid["omega"]) == (OMEGAS, OMEGAS)
     assert set(plain["typical"].grid["k"]) == set(TYPICAL.values())
     assert PLANE.items() <= plain["typical"].params.items()
-    assert [config.n_cells for config in thin.values()] == [3, 2, 61 * 4, 25 * 6 * 2]
+    assert [config.n_cells for config in thin.values()] == [3, 2, 61 * 4, 13 * 9 * 2]
     assert all(config.params["beta"] == 0.2 for config in thin.values())
 
 

@@ -21,7 +21,7 @@ from tests.oracles.shared import once
 from tests.oracles.sweeping import Inline
 
 IDS = [f"C{i}" for i in range(1, 21)]
-THIN = 12
+THIN = 14
 
 
 @pytest.fixture(scope="session")

@@ -9,7 +9,7 @@ from stridemap.sweeps.run import sweep
 from stridemap.views.report.references import Reference
 from stridemap.views.report.write import write_report
 from tests.oracles.shared import once
-from tests.oracles.states import need
+from tests.oracles.states import BROWSERS, need
 from tests.oracles.sweeping import Inline
 
 ARGUMENTS = [
@@ -30,7 +30,7 @@ REFERENCES = [
 @pytest.fixture(scope="package")
 def browser():
     """One for all pages: to start it takes longer than most tests."""
-    path = need("chromium", "chromium-browser", "google-chrome")
+    path = need(*BROWSERS)
     api = pytest.importorskip("playwright.sync_api")
     with api.sync_playwright() as playwright:
         started = playwright.chromium.launch(executable_path=shutil.which(path), args=ARGUMENTS)

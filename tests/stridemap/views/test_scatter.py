@@ -74,7 +74,7 @@ def test_colours_of_texts_and_truths():
         "group C",
         "group none",
     ]
-    entries = TABLE.plot("k", "cot", colour="group").axes[0].get_legend().legend_handles
+    entries = TABLE.plot("k", "cot", colour="group").legends[0].legend_handles
     assert [one.get_color() for one in entries[:3]] == [palette.GROUPS[letter] for letter in "ABC"]
     assert "stable yes" in legend(TABLE.plot("k", "cot", colour="stable"))
     many = Table.of_frame(pd.DataFrame({"x": np.arange(40.0), "word": [f"w{i // 2}" for i in range(40)]}))
