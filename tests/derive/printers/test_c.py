@@ -3,6 +3,7 @@
 A compiler that is missing skips its tests, except where the environment variable CI is set: there it fails.
 """
 
+import hashlib
 import os
 import re
 import shutil
@@ -13,6 +14,7 @@ import numpy as np
 import pytest
 
 from stridemap import codegen
+from stridemap.solver.backends.compiler import cache_folder, version
 from stridemap.solver.model.loading import load
 from tests.oracles.states import MODELS, lacking, need
 
@@ -425,13 +427,23 @@ def has_sanitizers(compiler):
 
 
 def sanitized(compiler, source, *others, includes, tmp_path):
-    """Build with address and undefined-behaviour sanitizers, run, and return what is printed."""
+    """Build with address and undefined-behaviour sanitizers, run, and return what is printed.
+
+    The program is kept like compiled kernels are, by the hash of all that it was made from.
+    """
     if not has_sanitizers(need(compiler)):
         lacking(f"{compiler} cannot link with the sanitizers")
     (tmp_path / "main.c").write_text(source)
-    program = tmp_path / "program"
-    run(compiler, *SANITIZED, f"-I{includes}", tmp_path / "main.c", *others, "-lm", "-o", program)
-    return run(program).split("\n")[:-1]
+    parts = [version(compiler), *SANITIZED, source, *(path.read_text() for path in others)]
+    parts += [path.read_text() for path in sorted(includes.glob("*.[ch]"))]
+    kept = cache_folder() / f"sanitized-{hashlib.sha256(repr(parts).encode()).hexdigest()}"
+    if not kept.exists():
+        program = tmp_path / "program"
+        run(compiler, *SANITIZED, f"-I{includes}", tmp_path / "main.c", *others, "-lm", "-o", program)
+        kept.parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy(program, beside := kept.with_suffix(f".{os.getpid()}"))
+        os.replace(beside, kept)  # another process never runs half a program
+    return run(kept).split("\n")[:-1]
 
 
 @models_and_compilers
