@@ -191,7 +191,7 @@ def copied(model: Model, folder: Path) -> list[Path]:
 
 def _unwritable(folder: Path, error: OSError) -> InputError:
     """That files cannot be written into a folder."""
-    reason = "it is a file" if folder.is_file() else error.strerror
+    reason = "it is a file" if os.path.isfile(folder) else error.strerror  # of too long a name, too
     return InputError(f"cannot write {folder} ({reason}); give a folder that can be written")
 
 

@@ -70,5 +70,25 @@ def shown(title: str, unit: str = "", announced: bool = False) -> Iterator[Calla
         timer.cancel()
 
 
+@contextmanager
+def told(title: str, say: Callable[[str], None] | None) -> Iterator[Callable[[str], None]]:
+    """Show a piece of work of which now and then a line says what is being done; yields what takes the line.
+
+    Parameters
+    ----------
+    title : str
+    say : callable or None
+        Takes each line as well.
+    """
+    with shown(title) as update:
+
+        def both(line: str) -> None:
+            update(detail=line)
+            if say is not None:
+                say(line)
+
+        yield both
+
+
 def _nothing(*_args: Any, **_words: Any) -> None:
     """Show nothing."""

@@ -23,7 +23,6 @@ from stridemap.cli.options import (
     SearchOption,
     SetOption,
     TableOption,
-    box,
     number_pairs,
     one_format,
     option_values,
@@ -79,11 +78,7 @@ def boundary(
     ends = number_pairs(range_, "--range")
     # Whoever needs as many ranges as parameters refuses others.
     own = [size.ends(name, one) for name, one in zip(vary, ends, strict=False)] + ends[len(vary) :]
-    searched = {
-        "starts": starts,
-        **size.search(option_values("--search", search)),
-        "search_box": size.all_own(box(search_box)),
-    }
+    searched = size.search(starts, search, search_box)
     with show_lines("boundaries") as say:
         found = boundaries(
             model,

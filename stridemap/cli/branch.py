@@ -22,7 +22,6 @@ from stridemap.cli.options import (
     SearchOption,
     SetOption,
     TableOption,
-    box,
     one_format,
     option_values,
     parameters,
@@ -76,11 +75,7 @@ def branch(
     if plot is not None:
         check_picture(plot)
         check_column(loaded, show)
-    searched = {
-        "starts": starts,
-        **size.search(option_values("--search", search)),
-        "search_box": size.all_own(box(search_box)),
-    }
+    searched = size.search(starts, search, search_box)
     with show_lines(f"branches over {vary}") as say:
         found = branches(
             model,

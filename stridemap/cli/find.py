@@ -12,9 +12,10 @@ from stridemap.cli.options import (
     CsvOption,
     JsonOption,
     ModelOption,
+    SearchBoxOption,
+    SearchOption,
     SetOption,
     one_format,
-    option_values,
     parameters,
     whole,
 )
@@ -32,10 +33,8 @@ def find(
     model: ModelOption = "wobbling",
     set_: SetOption = None,
     starts: Annotated[int, whole("Number of quasi-random starts at each value.")] = 512,
-    search: Annotated[
-        list[str] | None,
-        typer.Option(metavar="NAME=VALUE", help="An option of the search: seed, period_min, period_max."),
-    ] = None,
+    search: SearchOption = None,
+    search_box: SearchBoxOption = None,
     backend: Annotated[
         str | None, typer.Option(help="What runs the kernels: lanes, scalar or interpreter.")
     ] = None,
@@ -58,8 +57,7 @@ def find(
     ends: Any = range_  # whoever knows what is allowed refuses what is not a number
     if size.units is not None:
         target, ends = _own(target, vary, range_, size)
-    searched = size.search(option_values("--search", search))
-    options = SearchOptions.from_mapping({"starts": starts, **searched})
+    options = SearchOptions.from_mapping(size.search(starts, search, search_box))
     found = find_(model, target, vary, range=ends, params=params, options=options, backend=backend)
     if json_:
         out = {

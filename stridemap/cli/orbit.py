@@ -16,7 +16,6 @@ from stridemap.cli.options import (
     PeriodNOption,
     SearchBoxOption,
     SetOption,
-    box,
     one_format,
     option_values,
     parameters,
@@ -64,9 +63,7 @@ def orbit(
     loaded = load(model)
     size = Size.of(loaded, units)
     params = size.all_own(given)
-    searched = size.search(option_values("--search", search))
-    chosen = {"starts": starts, **searched, "search_box": size.all_own(box(search_box))}
-    options = SearchOptions.from_mapping(chosen)
+    options = SearchOptions.from_mapping(size.search(starts, search, search_box))
     accepted = AcceptanceOptions.from_mapping(option_values("--acceptance", acceptance))
     orbits = find_orbits(
         model, params, period_n=period_n, options=options, acceptance=accepted, backend=backend

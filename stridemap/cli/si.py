@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from stridemap.cli.options import assign, split
+from stridemap.cli.options import assign, box, option_values, split
 from stridemap.columns import Column, columns_of
 
 if TYPE_CHECKING:
@@ -126,10 +126,13 @@ class Size:
             for name, value in values.items()
         }
 
-    def search(self, options: Mapping[str, Any]) -> dict[str, Any]:
-        """Options of a search as the model has them."""
-        periods = ("period_min", "period_max")
-        return {name: self.own("period", v) if name in periods else v for name, v in options.items()}
+    def search(
+        self, starts: int, options: list[str] | None, ranges: list[str] | None = None
+    ) -> dict[str, Any]:
+        """Options of a search as the model has them, from the words of ``--search`` and ``--search-box``."""
+        given, periods = option_values("--search", options), ("period_min", "period_max")
+        own = {name: self.own("period", v) if name in periods else v for name, v in given.items()}
+        return {"starts": starts, **own, "search_box": self.all_own(box(ranges))}
 
     def shown(self, name: str, value: Any) -> Any:
         """A number of the model as it is printed."""

@@ -13,7 +13,7 @@ import pyarrow.parquet as pq
 from stridemap.paper.points import PLANE
 from stridemap.paper.select import at
 from stridemap.paper.sweeps import PaperSweeps
-from stridemap.services import shown
+from stridemap.services import told
 from stridemap.solver.boundaries.of_cells import CellSurvey
 from stridemap.solver.boundaries.smooth import SmoothLine
 from stridemap.solver.boundaries.survey import Boundary
@@ -57,13 +57,7 @@ def map_boundaries(sweeps: PaperSweeps, progress: Callable[[str], None] | None =
     path, key = sweeps.folder / "map-boundaries.parquet", _key(sweeps, gaits)
     if (kept := _read(path, key)) is not None:
         return kept
-    with shown("boundaries of the map") as update:
-
-        def say(line: str) -> None:
-            update(detail=line)
-            if progress is not None:
-                progress(line)
-
+    with told("boundaries of the map", progress) as say:
         survey = cell_survey(sweeps, gaits, say)
         table = lines_table(survey.boundaries(), survey)
     _write(path, table, key)

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from stridemap.paper.points import PLANE
 from stridemap.paper.sweeps import PaperSweeps
-from stridemap.services import shown
+from stridemap.services import told
 from stridemap.solver.api.branches import branches
 from stridemap.solver.model.loading import load
 
@@ -43,13 +43,7 @@ def typical_branches(sweeps: PaperSweeps, say: Callable[[str], None] | None = No
     path = sweeps.folder / f"typical-branches-{key}.parquet"
     if path.exists():
         return path
-    with shown("branches through the typical solutions") as update:
-
-        def progress(line: str) -> None:
-            update(detail=line)
-            if say is not None:
-                say(line)
-
+    with told("branches through the typical solutions", say) as progress:
         found = branches(config.model, "k", ends, params, progress=progress)
         points, special = found.save(path.with_stem(f".{path.stem}.{os.getpid()}"))
     os.replace(special, path.with_stem(path.stem + SPECIAL))
