@@ -15,6 +15,7 @@ import pytest
 
 import stridemap
 from stridemap.sweeps import run
+from stridemap.sweeps.executors import processes
 from stridemap.sweeps.store import ORBITS
 from tests.oracles.sweeping import (
     CONFIG,
@@ -230,6 +231,15 @@ def test_ctrl_c(larger, tmp_path, when):
     held = unfinished(out)
     assert len(held) >= enough
     resumed(config, out, wanted, held)
+
+
+def test_an_interrupt_ends_what_workers_are_at():
+    with pytest.raises(KeyboardInterrupt), processes(1) as pool:
+        future = pool.submit(time.sleep, 30)
+        while not future.running():
+            time.sleep(0.01)
+        raise KeyboardInterrupt
+    assert isinstance(future.exception(), BrokenProcessPool)  # it did not sleep to its end
 
 
 @posix
