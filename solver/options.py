@@ -323,9 +323,9 @@ class ContinuationOptions(Options):
 
 
 IN_SWEEPS = ContinuationOptions(
-    ds=0.02,
+    ds=0.05,
     ds_min=1e-5,
-    ds_max=0.1,
+    ds_max=0.4,
     step_growth=2.0,
     step_shrink=0.4,
     max_steps=600,

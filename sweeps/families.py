@@ -20,11 +20,15 @@ def families(branch: Ints, joins: Ints) -> Ints:
     -------
     ndarray of int, shape (n,)
     """
+    _, first, number = np.unique(smallest_of_family(branch, joins), return_index=True, return_inverse=True)
+    return np.argsort(np.argsort(first))[number]
+
+
+def smallest_of_family(branch: Ints, joins: Ints) -> Ints:
+    """The smallest branch of the family of each of some branches; arguments and shape as in `families`."""
     names, place = np.unique(np.concatenate([branch, joins.ravel()]), return_inverse=True)
     one, other = place[len(branch) :].reshape(-1, 2).T
-    family = _smallest_connected(len(names), one, other)[place[: len(branch)]]
-    _, first, number = np.unique(family, return_index=True, return_inverse=True)
-    return np.argsort(np.argsort(first))[number]
+    return np.asarray(names[_smallest_connected(len(names), one, other)[place[: len(branch)]]])
 
 
 def _smallest_connected(n: int, one: Ints, other: Ints) -> Ints:

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from stridemap.solver.cycles.degenerate import have_no_cycle, why_no_cycle
 from stridemap.solver.cycles.status import CODES, STATUSES, Status
 from stridemap.sweeps.config import SweepConfig
-from stridemap.sweeps.families import families
+from stridemap.sweeps.families import families, smallest_of_family
 from stridemap.sweeps.files import GROUP_ROWS, Pieces
 from stridemap.sweeps.grid import Grid
 from stridemap.sweeps.merging import FirstSeen, ranges
@@ -71,6 +71,13 @@ class Found:
         np.add.at(self.stable, cell[counts & stable], 1)
         self._branches.add(branch[counts], cell[counts], period[counts])
         self.n_orbits += int(counts.sum())
+
+    def joins_of(self, branches: Ints) -> Ints:
+        """Those of some branches that are one with another, each with the smallest of its family."""
+        smallest = smallest_of_family(
+            branches, np.concatenate([np.empty((0, 2), dtype=np.int64), *self._joins])
+        )
+        return np.column_stack([branches, smallest])[smallest != branches]
 
     def tables(self, store: Store) -> tuple[Pieces, Pieces, pa.Table]:
         """Limit cycles and cells, which are made as they are written, and special points.

@@ -17,8 +17,8 @@ from stridemap.solver.model.model import Model
 Ints = NDArray[np.int64]
 Floats = NDArray[np.float64]
 
-TILES, SMALLEST_TILE, LARGEST_TILE = 4, 4, 2160
-"""Into about how many tiles a grid is cut, and the cells of the smallest and the largest one. Branches are
+SHARE, SMALLEST_TILE, LARGEST_TILE = 0.3, 4, 4320
+"""Largest share of a grid that a tile has, and the cells of the smallest and the largest tile. Branches are
 followed fastest where many are followed at a time; each worker needs a tile."""
 
 SMALL_GRID = 256
@@ -223,7 +223,7 @@ def tile_size(grid: Grid) -> int:
 
     It depends on the grid alone: how a grid is cut shows in which cycles are found, and workers must not.
     """
-    size = max(grid.n_cells // TILES, SMALLEST_TILE)
+    size = max(int(SHARE * grid.n_cells), SMALLEST_TILE)
     if grid.n_cells < SMALL_GRID and grid.n_cells > max(grid.shape):
         size = max(size, max(grid.shape))
     return min(size, LARGEST_TILE)

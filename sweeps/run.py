@@ -248,6 +248,9 @@ class _Run:
         for sender in senders:
             sent = guesses_of(self.model, self.store.read_part(round_ - 1, sender, guess_columns(self.model)))
             incoming.append(sent.take(self.tiles.tile_of(sent.cell) == tile))
+        given = Guesses.concatenate(incoming, self.width)
+        met = Solutions.concatenate(seen, self.width)
+        branches = np.unique(np.concatenate([given.branch, met.branch]))
         return Task(
             model=self.model,
             grid=self.grid,
@@ -261,9 +264,10 @@ class _Run:
             tile=tile,
             cells=self.tiles[tile],
             seeds=seeds,
-            incoming=Guesses.concatenate(incoming, self.width),
+            incoming=given,
             known=Solutions.concatenate(known, self.width),
-            seen=Solutions.concatenate(seen, self.width),
+            seen=met,
+            joins=self.found.joins_of(branches),
         )
 
     def _run_round(

@@ -46,6 +46,8 @@ class Task:
         Cycles that the tile's cells have already.
     seen : Solutions
         What the search gave there, before it converged: the cycles, and what turned out not to be one.
+    joins : ndarray of int, shape (m, 2)
+        Branches of `incoming` and `seen` that are one with others, each with the smallest of its family.
     special_points : bool
         Whether they are located.
     software : dict of str to str
@@ -66,6 +68,7 @@ class Task:
     incoming: Guesses
     known: Solutions
     seen: Solutions
+    joins: Ints = field(default_factory=lambda: np.empty((0, 2), dtype=np.int64))
     special_points: bool = True
     software: dict[str, str] = field(default_factory=lambda: dict(software()))
 

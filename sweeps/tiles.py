@@ -42,8 +42,12 @@ farther away is another solution."""
 ACROSS = 6
 """Of so many solutions in a row along a branch, one is tried in the cells beside its own."""
 
-STEPS_ACROSS = 60
-"""Arclength steps at most from one cell to the one beside it."""
+BESIDE = 0.2
+"""A guess that is no farther from a known solution of its cell, in terms of the scales, leads there: no search
+begins at it."""
+
+STEPS_ACROSS, DS_ACROSS = 60, 0.3
+"""Arclength steps at most from one cell to the one beside it, and the first of them in terms of the way."""
 
 BRANCHES = 2**32
 """Numbers of branches that a tile has for its own."""
@@ -138,6 +142,7 @@ class _Search:
         ]
         guesses = self._guesses([task.incoming, *seeds])
         while len(guesses):
+            guesses = self._not_beside_known(guesses)
             arrived = self._one_by_one(self._solve, guesses, guesses.cell)
             self._links += arrived
             found = self._along_lines(self._all([solutions for _, solutions in arrived]))
@@ -207,6 +212,15 @@ class _Search:
         own = self.task.grid.axes[axis][lines.first : lines.last + 1]
         at = np.clip(np.searchsorted(own, values, "right") - 1, 0, len(own) - 2)
         return np.maximum(modes[line.ravel(), at], modes[line.ravel(), at + 1])
+
+    def _not_beside_known(self, guesses: Guesses) -> Guesses:
+        """Those that are not beside a known solution, to which the search would lead; links of the others."""
+        row = guesses.same_as(self.known, BESIDE, self.scale)
+        row[guesses.cell == guesses.origin] = NONE
+        beside = np.flatnonzero(row != NONE)
+        known = self.known.take(row[beside])
+        self._links.append((guesses.take(beside), Solutions(known.cell, known.u, guesses.branch[beside])))
+        return guesses.take(row == NONE)
 
     def _solve(self, guesses: Guesses) -> tuple[Guesses, Solutions]:
         """Guesses that lead to solutions, and these."""
@@ -293,7 +307,8 @@ class _Search:
         at = self._same(arrived)
         order = np.argsort(away, kind="stable")
         order = order[(~along & (at != NONE))[order]]
-        pairs = connections(guesses.take(order), self.known.branch[at[order]], self.joins, self._pairs_across)
+        joins = np.concatenate([self.task.joins, self.joins])
+        pairs = connections(guesses.take(order), self.known.branch[at[order]], joins, self._pairs_across)
         self._joins.append((pairs[:, 0], pairs[:, 1]))
 
     def _pairs_across(self, guesses: Guesses) -> Ints:
@@ -306,8 +321,8 @@ class _Search:
         origin, there = self._points(guesses.origin), self._points(guesses.cell)
         begin, periods = np.zeros(len(guesses)), self.task.search.wider_period_range
         options = self.task.continuation
-        options = replace(options, max_steps=min(options.max_steps, STEPS_ACROSS))
-        followed = follow(self.solver, guesses.u, begin, origin, there, periods, options)
+        options = replace(options, ds=DS_ACROSS, ds_max=1.0, max_steps=min(options.max_steps, STEPS_ACROSS))
+        followed = follow(self.solver, guesses.u, begin, origin, there, periods, options, upwards=True)
         passed = followed.crossings(np.array([0.0, 1.0]))
         end = passed.position == 1
         row = passed.branch[end]

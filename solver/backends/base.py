@@ -104,6 +104,7 @@ class Kernels(ABC):
         self.model: Model = model
         self.backend = backend
         self.functions: Mapping[Kernel, ca.Function] = _functions(model)
+        self._shapes = {kernel: catalogue.shapes(model, kernel) for kernel in catalogue.KERNELS}
 
     @property
     @abstractmethod
@@ -192,7 +193,7 @@ class Kernels(ABC):
             One array per output: shape (n, rows), or (n, columns, rows) for a matrix, as CasADi stores it.
             NaN where a point's computation broke down.
         """
-        shapes = catalogue.shapes(self.model, kernel)
+        shapes = self._shapes[kernel]
         n = len(inputs[0])
         arrays = [np.ascontiguousarray(x, dtype=np.float64) for x in inputs]
         for (name, size), array in zip(shapes.inputs.items(), arrays, strict=True):

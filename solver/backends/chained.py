@@ -22,7 +22,7 @@ Array = NDArray[np.float64]
 ITERATIONS = 10
 """Newton steps at most."""
 
-LAST_STEP = 1e-11
+LAST_STEP = 1e-8
 """Newton's method ends after a step of this size, in terms of the model's scales: its error is the square."""
 
 

@@ -190,6 +190,7 @@ class LaneKernels(Kernels):
         self._flags = [*FLAGS, *wide]
         self._library = self._compiler.library(f"{model.name}_lockstep.cpp", source(model), self._flags)
         self.library = Path(self._library._name)
+        self._addresses: dict[Kernel, ctypes.c_void_p] = {}
 
     @cached_property
     def _directional(self) -> ctypes.CDLL:
@@ -282,7 +283,11 @@ class LaneKernels(Kernels):
         check(status, kernel)
 
     def _shown(self, kernel: Kernel) -> ctypes.c_void_p:
-        return _shown(self._library, "lockstep", c_name(self.model, kernel))
+        known = self._addresses.get(kernel)
+        if known is None:
+            known = _shown(self._library, "lockstep", c_name(self.model, kernel))
+            self._addresses[kernel] = known
+        return known
 
 
 def _shown(library: ctypes.CDLL, driver: str, kernel: str) -> ctypes.c_void_p:

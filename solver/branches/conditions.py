@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from stridemap.solver.backends.base import Kernels
 from stridemap.solver.kernels.resolution import distinct
-from stridemap.solver.observables.events import Brackets, Trace, brackets, locate
+from stridemap.solver.observables.events import Brackets, Trace, brackets, locate, turning_brackets
 from stridemap.solver.observables.reductions import extreme
 
 Array = NDArray[np.float64]
@@ -149,7 +149,7 @@ def _inner_touchdown_margin(trace: Trace) -> Array:
     ground on its way down. The least over all turning points is continuous where one reaches the ground, and
     where one becomes admissible. It is infinite where there is no turning point.
     """
-    found = brackets(trace, "touchdown", derivative=True)
+    found = turning_brackets(trace, "touchdown")
     found = found.take(found.f_lower > found.f_upper)  # maxima only
     margin = np.full(len(trace.period), np.inf)
     if not len(found.orbit):

@@ -161,6 +161,7 @@ def follow(
     *,
     may_be_gaits: Callable[[Array, Array], Mask] | None = None,
     known: Known | None = None,
+    upwards: bool = False,
 ) -> Followed:
     """Follow branches from limit cycles along lines, both ways.
 
@@ -180,6 +181,8 @@ def follow(
         (u, params) -> ndarray of bool, whether cycles may be gaits. A branch ends where there has been none
         for a length of `PATIENCE`.
     known : Known, optional
+    upwards : bool
+        Only the way that leads towards s = 1 at first.
 
     Returns
     -------
@@ -188,7 +191,8 @@ def follow(
     """
     known = known or Known(u[:0], s[:0], np.empty(0, dtype=np.int64))
     lines = _Lines(solver, params, target, options or IN_SWEEPS, period_range, may_be_gaits)
-    return lines.both_ways(np.column_stack([u, s]), np.column_stack(known[:2]), known.branch)
+    x = np.column_stack([u, s])
+    return lines.upwards(x) if upwards else lines.both_ways(x, np.column_stack(known[:2]), known.branch)
 
 
 def _at_end(s: Array, slope: Array) -> Mask:
@@ -218,11 +222,9 @@ class _Lines:
         self.modes = self._modes() if len(params) else np.empty((0, MODES))
 
     def both_ways(self, x: Array, known: Array, on_line_of: Index) -> Followed:
-        """Follow all towards s = 1 first, and then those back that none of the others has come along."""
+        """Follow all one way first, and then those the other way that none of the others has come along."""
         at = np.arange(len(x))
-        upwards = np.zeros_like(x)
-        upwards[:, -1] = 1.0
-        tangent = self._tangent(self._system(at, x, self._n_rk(at, x))[0], upwards) if len(x) else upwards
+        tangent = self._oriented(x)
         stops = Stops(
             np.concatenate([x, known]), np.concatenate([self.line, self.line[on_line_of]]), self.scale
         )
@@ -237,6 +239,34 @@ class _Lines:
         order = np.lexsort((ahead, branch))
         return Followed(self.scale, branch[order], ahead[order], points[order], tangents[order])
 
+    def upwards(self, x: Array) -> Followed:
+        """Follow all towards s = 1 only, each to its own end."""
+        at = np.arange(len(x))
+        tangent, _ = self._tangents(x)
+        stops = Stops(x[:0], self.line[:0], self.scale)
+        branch, points, tangents, _ = self._one_way(at, x, tangent, stops, tangent)
+        return Followed(self.scale, branch, np.ones(len(branch), dtype=bool), points, tangents)
+
+    def _tangents(self, x: Array) -> tuple[Array, Array]:
+        """Unit tangents towards s = 1, and the matrices whose last rows they are, in terms of the scale."""
+        at, upwards = np.arange(len(x)), np.zeros_like(x)
+        upwards[:, -1] = 1.0
+        matrix = np.zeros((0, x.shape[1], x.shape[1]))
+        if len(x):
+            matrix, _ = self._system(at, x, self._n_rk(at, x))
+        tangent = self._tangent(matrix, upwards)
+        matrix[:, -1, :] = tangent / self.scale**2
+        return tangent, matrix
+
+    def _oriented(self, x: Array) -> Array:
+        """Unit tangents that point the same way all along a curve, folds included: by a determinant's sign.
+
+        With tangents towards s = 1, what lies between two beginnings around a fold would be followed twice.
+        """
+        tangent, matrix = self._tangents(x)
+        with np.errstate(invalid="ignore"):
+            return np.where(np.linalg.det(matrix)[:, None] < 0, -tangent, tangent)
+
     def _one_way(
         self, at: Index, x: Array, tangent: Array, stops: Stops, beginnings: Array
     ) -> tuple[Index, Array, Array, Index]:
@@ -245,16 +275,18 @@ class _Lines:
         begins = np.isfinite(tangent).all(axis=1) & ~_at_end(x[:, -1], tangent[:, -1])
         ds = np.where(begins, options.ds, 0.0)
         idle = np.zeros(len(x))  # length since the last gait
+        bend = np.zeros_like(x)  # change of the tangent per length
         branches, points, tangents, met = [at], [x], [tangent], [at[:0]]
         for step in range(options.max_steps):
             if self.may_be_gaits is not None and step % LOOK == 0:
                 idle[self.may_be_gaits(x[:, :-1], self._point(at, x[:, -1:]))] = 0.0
                 ds[idle > PATIENCE] = 0.0
             go_on = ds >= options.ds_min
-            at, x, tangent, ds, idle = at[go_on], x[go_on], tangent[go_on], ds[go_on], idle[go_on]
+            at, x, tangent, bend = at[go_on], x[go_on], tangent[go_on], bend[go_on]
+            ds, idle = ds[go_on], idle[go_on]
             if not len(at):
                 break
-            y, new, good, easy = self._step(at, x, tangent, ds)
+            y, new, good, factor = self._step(at, x, tangent, bend, ds)
             branches.append(at[good])
             points.append(y[good])
             tangents.append(new[good])
@@ -266,8 +298,9 @@ class _Lines:
             behind = (new[good][row] * beginnings[stop] / self.scale**2).sum(axis=1) > 0
             met.append(stop[behind])
             idle += np.where(good, ds, 0.0)
+            with np.errstate(invalid="ignore", divide="ignore"):
+                bend = np.where(good[:, None], (new - tangent) / self._norm(y - x)[:, None], bend)
             x, tangent = np.where(good[:, None], y, x), np.where(good[:, None], new, tangent)
-            factor = np.where(good, np.where(easy, options.step_growth, 1.0), options.step_shrink)
             ds = np.where(good & ended, 0.0, np.minimum(factor * ds, options.ds_max))
         branch = np.concatenate(branches)
         order = np.argsort(branch, kind="stable")
@@ -278,13 +311,15 @@ class _Lines:
             np.concatenate(met),
         )
 
-    def _step(self, at: Index, x: Array, tangent: Array, ds: Array) -> tuple[Array, Array, Mask, Mask]:
-        """One arclength step, corrected: new points and tangents, whether they hold, and were easily found.
+    def _step(
+        self, at: Index, x: Array, tangent: Array, bend: Array, ds: Array
+    ) -> tuple[Array, Array, Mask, Array]:
+        """One arclength step, corrected: new points and tangents, whether they hold, factors of the next step.
 
         The derivative at the predicted point serves for all corrections, and for the new tangent.
         """
         options = self.options
-        y, across, length = self._predicted(x, tangent, ds)
+        y, across, length = self._predicted(x, tangent, bend, ds)
         n_rk = self._n_rk(at, y)
         matrix, residual = self._system(at, y, n_rk)
         new = self._tangent(matrix, tangent)
@@ -295,10 +330,10 @@ class _Lines:
         with np.errstate(invalid="ignore"):
             cosine = (new * tangent / self.scale**2).sum(axis=1)
             near = (size < CORRECTION_RATIO * length) & (cosine > options.min_tangent_cosine)
-        smooth = cosine > options.easy_tangent_cosine
         # Where steps are short, points must be as exact as these are short.
         small = np.minimum(TOLERANCE, SHORT * length)
-        good, easy = near & (size < small), near & smooth & (size < small)
+        good = near & (size < small)
+        easy = good.copy()
         open_ = np.flatnonzero(near & ~good)
         for attempt in range(options.max_corrections):
             if not len(open_):
@@ -309,7 +344,7 @@ class _Lines:
             now = self._norm(change)
             done = now < small[open_]
             good[open_[done]] = True
-            easy[open_[done]] = smooth[open_[done]] & (attempt < options.max_corrections - 1)
+            easy[open_[done]] = attempt < options.max_corrections - 1
             with np.errstate(invalid="ignore"):
                 shrinking = now < CONTRACTION * size[open_]
             size[open_] = now
@@ -317,7 +352,10 @@ class _Lines:
         sharp = np.flatnonzero(good & (cosine < SHARP))
         if len(sharp):
             new[sharp] = self._refined(at[sharp], y, across, tangent, n_rk, sharp)
-        return y, new, good, easy
+        with np.errstate(invalid="ignore", divide="ignore"):
+            wanted = np.arccos(options.easy_tangent_cosine) / np.arccos(np.minimum(cosine, 1.0))
+        factor = np.clip(wanted, options.step_shrink, np.where(easy, options.step_growth, 1.0))
+        return y, new, good, np.where(good, factor, options.step_shrink)
 
     def _refined(self, at: Index, y: Array, across: Array, tangent: Array, n_rk: Index, rows: Index) -> Array:
         """Tangents of rows where they turn sharply, from derivatives there; corrects their points."""
@@ -327,8 +365,8 @@ class _Lines:
         y[rows] += solved(matrix, np.column_stack([-residual, np.zeros(len(rows))]))
         return new
 
-    def _predicted(self, x: Array, tangent: Array, ds: Array) -> tuple[Array, Array, Array]:
-        """Points along the tangents, normals of the planes that corrections keep, and the arclength steps.
+    def _predicted(self, x: Array, tangent: Array, bend: Array, ds: Array) -> tuple[Array, Array, Array]:
+        """Points along parabolas, normals of the planes that corrections keep, and the arclength steps.
 
         An arclength step does not go beyond an end: to stop there, corrections keep s and not the plane.
         """
@@ -337,8 +375,10 @@ class _Lines:
             left = np.where(slope > 0, (1 - s) / slope, np.where(slope < 0, -s / slope, np.inf))
         at_end = ds >= left
         length = np.minimum(ds, left)
-        y = x + length[:, None] * tangent
-        y[at_end, -1] = np.where(slope[at_end] > 0, 1.0, 0.0)
+        y = x + length[:, None] * tangent + 0.5 * length[:, None] ** 2 * bend
+        end = np.where(at_end, slope > 0, y[:, -1] > 0.5)
+        at_end |= (y[:, -1] < 0) | (y[:, -1] > 1)
+        y[at_end, -1] = end[at_end]
         across = tangent / self.scale**2
         across[at_end] = np.eye(x.shape[1])[-1]
         return y, across, length

@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from stridemap.solver.backends.base import Kernels, Solved
 from stridemap.solver.cycles import floquet
+from stridemap.solver.cycles.batches import batches
 from stridemap.solver.cycles.error_bars import error_bars
 from stridemap.solver.cycles.errors import Correction, size
 from stridemap.solver.cycles.orbits import Orbits, column
@@ -233,6 +234,12 @@ def clearly_no_gaits(kernels: Kernels, n_rk: int, u: Array, params: Array) -> In
     u : ndarray, shape (m, nz + 1)
     params : ndarray, shape (m, n_params)
     """
+    parts = [_clearly(kernels, n_rk, u[at], params[at]) for at in batches(np.arange(len(u)), n_rk)]
+    return np.concatenate([np.empty(0, dtype=np.int64), *parts])
+
+
+def _clearly(kernels: Kernels, n_rk: int, u: Array, params: Array) -> Index:
+    """What `clearly_no_gaits` says of so many as fit into memory."""
     model, scales = kernels.model, Scales.of(kernels.model)
     trace = Trace.of(kernels, u, params, kernels.trace(n_rk, u, params))
     n = len(model.coordinates)

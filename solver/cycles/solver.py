@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from stridemap.solver.backends.base import Backend, Kernels
 from stridemap.solver.backends.selection import load_kernels
 from stridemap.solver.cycles.acceptance import NEARLY, Candidates, depends_on_resolution
+from stridemap.solver.cycles.batches import batches
 from stridemap.solver.cycles.duplicates import first_of_each
 from stridemap.solver.cycles.orbits import Orbits
 from stridemap.solver.kernels.catalogue import CYCLE_N_RK, FINE_N_RK
@@ -211,14 +212,3 @@ class Solver:
 
 LEVELS = (*CYCLE_N_RK, *FINE_N_RK)
 """All resolutions of limit cycles."""
-
-BATCH = 400_000
-"""RK steps that are kept in memory at once at the fine resolutions, those of all points together."""
-
-
-def batches(points: NDArray[np.int64], n_rk: int) -> list[NDArray[np.int64]]:
-    """Points in batches that fit into memory; one batch at the resolutions that have kernels of their own."""
-    if not len(points):
-        return []
-    at_once = len(points) if n_rk <= CYCLE_N_RK[-1] else max(BATCH // n_rk, 1)
-    return [points[i : i + at_once] for i in range(0, len(points), at_once)]

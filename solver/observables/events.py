@@ -129,8 +129,8 @@ class Brackets:
 _COLUMNS = ("lower", "upper", "g_lower", "g_upper", "dg_lower", "dg_upper")
 
 
-def brackets(trace: Trace, name: str, derivative: bool = False) -> Brackets:
-    """Every zero of an observable, or of its derivative, as a bracket.
+def brackets(trace: Trace, name: str) -> Brackets:
+    """Every zero of an observable as a bracket.
 
     A pair of zeros between two nodes shows no change of sign at the nodes, and three zeros look like one;
     where the function may turn towards zero and back inside an interval, its turning points are computed
@@ -141,12 +141,10 @@ def brackets(trace: Trace, name: str, derivative: bool = False) -> Brackets:
     trace : Trace
     name : str
         One of `observables`.
-    derivative : bool
     """
     row = trace.row(name)
     g, dg = trace.observable(name)
-    f, slope = (dg, np.gradient(dg, axis=1, edge_order=2) / trace.h[:, None]) if derivative else (g, dg)
-    left, right, s_left, s_right = f[:, :-1], f[:, 1:], slope[:, :-1], slope[:, 1:]
+    left, right, s_left, s_right = g[:, :-1], g[:, 1:], dg[:, :-1], dg[:, 1:]
     change = (left < 0) != (right < 0)
 
     parts = []
@@ -155,31 +153,70 @@ def brackets(trace: Trace, name: str, derivative: bool = False) -> Brackets:
         orbit, node = np.nonzero(turn)
         h = trace.h[orbit]
         tau = _turning_point(left[turn], right[turn], s_left[turn], s_right[turn], h)
-        parts.append(_split(trace, row, derivative, orbit, node, np.stack([0 * h, tau, h], axis=1)))
-    if not derivative:
-        # There and back again: the interpolant rises, falls and rises, or falls, rises and falls.
-        h = trace.h[:, None]
-        rise = right - left
-        small = (rise * s_left < 0) | (3 * np.abs(rise) < h * np.maximum(np.abs(s_left), np.abs(s_right)))
-        orbit, node = np.nonzero((s_left * s_right > 0) & small)
-        f0, f1, s0, s1 = (x[orbit, node] for x in (left, right, s_left, s_right))
-        tau = _turning_points(f0, f1, s0, s1, trace.h[orbit])
-        column = (slice(None), None)
-        value = _interpolated(f0[column], f1[column], s0[column], s1[column], trace.h[orbit][column], tau)
-        with np.errstate(invalid="ignore"):
-            crosses = ((value < 0) != (np.stack([f0, f1], axis=1) < 0)).any(axis=1)
-        chosen = np.isfinite(tau).all(axis=1) & crosses
-        if chosen.any():
-            orbit, node, h = orbit[chosen], node[chosen], trace.h[orbit[chosen], None]
-            change[orbit, node] = False
-            times = np.concatenate([0 * h, tau[chosen], h], axis=1)
-            parts.append(_split(trace, row, derivative, orbit, node, times))
+        parts.append(_split(trace, row, False, orbit, node, np.stack([0 * h, tau, h], axis=1)))
+    # There and back again: the interpolant rises, falls and rises, or falls, rises and falls.
+    h = trace.h[:, None]
+    rise = right - left
+    small = (rise * s_left < 0) | (3 * np.abs(rise) < h * np.maximum(np.abs(s_left), np.abs(s_right)))
+    orbit, node = np.nonzero((s_left * s_right > 0) & small)
+    f0, f1, s0, s1 = (x[orbit, node] for x in (left, right, s_left, s_right))
+    tau = _turning_points(f0, f1, s0, s1, trace.h[orbit])
+    column = (slice(None), None)
+    value = _interpolated(f0[column], f1[column], s0[column], s1[column], trace.h[orbit][column], tau)
+    with np.errstate(invalid="ignore"):
+        crosses = ((value < 0) != (np.stack([f0, f1], axis=1) < 0)).any(axis=1)
+    chosen = np.isfinite(tau).all(axis=1) & crosses
+    if chosen.any():
+        orbit, node, h = orbit[chosen], node[chosen], trace.h[orbit[chosen], None]
+        change[orbit, node] = False
+        times = np.concatenate([0 * h, tau[chosen], h], axis=1)
+        parts.append(_split(trace, row, False, orbit, node, times))
+    return _merged(_whole(trace, row, False, *np.nonzero(change)), *parts)
 
-    o, i = np.nonzero(change)
-    simple = Brackets(
-        o, i, row, derivative, np.zeros(len(o)), trace.h[o], g[o, i], g[o, i + 1], dg[o, i], dg[o, i + 1]
-    )
-    return _merged(simple, *parts) if parts else simple
+
+def turning_brackets(trace: Trace, name: str, within: NDArray[np.bool_] | None = None) -> Brackets:
+    """Every zero of an observable's time derivative as a bracket; pairs between two nodes as in `brackets`.
+
+    Parameters
+    ----------
+    trace : Trace
+    name : str
+        One of `observables`.
+    within : ndarray of bool, shape (n, N), optional
+        The intervals between nodes that are looked at; all of them if it is left out.
+    """
+    row = trace.row(name)
+    _, dg = trace.observable(name)
+    orbit, node = np.nonzero(np.ones((len(dg), dg.shape[1] - 1), dtype=bool) if within is None else within)
+    left, right = dg[orbit, node], dg[orbit, node + 1]
+    change = (left < 0) != (right < 0)
+    parts = []
+    # A pair of zeros: the derivative, on one side of zero at both nodes, turns between them.
+    at = np.flatnonzero(~change)
+    s_left, s_right = (_slope(dg, orbit[at], node[at] + end) / trace.h[orbit[at]] for end in (0, 1))
+    pair = (left[at] * s_left < 0) & (right[at] * s_right > 0)
+    if pair.any():
+        at, s_left, s_right = at[pair], s_left[pair], s_right[pair]
+        h = trace.h[orbit[at]]
+        tau = _turning_point(left[at], right[at], s_left, s_right, h)
+        parts.append(_split(trace, row, True, orbit[at], node[at], np.stack([0 * h, tau, h], axis=1)))
+    return _merged(_whole(trace, row, True, orbit[change], node[change]), *parts)
+
+
+def _slope(f: Array, orbit: Index, node: Index) -> Array:
+    """Second-order differences of a function at nodes, per interval; at the ends one-sided."""
+    last = f.shape[1] - 1
+    first = np.clip(node - 1, 0, last - 2)
+    a, b, c = (f[orbit, first + i] for i in range(3))
+    begins, ends = -1.5 * a + 2.0 * b - 0.5 * c, 0.5 * a - 2.0 * b + 1.5 * c
+    return np.where(node == 0, begins, np.where(node == last, ends, 0.5 * (c - a)))
+
+
+def _whole(trace: Trace, row: int, derivative: bool, orbit: Index, node: Index) -> Brackets:
+    """Whole intervals between nodes as brackets."""
+    g, dg = trace.g[:, :, row], trace.dg[:, :, row]
+    ends = (one[orbit, node + end] for one in (g, dg) for end in (0, 1))
+    return Brackets(orbit, node, row, derivative, np.zeros(len(orbit)), trace.h[orbit], *ends)
 
 
 def _split(trace: Trace, row: int, derivative: bool, orbit: Index, node: Index, times: Array) -> Brackets:
@@ -242,6 +279,8 @@ def _zero(left: Array, right: Array, s_left: Array, s_right: Array, h: Array) ->
 
 
 def _merged(*parts: Brackets) -> Brackets:
+    if len(parts) == 1:
+        return parts[0]
     orbit, node, *columns = (
         np.concatenate([getattr(p, name) for p in parts]) for name in ("orbit", "node", *_COLUMNS)
     )

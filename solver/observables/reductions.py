@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stridemap.solver.kernels.observation import power
-from stridemap.solver.observables.events import Brackets, Trace, brackets, locate
+from stridemap.solver.observables.events import Brackets, Trace, brackets, locate, turning_brackets
 
 Array = NDArray[np.float64]
 
@@ -26,15 +26,15 @@ def extreme(trace: Trace, name: str, score: np.ufunc | None = None) -> Array:
         ``numpy.absolute`` or ``numpy.negative``; the value itself if it is left out.
     """
     value = score or np.positive
-    g, _ = trace.observable(name)
-    best = value(g).max(axis=1)
-    turns = brackets(trace, name, derivative=True)
+    g, slope = trace.observable(name)
+    scores = value(g)
+    best = scores.max(axis=1)
     # Only a turning point next to the best nodes can beat them: a generous bound on what it can gain.
-    near = np.maximum(value(g[turns.orbit, turns.node]), value(g[turns.orbit, turns.node + 1]))
-    slope = np.maximum(np.abs(turns.f_lower), np.abs(turns.f_upper)) * trace.h[turns.orbit]
-    candidates = turns.take(near + slope >= best[turns.orbit])
-    _, _, seen = locate(trace, candidates)
-    np.maximum.at(best, candidates.orbit, value(seen[:, candidates.row]))
+    gain = np.maximum(np.abs(slope[:, :-1]), np.abs(slope[:, 1:])) * trace.h[:, None]
+    near = np.maximum(scores[:, :-1], scores[:, 1:]) + gain >= best[:, None]
+    turns = turning_brackets(trace, name, near)
+    _, _, seen = locate(trace, turns)
+    np.maximum.at(best, turns.orbit, value(seen[:, turns.row]))
     return best
 
 

@@ -103,7 +103,7 @@ def test_a_branch_is_followed_through_cells_in_which_it_is_not_a_gait():
 def test_a_branch_is_followed_as_long_as_it_is_a_gait_however_little_patience_there_is(monkeypatch):
     monkeypatch.setattr(continuation, "PATIENCE", 0.1)
     k = tuple(np.linspace(20.5, 25.0, 10))
-    line = Line(k, {}, continuation=replace(IN_SWEEPS, ds_max=0.02))
+    line = Line(k, {}, continuation=replace(IN_SWEEPS, ds=0.02, ds_max=0.02))
     assert line.result([(5, line.cycles(k[5]).u[0])]).orbits["cell"].tolist()[-1] == 9
 
 

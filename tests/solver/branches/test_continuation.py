@@ -149,7 +149,7 @@ def test_a_branch_without_gaits_ends_when_patience_does(monkeypatch):
     model = load("wobbling")
     u, p = cycles_at(model, k=22.5)
     q = model.point({"k": 30.5})
-    short = replace(IN_SWEEPS, ds_max=0.02)
+    short = replace(IN_SWEEPS, ds=0.02, ds_max=0.02)
     whole = followed(model, u[:1], p, q, short)
     monkeypatch.setattr(continuation, "PATIENCE", 0.1)
     none = followed(
@@ -173,7 +173,7 @@ def test_options_bound_the_steps():
     # In one step of a tenth of the whole distance no branch gets to its end.
     short = replace(IN_SWEEPS, ds=0.1, ds_max=0.1, max_steps=1)
     assert not len(at_target(followed(model, u, p, q, short).crossings(ENDS)))
-    fine = at_target(followed(model, u, p, q, replace(IN_SWEEPS, ds_max=0.02)).crossings(ENDS))
+    fine = at_target(followed(model, u, p, q, replace(IN_SWEEPS, ds=0.02, ds_max=0.02)).crossings(ENDS))
     for end, other in zip(fine, ends, strict=True):
         np.testing.assert_allclose(converged(model, end, q), converged(model, other, q), rtol=0, atol=1e-10)
 

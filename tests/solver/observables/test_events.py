@@ -12,7 +12,13 @@ import pytest
 from numpy.polynomial import Polynomial
 
 from stridemap.solver.backends.base import Advanced
-from stridemap.solver.observables.events import LOCATE_TOLERANCE, Trace, brackets, locate
+from stridemap.solver.observables.events import (
+    LOCATE_TOLERANCE,
+    Trace,
+    brackets,
+    locate,
+    turning_brackets,
+)
 from stridemap.solver.observables.reductions import count_zeros, earlier_touchdown, extreme
 
 pytestmark = pytest.mark.quick
@@ -99,7 +105,7 @@ def test_every_zero_is_found(zeros, sign):
 def test_every_turning_point_is_found(turns, sign):
     function = sign * Polynomial.fromroots(turns).integ()
     trace = Drawn.of_functions(function)
-    found = brackets(trace, "drawn", derivative=True)
+    found = turning_brackets(trace, "drawn")
     t, _, g = locate(trace, found)
     assert len(t) == len(turns)
     np.testing.assert_allclose(t, turns, rtol=0, atol=2 * LOCATE_TOLERANCE * 0.1)
