@@ -43,7 +43,7 @@ ACROSS = 6
 """Of so many solutions in a row along a branch, one is tried in the cells beside its own."""
 
 BESIDE = 0.2
-"""A guess that is no farther from a known solution of its cell, in terms of the scales, leads there: no search
+"""A guess that is no farther from a known solution of its cell, in terms of scales, leads there: no search
 begins at it."""
 
 STEPS_ACROSS, DS_ACROSS = 60, 0.3

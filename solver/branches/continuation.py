@@ -314,7 +314,7 @@ class _Lines:
     def _step(
         self, at: Index, x: Array, tangent: Array, bend: Array, ds: Array
     ) -> tuple[Array, Array, Mask, Array]:
-        """One arclength step, corrected: new points and tangents, whether they hold, factors of the next step.
+        """One arclength step, corrected: points and tangents, whether they hold, factors of the next step.
 
         The derivative at the predicted point serves for all corrections, and for the new tangent.
         """
