@@ -339,6 +339,13 @@ FOLLOWED = (
     ),
     Mutation(
         "solver/branches/continuation.py",
+        "np.linalg.det(matrix)[:, None] < 0",
+        "np.linalg.det(matrix)[:, None] < -np.inf",
+        "what lies around a fold is followed from both sides of it",
+        (f"{CONTINUATION}::test_a_branch_ends_where_another_one_begins_that_it_leads_to",),
+    ),
+    Mutation(
+        "solver/branches/continuation.py",
         "at = np.flatnonzero(~came_along)",
         "at = at[:0]",
         "branches are followed one way only",

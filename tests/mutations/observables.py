@@ -24,7 +24,7 @@ ZEROS = (
     ),
     Mutation(
         "solver/observables/events.py",
-        "            change[orbit, node] = False\n",
+        "        change[orbit, node] = False\n",
         "",
         "three zeros between two nodes are counted as four",
         (f"{EVENTS}::test_every_zero_is_found",),
@@ -38,8 +38,8 @@ ZEROS = (
     ),
     Mutation(
         "solver/observables/events.py",
-        "change = (left < 0) != (right < 0)",
-        "change = (left < 0) & (right >= 0)",
+        "change = (left < 0) != (right < 0)\n\n    parts",
+        "change = (left < 0) & (right >= 0)\n\n    parts",
         "falling zeros are not seen",
         (f"{EVENTS}::test_every_zero_is_found",),
     ),
@@ -76,8 +76,8 @@ ZEROS = (
 MEASURED = (
     Mutation(
         "solver/observables/reductions.py",
-        "candidates = turns.take(near + slope >= best[turns.orbit])",
-        "candidates = turns.take(near + slope < best[turns.orbit])",
+        "+ gain >= best[:, None]",
+        "+ gain < best[:, None]",
         "extrema between nodes do not count",
         (f"{EVENTS}::test_extremes_over_continuous_time_and_at_the_ends",),
     ),

@@ -67,6 +67,20 @@ SWEEPS = (
         (f"{TILES}::test_families_are_one_only_where_following_leads_from_one_to_the_other",),
     ),
     Mutation(
+        "sweeps/tiles.py",
+        "BESIDE = 0.2",
+        "BESIDE = 0.0",
+        "searches begin beside what is known",
+        (f"{TILES}::test_no_search_begins_beside_a_known_cycle_and_yet_the_branches_are_one",),
+    ),
+    Mutation(
+        "sweeps/tiles.py",
+        "joins = np.concatenate([self.task.joins, self.joins])",
+        "joins = self.joins",
+        "branches that are known to be one are followed to each other again",
+        (f"{TILES}::test_branches_that_are_known_to_be_one_are_not_followed_to_each_other_again",),
+    ),
+    Mutation(
         "sweeps/families.py",
         "one, other = place[len(branch) :].reshape(-1, 2).T",
         "one, other = place[len(branch) :].reshape(2, -1)",

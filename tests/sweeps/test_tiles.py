@@ -13,11 +13,12 @@ from stridemap.solver.cycles.status import Status
 from stridemap.solver.model.loading import load
 from stridemap.solver.model.scales import Scales
 from stridemap.solver.options import IN_SWEEPS, AcceptanceOptions, ContinuationOptions, SearchOptions
+from stridemap.sweeps import tiles
 from stridemap.sweeps.families import families
 from stridemap.sweeps.grid import Grid
 from stridemap.sweeps.solutions import NONE, Guesses, Solutions
 from stridemap.sweeps.tasks import Task
-from stridemap.sweeps.tiles import work
+from stridemap.sweeps.tiles import BESIDE, work
 from tests.oracles.kernels import needs_compiler
 from tests.oracles.reference import GUESSES, LIFTING
 
@@ -179,6 +180,44 @@ def test_from_a_branch_the_cells_beside_it_are_tried():
     assert set(part.outgoing.cell.tolist()) <= {0, 2, 4}
     assert len(part.outgoing) > 0
     assert set(part.outgoing.branch.tolist()) <= set(part.seen.branch.tolist())
+
+
+def beside_a_known_cycle(**more):
+    """A task with a cycle that is known at alpha = 0.25, and a guess for it from the one at 0.24."""
+    model = load("wobbling")
+    axes = (np.array([22.0, 22.5, 23.0]), np.array([0.24, 0.25]))
+    fixed = {n: v for n, v in model.preset.items() if n not in ("k", "alpha")}
+    there, here = (Line((22.5,), {"alpha": alpha}).cycles(22.5).u[:1] for alpha in axes[1])
+    assert 1e-4 < np.abs((there - here) / Scales.of(model).unknowns).max() < BESIDE
+    seen = Solutions(np.array([3]), here, np.array([5]))
+    return Task(
+        model, Grid(("k", "alpha"), axes), fixed, SearchOptions(starts=1, period_min=0.3, period_max=3.0),
+        AcceptanceOptions(), IN_SWEEPS, Lanes(), round=2, tile=0, cells=np.array([1, 3, 5]),
+        seeds=np.array([], dtype=np.int64),
+        incoming=Guesses(np.array([3]), there, np.array([10**12]), np.array([2])),
+        known=seen, seen=seen, **more,
+    )  # fmt: skip
+
+
+def test_no_search_begins_beside_a_known_cycle_and_yet_the_branches_are_one(monkeypatch):
+    monkeypatch.setattr(Solver, "search", refuse)
+    found = work(beside_a_known_cycle())
+    assert not found.failures
+    assert not len(found.orbits["cell"])
+    assert found.joins.tolist() == [[10**12, 5]]
+
+
+def test_branches_that_are_known_to_be_one_are_not_followed_to_each_other_again(monkeypatch):
+    task = beside_a_known_cycle(joins=np.array([[10**12, 5]]))
+    monkeypatch.setattr(tiles, "follow", refuse)
+    found = work(task)
+    assert not found.failures
+    assert not len(found.joins)
+
+
+def refuse(*args, **kwargs):
+    """In the place of what must not be called."""
+    raise AssertionError("called")
 
 
 def test_families_are_one_only_where_following_leads_from_one_to_the_other():

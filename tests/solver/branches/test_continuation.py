@@ -134,6 +134,13 @@ def test_a_branch_ends_where_another_one_begins_that_it_leads_to():
     alone = [len(followed(model, u[[i]], *line, s=s).x) for i in (0, 1)]
     together = followed(model, u, *line, s=s)
     assert len(together.x) < 0.75 * sum(alone)
+    # One of them goes around the fold to where the other begins, which goes on from there.
+    sides = [
+        np.count_nonzero((together.branch == i) & (together.ahead == ahead))
+        for i in (0, 1)
+        for ahead in (False, True)
+    ]
+    assert sorted(sides)[0] <= 1 < sorted(sides)[1]
     # All springs are passed as often as by one of them alone.
     positions = np.linspace(0, 1, 41)
     one = followed(model, u[[0]], *line, s=s).crossings(positions)

@@ -113,6 +113,15 @@ def test_every_turning_point_is_found(turns, sign):
     np.testing.assert_allclose(g[:, 0], [function(x) for x in turns], rtol=0, atol=1e-13)
 
 
+def test_turning_points_are_found_where_they_are_looked_for():
+    turns = np.array([0.22, 0.64, 0.67])
+    trace = Drawn.of_functions(Polynomial.fromroots(turns).integ())
+    for interval, found in ((2, turns[:1]), (6, turns[1:]), (4, [])):
+        within = np.arange(10)[None] == interval
+        t, _, _ = locate(trace, turning_brackets(trace, "drawn", within))
+        np.testing.assert_allclose(t, found, rtol=0, atol=2 * LOCATE_TOLERANCE * 0.1)
+
+
 def test_zeros_of_many_orbits_are_in_order():
     functions = [Sine(rate, 0.4) for rate in (3.0, 9.0, 25.0)]
     trace = Drawn.of_functions(*functions)
