@@ -323,9 +323,9 @@ class ContinuationOptions(Options):
 
 
 IN_SWEEPS = ContinuationOptions(
-    ds=0.05,
+    ds=0.02,
     ds_min=1e-5,
-    ds_max=0.4,
+    ds_max=0.1,
     step_growth=2.0,
     step_shrink=0.4,
     max_steps=600,
@@ -334,3 +334,6 @@ IN_SWEEPS = ContinuationOptions(
     easy_tangent_cosine=0.98,
 )
 """How a sweep follows branches by default."""
+
+IN_SWEEPS_OF_CYCLES = replace(IN_SWEEPS, ds=0.05, ds_max=0.4)
+"""The same where special points are not located: nothing need be seen between two points of a branch."""

@@ -26,6 +26,7 @@ from stridemap.solver.model.loading import available, load
 from stridemap.solver.model.model import Model
 from stridemap.solver.options import (
     IN_SWEEPS,
+    IN_SWEEPS_OF_CYCLES,
     STARTS_MAX,
     AcceptanceOptions,
     ContinuationOptions,
@@ -337,7 +338,7 @@ def parse_config(data: Mapping[str, Any], source: str = "configuration") -> Swee
         search=search,
         acceptance=_record(AcceptanceOptions, file.acceptance, f"{source}: [acceptance]"),
         continuation=_record(
-            ContinuationOptions, file.continuation, f"{source}: [continuation]", asdict(IN_SWEEPS)
+            ContinuationOptions, file.continuation, f"{source}: [continuation]", _usual(file)
         ),
         special_points=file.special_points,
         units={} if si.units is None else asdict(si.units),
@@ -363,6 +364,15 @@ def _record(
         return cls.from_mapping({**(usual or {}), **values})
     except InputError as error:
         raise InputError(f"{where} {error}") from None
+
+
+def _usual(file: _File) -> dict[str, Any]:
+    """What the table of continuation leaves out; a first step is not longer than the longest in it."""
+    usual = asdict(IN_SWEEPS if file.special_points else IN_SWEEPS_OF_CYCLES)
+    longest = file.continuation.get("ds_max")
+    if isinstance(longest, int | float) and longest > 0:
+        usual["ds"] = min(usual["ds"], longest)
+    return usual
 
 
 def _beside(source: str, model: str) -> str:

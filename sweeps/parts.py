@@ -59,25 +59,37 @@ def result_of(model: Model, round_: int, tile: int, part: pa.Table) -> Result:
     model : Model
     round_, tile : int
     part : Table
-        As from `part_table`.
+        As from `part_table`, or what `counted_columns` names of it: cycles then have these columns only.
     """
 
     def rows(kind: str) -> pa.Table:
         return part.filter(pc.equal(part[KIND], kind))
 
     orbits, failed, thrown, joins = (rows(k) for k in (ORBIT, FAILURE, DISCARDED, JOIN))
+    special = rows(SPECIAL)
+    if len(special):
+        special = special.select(special_schema(model).names).cast(special_schema(model))
+    else:
+        special = special_table_of(model, {})
+    cycles = pa.schema([field for field in orbit_schema(model) if field.name in part.column_names])
     lost = zip(*(thrown[name].to_pylist() for name in ("cell", REASON, NUMBER)), strict=True)
     return Result(
         round_,
         tile,
-        columns_of(orbits.select(orbit_schema(model).names).cast(orbit_schema(model))),
+        columns_of(orbits.select(cycles.names).cast(cycles)),
         dict(zip(failed["cell"].to_pylist(), failed[REASON].to_pylist(), strict=True)),
         solutions_of(model, rows(SEEN)),
         guesses_of(model, part),
         np.column_stack([joins[name].to_numpy() for name in ("branch", NUMBER)]),
-        columns_of(rows(SPECIAL).select(special_schema(model).names).cast(special_schema(model))),
+        columns_of(special),
         {(cell, status): n for cell, status, n in lost},
     )
+
+
+def counted_columns(model: Model, special: bool) -> list[str]:
+    """The columns of a part that are needed to take account of it, special points included or not."""
+    names = [*guess_columns(model), "stable", REASON]
+    return list(dict.fromkeys(names + (special_schema(model).names if special else [])))
 
 
 def orbits_of(model: Model, part: pa.Table) -> pa.Table:

@@ -34,6 +34,7 @@ from stridemap.sweeps.found import Found
 from stridemap.sweeps.grid import Grid, tile_size, tiles
 from stridemap.sweeps.lock import held, refuse_if_held
 from stridemap.sweeps.parts import (
+    counted_columns,
     guess_columns,
     guesses_of,
     known_columns,
@@ -140,8 +141,8 @@ def sweep(
     backend : str or Backend, optional
         What runs the kernels: "lanes", "scalar" or "interpreter"; by default the fastest that works here.
     tile_cells : int, optional
-        Largest number of cells in a piece of work; by default some quarter of the grid, within bounds. Which
-        cycles are found may depend on it, never on the number of workers.
+        Largest number of cells in a piece of work; by default less than a third of the grid, within bounds.
+        Which cycles are found may depend on it, never on the number of workers.
     progress : callable, optional
         Called with a `Progress` after each tile.
 
@@ -300,7 +301,8 @@ class _Run:
                 found += self.found.counted(result)
                 self._report(round_, finished, len(given), found)
         # Read back in the order of tiles, whatever the order in which they were finished.
-        parts = ((tile, self.store.read_part(round_, tile)) for tile in given)
+        columns = counted_columns(self.model, self.config.special_points)
+        parts = ((tile, self.store.read_part(round_, tile, columns)) for tile in given)
         return self._absorb(result_of(self.model, round_, tile, part) for tile, part in parts)
 
     def _computed(self, pool: Executor, tasks: Iterator[Task]) -> Generator[Result, None, None]:

@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 import stridemap.sweeps
 from stridemap.errors import InputError
 from stridemap.solver.model.loading import load
-from stridemap.solver.options import IN_SWEEPS, AcceptanceOptions
+from stridemap.solver.options import IN_SWEEPS, IN_SWEEPS_OF_CYCLES, AcceptanceOptions
 from stridemap.sweeps.config import Range, canonical_json, load_config, parse_config
 
 pytestmark = pytest.mark.quick
@@ -100,6 +100,16 @@ def test_settings_at_their_limits_are_accepted():
     assert config(search=least).search.model_dump() == {**least, "search_box": {}, "widen": 1.0}
     assert config(search={"seed": 2**32 - 1}).search.seed == 4294967295
     assert config(grid={"k": {"start": 7, "stop": 7, "num": 1}}, max_cells=1).grid == {"k": (7.0,)}
+
+
+def test_a_first_step_is_not_longer_than_the_longest_that_is_given():
+    assert config(continuation={"ds_max": 0.01}).continuation.ds == 0.01
+    assert config(continuation={"ds_max": 0.3}).continuation.ds == IN_SWEEPS.ds
+    assert config(special_points=False).continuation == IN_SWEEPS_OF_CYCLES
+    assert config(continuation={"ds_max": 0.3, "ds": 0.2}).continuation.ds == 0.2
+    for refused in ({"ds_max": 0.01, "ds": 0.2}, {"ds_max": 0.0}, {"ds_max": "long"}, {"ds_max": True}):
+        with pytest.raises(InputError, match="continuation"):
+            config(continuation=refused)
 
 
 # The hash
