@@ -8,13 +8,15 @@ one solves the residual's equation R(u, s) = 0 together with
     <u - u1, tau_u> + (s - s1) tau_s = ds,
 
 which keeps it in the plane across the tangent at the arclength ds. So a fold, where the curve turns back in
-s, is passed like any other point. A branch ends with its line, at s = 0 or s = 1.
+s, is passed like any other point. Newton's method begins on the parabola that bends as the branch did in the
+arclength step before. A branch ends with its line, at s = 0 or s = 1.
 
 The points are as exact as a guess must be. Between two of them a branch is the cubic through both with their
 tangents.
 
 Where a branch arrives at the beginning of another one on its line, or at a cycle that is known, both are one
-curve, and it need not be followed any further.
+curve, and it need not be followed any further. All that begin on one curve set out the same way along it, so
+that each stretch of it is followed by one of them.
 """
 
 from collections.abc import Callable
