@@ -48,6 +48,7 @@ class Found:
         self.n_orbits = 0
         self._branches = FirstSeen()
         self._joins: list[Ints] = []
+        self._families: Ints | None = None  # branches that are joined, and the smallest of the family of each
         self._special: list[pa.Table] = []
 
     def counted(self, result: Result) -> int:
@@ -61,6 +62,7 @@ class Found:
         for (where, status), n in result.discarded.items():
             self.discarded[where, CODES[Status(status)]] += n
         self._joins.append(result.joins)
+        self._families = None
         if len(special := special_table_of(self.model, result.special)):
             self._special.append(special)
         columns = (result.orbits[name] for name in ("branch", "cell", "period"))
@@ -74,10 +76,16 @@ class Found:
 
     def joins_of(self, branches: Ints) -> Ints:
         """Those of some branches that are one with another, each with the smallest of its family."""
-        smallest = smallest_of_family(
-            branches, np.concatenate([np.empty((0, 2), dtype=np.int64), *self._joins])
-        )
-        return np.column_stack([branches, smallest])[smallest != branches]
+        if self._families is None:
+            joins = np.concatenate([np.empty((0, 2), dtype=np.int64), *self._joins])
+            names = np.unique(joins)
+            self._families = np.column_stack([names, smallest_of_family(names, joins)])
+        names, smallest = self._families.T
+        at = np.searchsorted(names, branches)
+        known = np.flatnonzero(at < len(names))
+        known = known[names[at[known]] == branches[known]]
+        pairs = np.column_stack([branches[known], smallest[at[known]]])
+        return pairs[pairs[:, 0] != pairs[:, 1]]
 
     def tables(self, store: Store) -> tuple[Pieces, Pieces, pa.Table]:
         """Limit cycles and cells, which are made as they are written, and special points.

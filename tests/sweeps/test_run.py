@@ -24,6 +24,7 @@ from stridemap.solver.model.files import GENERATED
 from stridemap.solver.model.loading import load
 from stridemap.sweeps import run
 from stridemap.sweeps.config import canonical_json, parse_config
+from stridemap.sweeps.families import smallest_of_family
 from stridemap.sweeps.store import read_cells, read_orbits, read_provenance
 from tests.oracles.reference import REFERENCE
 from tests.oracles.shared import once
@@ -62,6 +63,33 @@ def test_a_file_and_a_configuration_are_the_same(reference, tmp_path):
     (tmp_path / "my.toml").write_text(text + "starts = 8\nsubgrid = 2\n[continuation]\nmax_steps = 10\n")
     sweep(str(tmp_path / "my.toml"), str(tmp_path / "out"), executor=Remembering())
     assert tables(tmp_path / "out") == tables(reference[0])
+
+
+class Keeping(Remembering):
+    """Keeps what it was given, and what came of it."""
+
+    def __init__(self):
+        super().__init__()
+        self.kept = []
+
+    def submit(self, function, task):
+        done = super().submit(function, task)
+        self.kept.append((task, done.result()))
+        return done
+
+
+def test_later_rounds_are_told_which_branches_are_one(tmp_path):
+    executor = Keeping()
+    sweep(CONFIG, tmp_path, executor=executor, tile_cells=3)
+    told = 0
+    for task, _ in executor.kept:
+        earlier = [result.joins for other, result in executor.kept if other.round < task.round]
+        branches = np.unique(np.concatenate([task.incoming.branch, task.seen.branch]))
+        smallest = smallest_of_family(branches, np.concatenate([np.empty((0, 2), dtype=int), *earlier]))
+        expected = np.column_stack([branches, smallest])[branches != smallest]
+        np.testing.assert_array_equal(task.joins, expected)
+        told += len(expected)
+    assert told > 0
 
 
 # -- what is in the tables -----------------------------------------------------------------------------------
